@@ -11,11 +11,11 @@
 
 namespace poinsot::physics {
 
-/// The free motion as a program writes it from a textbook and Boost.Math, in double throughout: for the benchmark
-/// to stand beside FreeMotion. omega by Landau & Lifshitz, Mechanics, section 37; attitude by Euler angles about
-/// M, with
+/// Free motion computed as in a textbook, with Boost.Math and in double throughout, for a benchmark beside
+/// FreeMotion. omega follows Landau & Lifshitz, Mechanics, section 37; the attitude follows Euler angles about M,
+/// with
 ///   phi' = M (I_a Omega_a^2 + I_2 Omega_2^2)/(I_a^2 Omega_a^2 + I_2^2 Omega_2^2)
-/// integrated by Legendre's Pi(n; am u, k). Not for symmetric bodies, steady spins and the separatrix.
+/// integrated by Legendre's Pi(n; am u, k). Symmetric bodies, steady spins and the separatrix are not supported.
 class ClassicalRoute {
  public:
   ClassicalRoute(const Eigen::Vector3d& I, const Eigen::Vector3d& omega0, const Eigen::Quaterniond& q0)
@@ -61,14 +61,14 @@ class ClassicalRoute {
     start_ = integral(u0_, sn, cn);
   }
 
-  /// Of phi'/lambda - M/(lambda I_2) over u.
+  /// Returns the integral of phi'/lambda - M/(lambda I_2) over u.
   double integral(double u, double sn, double cn) const {
     const double amplitude = std::atan2(sn, cn) + 2 * std::acos(-1.0) * std::round(u / (4 * K_));
     const double pi = boost::math::ellint_3(k_, n_, amplitude);
     return M_ / lambda_ * (1 / I_[a_] - 1 / I_[mid_]) * (u / n_ - (1 - n_) / n_ * pi);
   }
 
-  /// Rz(phi) Rx(theta) Rz(psi) in the axes x = c + 1, y = c + 2, z = c.
+  /// Returns Rz(phi) Rx(theta) Rz(psi) in the axes x = c + 1, y = c + 2, z = c.
   Eigen::Quaterniond euler(const Eigen::Vector3d& m, double phi) const {
     const double x = m[(c_ + 1) % 3], y = m[(c_ + 2) % 3];
     const auto about = [&](double angle, int axis) {

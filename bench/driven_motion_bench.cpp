@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nanoseconds per free flow over a short step, per step of each composition, per state at a random time, and to
-// integrate 20 s.
+// Benchmarks of driven motion: time per free flow over a short step, per step of each composition, per state at a
+// random time, and to integrate 20 s.
 #include <benchmark/benchmark.h>
 
 #include "physics/driven_motion.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of one 1920x1080 frame of the tennis racket, CPU time on one core.
+// Benchmarks of the parts of one 1920x1080 frame of the tennis racket: CPU time on one core.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -20,14 +20,13 @@ const stage::Stage& racket() {
   return stage;
 }
 
-/// Returns the picture at a time of the film, which repeats.
 draw::Picture racketAt(double time_s) {
   return racket().compose(std::fmod(time_s, racket().scene().time.duration_s), {kSize.width, kSize.height});
 }
 
 draw::DrawList racketList(double time_s) { return racketAt(time_s).panels.at(0).list; }
 
-/// One context and renderer for all; the first pictures, which compile shaders, are drawn before any is timed.
+/// Returns the shared renderer, after it has drawn the first pictures, which compile shaders, outside any timing.
 render::Renderer& renderer() {
   static const auto context = [] {
     gl::pinEnvironment(false);

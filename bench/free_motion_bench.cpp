@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nanoseconds per state at a random time, for each kind of motion.
+// Benchmarks of free motion: time per state at a random time, and per construction, for each kind of motion.
 #include <benchmark/benchmark.h>
 
 #include "physics/free_motion.h"
@@ -12,7 +12,7 @@ void evaluate(benchmark::State& state, const Eigen::Vector3d& moments, const Eig
   double t = 0.1;
   for (auto _ : state) {
     benchmark::DoNotOptimize(motion.at(t));
-    t = t < 1e6 ? 1.618 * t : 0.1;  // no two alike, none near the last
+    t = t < 1e6 ? 1.618 * t : 0.1;  // all times differ, and none is near the previous one
   }
 }
 

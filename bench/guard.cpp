@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// poinsot_guard PART: does a part's work, for guard.py to count its instructions, and prints what these depend on.
+// poinsot_guard PART: runs a part, whose instructions guard.py counts, and prints what the counts depend on.
 #include <fmt/format.h>
 
 #include <Eigen/Core>
@@ -10,10 +10,10 @@
 
 #include "guard_parts.h"
 
-// guard.py tells valgrind this name: between its start and its end, instructions count.
+// guard.py passes this name to valgrind, which counts the instructions between the function's start and its end.
 extern "C" [[gnu::noinline]] void poinsotGuardCounted(const poinsot::bench::Work& work) {
   work();
-  // Else the call above would be a jump at the very end, and valgrind would not see this function's own end.
+  // Keeps the call above from becoming a jump, after which valgrind would not see the end of this function.
   asm volatile("" ::: "memory");
 }
 
@@ -21,8 +21,8 @@ namespace {
 
 using namespace poinsot;
 
-/// What of the CPU libraries and the comparison of pictures choose their code by. Under valgrind it is that of the
-/// CPU which valgrind acts: never AVX-512.
+/// Returns the CPU features by which the CPU libraries and the comparison of pictures choose their code. Under
+/// valgrind, these are features of the emulated CPU: never AVX-512.
 const char* cpu() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx2")) return "x86-64 with AVX2";
@@ -47,7 +47,7 @@ int main(int argc, char** argv) try {
     return 2;
   }
   const bench::Work work = part->second();
-  work();  // once before, so that memory is there and what is made once is made
+  work();  // a first run, which allocates memory and makes what is made once
   poinsotGuardCounted(work);
   printWhatCountsDependOn();
 } catch (const std::exception& error) {

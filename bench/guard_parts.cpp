@@ -17,7 +17,7 @@ namespace {
 
 constexpr image::PixelSize kFrame{1920, 1080};
 
-/// States of each kind of motion, those of bench/README.md, at times from 0.1 s to about 1e6 s.
+/// Computes states of each kind of motion in bench/README.md, at times from 0.1 s to about 1e6 s.
 Work motion() {
   using Eigen::Vector3d;
   struct Kind {
@@ -42,7 +42,7 @@ Work motion() {
   };
 }
 
-/// Pictures of the standard scene, spread over its film, from the draw list to the last letter.
+/// Composes pictures of the standard scene, spread over its film, from the draw list to the last letter.
 Work compose() {
   const auto stage =
       std::make_shared<const stage::Stage>(scene::loadScene(POINSOT_SOURCE_DIR "/bench/standard.toml"));
@@ -52,7 +52,6 @@ Work compose() {
   };
 }
 
-/// A frame as the encoder of films gets it.
 Work convert() {
   struct Planes {
     std::vector<std::uint8_t> y = std::vector<std::uint8_t>(kFrame.width * kFrame.height);
@@ -66,8 +65,8 @@ Work convert() {
   };
 }
 
-/// All figures of two pictures that differ at edges. Small: FLIP takes half a second for a frame, 50 times that
-/// here.
+/// Computes all figures of two pictures that differ at edges. The pictures are small, because FLIP takes half a
+/// second for a frame, and 50 times that under valgrind.
 Work compare() {
   constexpr image::PixelSize kSmall{480, 270};
   const auto a = std::make_shared<const image::Image>(guardPicture(kSmall, 0));

@@ -7,10 +7,12 @@
 
 namespace poinsot::bench {
 
-/// What is counted: the same on each call, of one thread, a function of nothing but what it was made with.
+/// Work whose instructions are counted: it does the same on each call, on one thread, and depends on no other
+/// state.
 using Work = std::function<void()>;
 
-/// By the name of the part: makes its work. What that needs is set up here, and does not count.
+/// Returns, by the name of each part, the function that makes its work. Preparations in the function are not
+/// counted.
 const std::map<std::string, Work (*)()>& guardedParts();
 
 }  // namespace poinsot::bench

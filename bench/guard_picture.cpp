@@ -21,19 +21,19 @@ Color mixed(const Color& below, const Color& above, double share) {
 
 Color shaded(const Color& color, double light) { return {light * color.r, light * color.g, light * color.b}; }
 
-/// Of a pixel, what lies inside an edge that is `inside_px` away.
+/// Returns the share of a pixel that lies inside an edge at a distance of `inside_px`.
 double coverage(double inside_px) { return std::clamp(inside_px + 0.5, 0.0, 1.0); }
 
-/// Of a pixel, what lines of `width_px` cover that are `step_px` apart.
+/// Returns the share of a pixel that is covered by lines of width `width_px`, which are `step_px` apart.
 double lineCoverage(double at_px, double step_px, double width_px) {
   const double off_px = std::abs(at_px - step_px * std::floor(at_px / step_px + 0.5));
   return coverage(width_px / 2 - off_px);
 }
 
-/// Places in units of the picture's height from its middle, y up; `px` pixels to the unit.
+/// Draws the plane. Coordinates are in heights of the picture from its middle, y up; `px` is pixels per height.
 Color plane(const Color& below, double x, double y, double px) {
   const double inside_px = px * (-0.05 - std::abs(y + 0.2) + 0.2);
-  const double depth = 1 / (1.2 - y);  // lines draw together towards the horizon
+  const double depth = 1 / (1.2 - y);  // lines converge towards the horizon
   const double lines =
       std::max(lineCoverage(px * x * depth, px * 0.09, 1.5), lineCoverage(px * depth, px * 0.05, 1));
   return mixed(below, mixed(kGlass, kInk, lines), 0.35 * coverage(inside_px) + 0.3 * coverage(inside_px) * lines);

@@ -5,10 +5,10 @@
 
 namespace poinsot::bench {
 
-/// The like of a frame without GL: white, a plane with grid lines, a shaded ellipsoid with its graticule seen
-/// through, a box. Flat areas, gradients and soft edges in about the shares of bench/standard.toml.
-/// @param shift_px  of all that is drawn, to the right: of a part of a pixel, and the picture differs at edges, as
-/// that of another renderer does.
+/// Returns a picture similar to a frame, drawn without OpenGL: white, a plane with grid lines, a shaded ellipsoid
+/// with its graticule visible through it, and a box. The shares of flat areas, gradients and soft edges are about
+/// those of bench/standard.toml.
+/// @param shift_px  shift to the right; a part of a pixel changes only edges, as another renderer does
 image::Image guardPicture(image::PixelSize size, double shift_px);
 
 }  // namespace poinsot::bench

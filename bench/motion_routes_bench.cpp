@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Beside free_motion_bench.cpp: what a state costs by the classical formulas over Boost, and what one step of an
-// integrator costs. Each reports how far it is from FreeMotion (itself tested to 4e-15 rad) as error_rad.
+// Benchmarks beside free_motion_bench.cpp: a state by the classical formulas with Boost, and one step of an
+// integrator. Each reports its deviation from FreeMotion (itself tested to 4e-15 rad) as error_rad.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -49,7 +49,7 @@ BENCHMARK_CAPTURE(boostClassical, flipping, kFlipping);
 BENCHMARK_CAPTURE(boostClassical, near_separatrix, kNearSeparatrix);
 BENCHMARK_CAPTURE(boostClassical, needle, kNeedle);
 
-/// omega in body axes, then w, x, y, z.
+/// State of the integrators: omega in body axes, then the quaternion w, x, y, z.
 using Unknowns = std::array<double, 7>;
 
 struct EulerEquations {
@@ -63,7 +63,7 @@ struct EulerEquations {
   }
 };
 
-/// One step, and the error that steps of this length have made at 100 s.
+/// Measures one step, and reports the error after 100 s of steps of this length.
 template <typename Stepper>
 void integratorStep(benchmark::State& state, double step_s) {
   const EulerEquations equations{kAboutLargest.I};

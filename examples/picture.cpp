@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture from the text of a scene, in one process: scene, stage, renderer, file.
+// Draws a picture from the text of a scene, in one process: scene, stage, renderer, file.
 #include <cstdio>
 
 #include "core/error.h"
@@ -26,16 +26,16 @@ title = "A book, spun about its middle axis"
 
 int main(int argc, char** argv) try {
   if (argc != 2) return std::fprintf(stderr, "usage: picture NAME.png\n"), 2;
-  const scene::Scene scene = scene::parseScene(kScene, "book.toml");  // the name stands in messages
-  const stage::Stage stage(scene);                                    // knows the motion at any time
+  const scene::Scene scene = scene::parseScene(kScene, "book.toml");  // the name appears in messages
+  const stage::Stage stage(scene);                                    // computes the motion at any time
 
-  gl::pinEnvironment(false);  // before anything of OpenGL
+  gl::pinEnvironment(false);  // before any use of OpenGL
   const auto context = gl::openContext(gl::Backend::kAuto);
-  render::Renderer renderer(*context);  // of this thread, as the context is
+  render::Renderer renderer(*context);  // belongs to this thread, like the context
 
   const draw::Picture picture =
-      stage.compose({2.5, true}, {640, 360});           // a still, as values: no pixel is drawn yet
-  output::writePng(argv[1], renderer.render(picture));  // whole under its name, or not there
+      stage.compose({2.5, true}, {640, 360});           // a still at 2.5 s, as values: no pixel is drawn yet
+  output::writePng(argv[1], renderer.render(picture));  // appears only when complete
   std::printf("%s, drawn with %s\n", argv[1], context->backendName());
 } catch (const core::Error& error) {
   std::fprintf(stderr, "%s\n", error.what());

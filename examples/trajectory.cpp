@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hammer is thrown so that it spins about its head: about the axis of middle moment, and so it flips.
-// Its motion is known at any time; here it is asked for at 13 of them.
+// Throws a hammer that spins about its head, the axis of the middle moment, and therefore flips. The motion is
+// known at any time; this program prints it at 13 of them.
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -11,14 +11,14 @@
 using namespace poinsot;
 
 int main() {
-  // Lengths in metres, masses in kilograms, in axes B of our own: the handle along z, the head along y.
+  // Lengths in metres, masses in kilograms. In the axes B chosen here, the handle is along z, the head along y.
   const physics::SolidPart handle{physics::Cylinder{.radius_m = 0.012, .height_m = 0.30}, 0.15};
   physics::SolidPart head{physics::Box{{0.03, 0.12, 0.03}}, 0.50};
   head.offset_B = {0, 0, 0.15};
   const physics::MassProperties hammer = massProperties(handle) + massProperties(head);
   const physics::PrincipalAxes axes(hammer.inertia_B());
 
-  const Eigen::Vector3d omega0_B(0.1, 8, 0.1);  // rad/s: about the head's axis, nearly
+  const Eigen::Vector3d omega0_B(0.1, 8, 0.1);  // rad/s, nearly about the head's axis
   const physics::FreeMotion motion(axes, omega0_B, Eigen::Quaterniond::Identity());
 
   std::printf("moments %.6e %.6e %.6e kg m^2\n", axes.inertia_B()(0, 0), axes.inertia_B()(1, 1),

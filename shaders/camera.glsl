@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// C: camera axes, x right, y up, looking along -z. Pixels count from the top left corner, y down, and row 0 of the
+// Camera axes C: x right, y up, looking along -z. Pixels count from the top left corner, y down, and row 0 of the
 // framebuffer is the top row, so that nothing is flipped on read-back.
 
-// The ray through a pixel: x_C = rayFrom + t * rayThrough, t being the distance along the view.
+// The ray through a pixel is x_C = rayFrom + t * rayThrough, where t is the distance along the view.
 vec3 rayThrough(vec2 p_px) {
   vec2 q = (p_px - opticalCentre_px) * (pixelAtOne * (1.0 - orthographic));
   return vec3(q.x, -q.y, -1.0);
@@ -13,7 +13,7 @@ vec3 rayFrom(vec2 p_px) {
   return vec3(q.x, -q.y, 0.0);
 }
 
-// Length of a pixel's side at distance t along the view.
+// Returns the length of a pixel's side at distance t along the view.
 float pixelSize(float t) { return mix(t, 1.0, orthographic) * pixelAtOne; }
 
 float toDepth(float t) { return clamp((t - depthRange.x) * depthRange.y, 0.0, 1.0); }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Puts one pixel together from everything that was kept of it: the nearest solid that fills it, the two nearest
-// edges, and every translucent sheet, which is solved for here. Each fragment is dimmed by those in front of it;
-// no order of drawing exists, so none can be wrong. Linear light until the last line.
+// Composes one pixel from everything kept for it: the nearest solid that fills it, the two nearest edges, and all
+// translucent sheets, which are solved for here. Each fragment is dimmed by those in front of it, so that no drawing order
+// exists that could be wrong. Light is linear until the last line.
 //
-// Made for one kind of place: SOLIDS is 0 where no solid is, 1 inside one, 2 where one may end in a pixel and 3 where two
-// may; OUTLINES is 0 where every sheet that is drawn fills the place.
+// The shader is compiled for one kind of place. SOLIDS is 0 where no solid is, 1 inside a solid, 2 where one edge may be
+// in a pixel, and 3 where two may. OUTLINES is 0 where every sheet that is drawn fills the place.
 #if SOLIDS > 0
 uniform sampler2DRect solidColor, solidDepth;
 #endif
@@ -26,9 +26,9 @@ const int kEdges = SOLIDS > 1 ? SOLIDS - 1 : 0;
 #include "kept_edge.glsl"
 #endif
 
-// Of all that is in one pixel: premultiplied colour, depth. There is no loop over them: what llvmpipe does not unroll
-// it reads and writes lane by lane. EACH_...(f), made for the place, calls f for each number; EACH_PAIR for two, the
-// smaller one first.
+// Premultiplied colours and depths of all fragments in one pixel. There are no loops over them, because llvmpipe reads and
+// writes arrays lane by lane unless it unrolls the loop. The macro EACH_...(f), made for the place, calls f for each
+// number; EACH_PAIR calls it for each pair, the smaller number first.
 const int kFirstPlane = kEdges + 2 * ELLIPSOIDS, kFirstCone = kFirstPlane + PLANES;
 const int kFirstPolygon = kFirstCone + 3 * CONES, kFragments = kFirstPolygon + POLYGONS;
 vec4 colors[kFragments + 1];
@@ -47,7 +47,7 @@ float depths[kFragments + 1];
 #include "sheet_polygon.glsl"
 #endif
 
-// Where the constants of each kind begin, of which one takes OF_...; a vector of the paper's colour is before them.
+// Indices of the first constants of each kind of sheet. A sheet takes OF_... constants; constant 0 is the paper's colour.
 const int kEllipsoids = 1, kPlanes = kEllipsoids + OF_ELLIPSOID * ELLIPSOIDS;
 const int kCones = kPlanes + OF_PLANE * PLANES, kPolygons = kCones + OF_CONE * CONES;
 
@@ -63,18 +63,20 @@ void addEdge(int slot, sampler2DRect edgeColors, sampler2DRect edgeDepths, ivec2
 }
 
 #if SOLIDS > 2
-// How far before what it marks a line may be, in pixels' size. At 8 some are missed, at 60 no more are found.
+// Largest distance, in pixel sizes, of a line in front of what it marks. At 8 some lines are missed; at 60 no more are
+// found.
 const float kLift_px = 20.0;
 
-// How much of a pixel neither a line nor the edge behind it covers, where one lies along the other. Of two lines, as laps
-// of a path, the one that covers more hides the other. A line on an outline has its middle there, and half of it lies
-// outside: exact where the outline is level or upright.
+// Returns the share of a pixel that neither a line nor the edge behind it covers, if one lies along the other. Of two
+// lines, such as laps of a path, the one with more coverage hides the other. A line on an outline has its middle there,
+// and half of it is outside; this is exact where the outline is level or upright.
 float openBeside(float line, float other, bool otherIsLine) {
   return otherIsLine ? 1.0 - max(line, other) : clamp(1.0 - other - 0.5 * line, 0.0, 1.0 - line);
 }
 
-// Edges that cross hide of one another what chance would have it, and the second needs no more than to be dimmed. A
-// line mostly marks what is right behind it: then the second edge gets the opacity that leaves open what is.
+// Adjusts the second edge to a line in front of it. Edges that cross hide each other as chance would have it, and dimming
+// the second one is enough. But a line usually marks what is right behind it. Then the second edge gets the opacity that
+// leaves open the share of openBeside().
 void fitToLine(ivec2 texel) {
   float line = colors[0].a, other = colors[1].a;
   float lift = kLift_px * pixelSize(depthRange.x + depths[0] / depthRange.y) * depthRange.y;
@@ -84,7 +86,7 @@ void fitToLine(ivec2 texel) {
 }
 #endif
 
-// How the solids' depth grows to the right and down, from the flatter side: not across an outline.
+// Returns how the solids' depth grows to the right and down. Takes the flatter side, so as not to cross an outline.
 vec2 solidSlope(ivec2 texel, float depth) {
   float left = depth - texelFetch(solidDepth, texel - ivec2(1, 0)).r;
   float right = texelFetch(solidDepth, texel + ivec2(1, 0)).r - depth;
@@ -114,7 +116,7 @@ void main() {
   float depth = texelFetch(solidDepth, texel).r;
   vec2 slope = solidSlope(texel, depth);
   solid = texelFetch(solidColor, texel);
-  solid.a = float(depth < 1.0);  // else the colour is of a picture before
+  solid.a = float(depth < 1.0);  // otherwise the colour is stale
 #define CUT(i) colors[i] *= glassBefore(depth - depths[i], slope - vec2(dFdx(depths[i]), dFdy(depths[i])));
   EACH_SHEET(CUT)
 #endif
@@ -126,7 +128,7 @@ void main() {
   fitToLine(texel);
 #endif
 
-  // What comes through of each, and of what is behind all.
+  // `through` is the visible share of each fragment, and `left` that of what is behind all of them.
   float left = 1.0;
   vec3 sum = vec3(0.0);
   float through[kFragments + 1];

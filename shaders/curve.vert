@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One vertex of a curve's strip, placed by the CPU: straight in pixels, so that widths are exact.
+// Vertex of a curve's strip. The CPU places it, and pieces are straight in pixels, so that widths are exact.
 #include "constants.glsl"
 
 layout(location = 0) in vec2 position_px;

@@ -12,7 +12,7 @@ void main() {
   RayEllipsoid e = rayEllipsoid(0);
   float solid = own(9).x, gloss = own(9).y;
   vec3 color = own(10).rgb;
-  vec4 marking = own(11);  // colour of the lines on it, and their width in px (0: none)
+  vec4 marking = own(11);  // colour of the lines on the ellipsoid, and their width in px (0: none)
 
   float coverage = covered(edgeAt(e.outline, p_px));
   Chord chord = chordOf(e, p_px);

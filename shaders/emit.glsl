@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a solid's fragment is kept. EDGES 0 keeps what fills its pixel; EDGES 1 the nearest fragment that fills only part
-// of it and lies behind the edge found before (none in the first edge pass: nothing is bound then, which reads as 0);
-// EDGES 2 what fills its pixel behind another solid, but comes forward within it, as the two cut each other there.
-// The composite puts them together in order of depth. EDGES 2 wants coverage.glsl before.
+// Decides which fragments of solids a pass keeps. EDGES 0 keeps fragments that fill their pixel. EDGES 1 keeps the nearest
+// fragment that fills only part of its pixel and lies behind the edge found before (in the first edge pass nothing is
+// bound, which reads as 0). EDGES 2 keeps fragments that fill their pixel behind another solid, but come forward within it
+// because the two cut each other there. The composite pass puts all of them together in order of depth. EDGES 2 needs
+// coverage.glsl before this file.
 #if EDGES > 0
 #include "kept_edge.glsl"
 #endif
@@ -10,25 +11,25 @@ out vec4 fragment;
 #if EDGES == 1
 uniform sampler2DRect edgeBefore;
 #elif EDGES == 2
-uniform sampler2DRect fullColor, fullDepth;  // alpha: the solid's number
+uniform sampler2DRect fullColor, fullDepth;  // alpha: number of the solid
 #endif
 
-// Where a solid's fragment is in the picture. Texels of the layers themselves are at gl_FragCoord.
+// Position of a fragment in the picture. Texels of the layers themselves are at gl_FragCoord.
 #define place_px (gl_FragCoord.xy + layers_px)
 
-// An edge must be this much farther to be another edge and not the same one again.
+// An edge must be farther than the previous one by this depth, or it counts as the same edge.
 const float kSameDepth = 1e-6;
 const float kNumber = 1.0 / 65535.0;
 
 #if EDGES == 2
 bool isSame(float a, float b) { return abs(a - b) < 0.5 * kNumber; }
 
-// Whether that solid is there; where the depth is 1 nothing is, and the colour is of a picture before.
+// Reports whether that solid is at a texel. Where the depth is 1 there is no solid, and the colour is stale.
 bool isThere(ivec2 texel, float depth, float number) {
   return depth < 1.0 && isSame(texelFetch(fullColor, texel).a, number);
 }
 
-// How the depth of the solid in front grows in the direction of `step`, as far as that solid reaches.
+// Returns how the depth of the solid in front grows in the direction of `step`, as far as that solid reaches.
 float slopeInFront(ivec2 texel, ivec2 step, float depth, float number) {
   float depthBefore = texelFetch(fullDepth, texel - step).r, depthAfter = texelFetch(fullDepth, texel + step).r;
   float before = depth - depthBefore, after = depthAfter - depth;
@@ -39,8 +40,8 @@ float slopeInFront(ivec2 texel, ivec2 step, float depth, float number) {
 }
 #endif
 
-// `solid` is its number, of 65535; 1: it has no seams, as a flat line. Light brighter than white is kept as white,
-// in floats as in 16 bits, or its edges would be jagged.
+// Writes a fragment. `solid` is the solid's number divided by 65535; number 1 has no seams, such as a flat line. Light
+// brighter than white is kept as white, in floats as in 16 bits, or its edges would be jagged.
 void emit(float solid, vec3 color, float coverage, float depth) {
   color = min(color, 1.0);
 #if EDGES == 2

@@ -5,7 +5,7 @@
 #include "shading.glsl"
 #include "emit.glsl"
 
-// The inside of a mesh's faces. Pixels that an edge runs through are marked: mesh_pixel.vert draws those.
+// Draws the insides of a mesh's faces. Pixels that an edge crosses are marked, and mesh_pixel.vert draws them.
 uniform sampler2DRect marks;
 
 in vec3 normalOut_C;

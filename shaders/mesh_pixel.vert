@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One pixel of a mesh that the CPU resolved, shaded here: up to four directions of surface, each with its share.
+// Shades one pixel of a mesh that the CPU resolved: up to four directions of surface, each with its share.
 #include "constants.glsl"
 #include "camera.glsl"
 #include "shading.glsl"
@@ -12,7 +12,7 @@ layout(location = 5) in vec4 materials[kFacets];   // colour, gloss
 
 layout(location = 9) in float solid;
 
-flat out vec4 shown;  // colour, coverage
+flat out vec4 shown;
 flat out float depth;
 flat out float solidOut;
 
@@ -23,7 +23,7 @@ void main() {
   for (int i = 0; i < kFacets; ++i) {
     if (normals_C[i].w <= 0.0) break;
     vec3 n_C = turnedToEye(normals_C[i].xyz, towardEye_C);
-    // Clamped one by one, as the buffers clamp them where they fill a pixel.
+    // Each direction is clamped separately, as the buffers clamp a surface that fills a pixel.
     vec3 light = min(shade(Material(materials[i].rgb, materials[i].a), n_C, towardEye_C), 1.0);
     sum += normals_C[i].w * light;
   }

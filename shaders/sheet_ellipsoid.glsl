@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a glass ellipsoid looks.
 struct Glass {
   vec3 color;
   float rimOpacity;
-  vec4 lineColor;      // a: opacity, 0 when it has no graticule
+  vec4 lineColor;      // a: opacity, 0 if there is no graticule
   vec2 lineWidth_px;   // and its reciprocal
 };
 
-// The sheet at one end of a chord: its colour, premultiplied, and its depth.
+// Returns the sheet at one end of a chord: premultiplied colour with its opacity.
 vec4 sheetColor(Glass glass, RayEllipsoid e, Chord chord, ChordEnd end, float t, float opacity, float lineShare) {
-  float grazing = 1.0 - end.facing;  // seen along the surface it is denser
+  float grazing = 1.0 - end.facing;  // glass is denser where it is seen along the surface
   float lines = glass.lineColor.a > 0.0 ? graticule(spherePoint(e, chord, end, pixelSize(t)), glass.lineWidth_px) : 0.0;
   return layOver(premultiplied(glass.lineColor.rgb, glass.lineColor.a * lineShare * lines),
                  premultiplied(glass.color, mix(opacity, glass.rimOpacity, grazing * grazing * grazing)));
 }
 
-// Its near sheet and its far one. Flat-on the near one is the thinner, so that what is inside keeps its hue; at the rim
-// the two meet.
+// Adds the near and the far sheet of an ellipsoid. Flat-on, the near sheet is the thinner one, so that what is inside
+// keeps its hue; the two meet at the rim.
 void addEllipsoid(int i, int slot, vec2 p_px, vec3 ray) {
   RayEllipsoid e = rayEllipsoid(i);
   Glass glass = Glass(own(i + 9).rgb, own(i + 6).w, own(i + 10), own(i + 11).yz);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One family of grid lines at coordinate c (in spacings); fades where lines come closer than a few pixels. The width
-// comes with its reciprocal.
+// Returns the coverage by one family of grid lines at coordinate c (in spacings). It fades where lines are closer than a
+// few pixels. The width comes with its reciprocal.
 float gridLines(float c, vec2 width_px) {
   vec2 slope = vec2(dFdx(c), dFdy(c));
   float spacing_px = inversesqrt(dot(slope, slope) + 1e-18);
@@ -8,14 +8,14 @@ float gridLines(float c, vec2 width_px) {
   return faintLine(abs(c - round(c)) * spacing_px, width_px.x) * fade;
 }
 
-// Of the shadow's share: beyond, there is none.
+// Share of the shadow below which there is none.
 const float kShadowEnd = 1.0 / 512.0;
 
-// A rectangle with a grid, a border and a soft shadow. Its coordinates (in spacings) and its depth are quotients of
-// what changes evenly over the picture.
+// Adds a rectangle with a grid, a border and a soft shadow. Its coordinates (in spacings) and its depth are quotients of
+// functions that are linear over the picture.
 void addPlane(int i, int slot, vec2 p_px) {
   vec3 q = vec3(p_px - vec2(own(i).w, own(i + 1).w), 1.0);
-  float inverse = 1.0 / max(dot(own(i + 3).xyz, q), 1e-6);  // 1 / 1 at its centre; beyond the horizon nothing shows
+  float inverse = 1.0 / max(dot(own(i + 3).xyz, q), 1e-6);  // 1 at the centre; nothing shows beyond the horizon
   vec2 uv = vec2(dot(own(i).xyz, q), dot(own(i + 1).xyz, q)) * inverse;
   vec2 lineWidth_px = vec2(own(i + 2).w, own(i + 3).w);  // and its reciprocal
   vec4 lineColor = own(i + 9);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A convex polygon of SIDES sides. From i + 5 on, a side each, with the x of its first corner; then the corners' y.
+// Convex polygon of SIDES sides. From i + 5 on there is a constant per side, with the x of its first corner in w; then the
+// corners' y.
 vec2 polygonCorner_px(int i, int k) { return vec2(own(i + 5 + k).w, own(i + 5 + SIDES + k / 4)[k % 4]); }
 
 void addPolygon(int i, int slot, vec2 p_px, vec3 ray) {
   vec3 point_C = own(i).xyz, normal_C = own(i + 1).xyz;
   float lineWidth_px = own(i).w;
-  vec2 reach = own(i + 4).xy;  // distance of the nearest corner and of the farthest
+  vec2 reach = own(i + 4).xy;  // distances of the nearest and of the farthest corner
   vec4 lineColor = own(i + 3);
   vec3 nearest = edgeAt(own(i + 5).xyz, p_px);
   float cover = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Squares of the picture (render/cells.h), a point each.
+// Squares of the picture (render/cells.h), one point each.
 #include "constants.glsl"
 
 layout(location = 0) in vec3 square_px;  // centre, side

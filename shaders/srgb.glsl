@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Linear light to sRGB. In place of pow, which is a logarithm and an exponential: a polynomial in the fourth root that is
-// 1.055 c^(1/2.4) - 0.055 within 1.7e-6 from where the curve begins, a tenth of a step of 16 bits.
+// Converts linear light to sRGB. pow would cost a logarithm and an exponential. The polynomial in the fourth root equals
+// 1.055 c^(1/2.4) - 0.055 within 1.7e-6 from where the curve begins, which is a tenth of a step of 16 bits.
 vec3 toSrgb(vec3 c) {
   c = clamp(c, 0.0, 1.0);
   vec3 r = sqrt(sqrt(c));

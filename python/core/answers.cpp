@@ -29,7 +29,7 @@ std::string diffOf(const PictureSource& reference, const PictureSource& test,
                   {std::move(rule), std::move(ignore), mask, pixelsPerDegree, jobs, std::move(limits)});
 }
 
-/// Title, help, and rows of name and text.
+/// Title and help of an explanation, and its rows of name and text.
 using Explained = std::tuple<std::string, std::string, std::vector<std::pair<std::string, std::string>>>;
 
 std::vector<Explained> explanationsOf(const std::string& word) {

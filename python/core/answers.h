@@ -5,8 +5,8 @@
 
 namespace poinsot::python {
 
-/// Adds what answers questions about scenes, trajectories and pictures: grades, comparisons, stability maps,
-/// explanations.
+/// Declares the module's functions that answer questions about scenes, trajectories and pictures: grades,
+/// comparisons, stability maps, explanations.
 void declareAnswers(pybind11::module_& module);
 
 }  // namespace poinsot::python

@@ -13,7 +13,7 @@ Remark remarkOf(const core::SourceLocation& where, const std::string& message) {
   return {where.file, where.line, where.column, message};
 }
 
-/// The stage finds what the motion lacks.
+/// Makes a stage, which throws if the motion lacks something.
 std::vector<Remark> problemsOf(const LoadedScene& loaded) {
   try {
     const stage::Stage stage(loaded.scene());

@@ -8,22 +8,21 @@
 
 namespace poinsot::python {
 
-/// A remark and its place; the line is 0 if it has none.
+/// Remark with its place; the line is 0 if there is no place.
 struct Remark {
   std::string file;
   int line = 0, column = 0;
   std::string message;
 };
 
-/// Holds the remarks of `check` on a scene that was loaded, and the memory that its pictures take.
+/// Remarks of `check` on a loaded scene, and the memory that its pictures need.
 struct Checkup {
-  std::vector<Remark> problems;    ///< reasons why nothing can be drawn; empty if all is well
-  std::vector<Remark> notes;       ///< values that are allowed and may be slips
-  double filmMemory_bytes = 0;     ///< that a worker needs for its film, an MP4
-  double pictureMemory_bytes = 0;  ///< that drawing one picture needs
+  std::vector<Remark> problems;    ///< reasons why nothing can be drawn; empty if there are none
+  std::vector<Remark> notes;       ///< values that are allowed but may be mistakes
+  double filmMemory_bytes = 0;     ///< needed by a worker that makes an MP4
+  double pictureMemory_bytes = 0;  ///< needed to draw one picture
 };
 
-/// Returns the remarks and the memory; draws nothing.
 Checkup checkupOf(const LoadedScene& scene);
 
 }  // namespace poinsot::python

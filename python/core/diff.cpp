@@ -21,7 +21,6 @@ namespace {
 namespace py = pybind11;
 namespace fs = std::filesystem;
 
-/// Pixels of 1 to 4 channels as RGB or RGBA.
 template <class Sample>
 image::BasicImage<Sample> expanded(const Sample* samples, image::PixelSize size, int channels) {
   const bool grey = channels < 3, alpha = channels % 2 == 0;
@@ -99,7 +98,7 @@ compare::DiffPicture read(Source&& source) {
   return {std::move(png.picture), png.stored, std::move(png.color)};
 }
 
-/// The name of a missing film says its kind, but nothing can be compared with it.
+/// Throws if a file cannot be opened. Otherwise a missing film would pass, because isFilm() accepts its name.
 void expectReadable(const Source& source) {
   const auto* file = std::get_if<fs::path>(&source);
   if (file == nullptr) return;
@@ -111,7 +110,6 @@ void expectReadable(const Source& source) {
   }
 }
 
-/// Names of files as the program prints them; empty of an array.
 std::string nameOf(const Source& source) {
   const auto* file = std::get_if<fs::path>(&source);
   return file != nullptr ? file->native() : "";

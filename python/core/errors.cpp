@@ -18,7 +18,6 @@ namespace {
 namespace py = pybind11;
 using core::ErrorKind;
 
-/// Returns the name that poinsot/_errors.py has for a kind.
 const char* nameOf(ErrorKind kind) {
   switch (kind) {
     case ErrorKind::kUsage:
@@ -55,9 +54,9 @@ void raise(const core::FileError& error) {
   raise(ErrorKind::kIo, text, py::tuple(), error.code(), name);
 }
 
-/// Takes the option off the place of an override. @returns the key; empty for a problem of a file.
+/// Removes the option from the place of an override. @returns the key; empty for a problem of a file.
 std::string takeOverride(scene::Problem& problem) {
-  constexpr std::string_view kOption = "-D ";  // the file name of an override's place
+  constexpr std::string_view kOption = "-D ";  // begins the file name of an override's place
   std::string& place = problem.where.file;
   if (problem.where.line != 0 || !place.starts_with(kOption)) return "";
   place.erase(0, kOption.size());

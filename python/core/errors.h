@@ -3,7 +3,7 @@
 
 namespace poinsot::python {
 
-/// From now on the exceptions of the layers are those of poinsot/_errors.py.
+/// Registers a translator from the libraries' exceptions to those of poinsot/_errors.py.
 void translateErrors();
 
 }  // namespace poinsot::python

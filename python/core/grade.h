@@ -16,7 +16,7 @@ using Column = pybind11::array_t<double, pybind11::array::c_style>;
 /// @throws core::Error as reference::readTrajectoryTable() and reference::gradeAgainst().
 std::string gradeJson(const LoadedScene& scene, const std::string& fileName);
 
-/// Grades columns in memory. @param columns  as many as names, of one axis.
+/// Grades columns in memory. @param columns  as many as names, each of one dimension.
 /// @throws core::Error as reference::trajectoryTableOf() and reference::gradeAgainst().
 std::string gradeJson(const LoadedScene& scene, const std::vector<std::string>& names,
                       const std::vector<Column>& columns);

@@ -12,16 +12,16 @@
 
 namespace poinsot::python {
 
-/// A scene that was read, with what it was read from.
+/// Scene, with the request from which it was read.
 class LoadedScene {
  public:
   using Words = std::vector<std::string>;
 
-  /// @param limits  as after --limit.
+  /// Reads a scene from a file. @param limits  words of --limit.
   /// @throws core::Error as request::readSceneRequest() and request::requestedScene().
   static LoadedScene ofFile(const std::string& fileName, Words overrides, const Words& limits,
                             const Words& assetRoots);
-  /// @param fileName  for messages; its folder is where files that the scene names lie.
+  /// Reads a scene from a text. @param fileName  for messages; files that the scene names are in its folder.
   static LoadedScene ofText(std::string text, const std::string& fileName, Words overrides, const Words& limits,
                             const Words& assetRoots);
 
@@ -29,12 +29,12 @@ class LoadedScene {
   const request::SceneRequest& request() const { return requested_.request; }
   const scene::Scene& scene() const { return requested_.scene; }
   const scene::Limits& limits() const { return request().allowance.limits; }
-  /// Different for each scene of this process.
+  /// Returns a number that differs for each scene of this process.
   std::uint64_t number() const { return number_; }
   std::int64_t frameCount() const;
-  /// From film times to motion times, s. @pre the film times are from 0 to the film's duration.
+  /// Returns the clock that maps film times to motion times, s. @pre the film times are from 0 to the film's
+  /// duration.
   scene::FilmClock clock() const;
-  /// The scene's motion, as Motions::over().
   std::shared_ptr<const physics::Motion> motionOver(double from_s, double to_s) const {
     return motions_->over(scene(), from_s, to_s);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layers as poinsot/*.py sees them. Docstrings, defaults, checks of arguments and rich display are there;
-// types are in poinsot/_core.pyi.
+// Binding of the libraries for poinsot/*.py, which adds docstrings, defaults, checks of arguments and rich
+// display. The types are in poinsot/_core.pyi.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -23,7 +23,7 @@ using Interruptible = py::call_guard<WithoutGil>;
 using SharedScene = std::shared_ptr<LoadedScene>;
 using Size = std::optional<std::pair<std::int64_t, std::int64_t>>;
 
-/// A file's name or a part of it, which need not be UTF-8.
+/// Converts a file name, or a part of one, which need not be UTF-8.
 py::str fileText(const std::string& name) {
   return py::reinterpret_steal<py::str>(
       PyUnicode_DecodeFSDefaultAndSize(name.data(), static_cast<Py_ssize_t>(name.size())));
@@ -47,7 +47,7 @@ PictureAsk askOf(const LoadedScene& scene, std::optional<double> time_s, const S
   return ask;
 }
 
-/// Rows, columns, channels. The array owns the pixels.
+/// Returns an array of rows, columns and channels, which owns the pixels.
 template <class Sample>
 py::array arrayOf(image::BasicImage<Sample> picture) {
   auto* owned = new image::BasicImage<Sample>(std::move(picture));
@@ -133,8 +133,8 @@ void declare(py::module_ module) {
   py::module_::import("atexit").attr("register")(py::cpp_function(finish));
 }
 
-/// Fills the module, each time that it is imported. pybind11 registers a class once in a process, and waits for
-/// ever for the GIL of another interpreter.
+/// Fills the module on each import. Later imports copy the contents of the first, because pybind11 registers a
+/// class only once per process. Fails in a subinterpreter, whose GIL pybind11 would await forever.
 int fill(PyObject* object) {
   if (PyInterpreterState_Get() != PyInterpreterState_Main()) {
     PyErr_SetString(PyExc_ImportError,
@@ -164,5 +164,5 @@ PyModuleDef definition{PyModuleDef_HEAD_INIT, "_core", nullptr, 0, nullptr, slot
 }  // namespace
 }  // namespace poinsot::python
 
-// Not PYBIND11_MODULE: its own first step hangs in a subinterpreter.
+// PYBIND11_MODULE is not used, because its own first step hangs in a subinterpreter.
 extern "C" PYBIND11_EXPORT PyObject* PyInit__core() { return PyModuleDef_Init(&poinsot::python::definition); }

@@ -14,10 +14,10 @@
 namespace poinsot::python {
 namespace {
 
-constexpr std::size_t kMost = 4;  // of up to 60 MB each; most take some kB
+constexpr std::size_t kMost = 4;  // up to 60 MB each; most take some kB
 
-/// Guards the lists of all scenes, and is never held while something is made. A fork holds it, so that the child
-/// gets whole lists and a mutex that it can lock.
+/// Guards the lists of all scenes; never held while a motion is made. A fork takes it, so that the child gets
+/// complete lists and a mutex that it can lock.
 std::mutex listing;
 [[maybe_unused]] const int forking =
     pthread_atfork([] { listing.lock(); }, [] { listing.unlock(); }, [] { listing.unlock(); });
@@ -56,7 +56,7 @@ Motions::Made Motions::make(const scene::Scene& scene, const SharedEntry& entry)
 Motions::Claim Motions::claim(const physics::TimeSpan& span) {
   const std::scoped_lock lock(listing);
   const pid_t process = getpid();
-  // The thread that was making it did not come along.
+  // In a fork, the thread that was making an unfinished motion does not exist.
   std::erase_if(entries_, [&](const SharedEntry& entry) { return entry->process != process && !entry->isMade(); });
   const auto same = [&](const SharedEntry& entry) {
     return entry->span.from_s == span.from_s && entry->span.to_s == span.to_s;

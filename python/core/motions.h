@@ -13,22 +13,20 @@
 
 namespace poinsot::python {
 
-/// Keeps the latest few motions of a scene, so that a driven one is integrated once for each span of time. A
-/// longer span has other steps and other last bits, so none stands for another: what a caller gets depends on the
-/// span alone.
+/// Cache of a scene's latest motions, so that a driven motion is integrated once for each span of time. A longer
+/// span has other steps and other last bits, so no motion replaces another: a result depends on its span alone.
 class Motions {
  public:
   using Made = std::shared_ptr<const physics::Motion>;
 
-  /// Returns the motion over the least span that holds these two times and 0. Call it without the GIL, from any
-  /// thread: one thread integrates a span, and others that ask for it wait. Ctrl-C ends both. A signal's handler
-  /// may ask on the thread that is integrating: it gets a motion of its own. In a fork, motions begun before are
-  /// begun anew.
+  /// Returns the motion over the least span that holds both times and 0. Call it without the GIL, from any thread.
+  /// One thread integrates a span, and others that need the span wait; Ctrl-C ends both. If a signal's handler
+  /// needs the span that its own thread is integrating, it gets a motion of its own. In a fork, unfinished motions
+  /// begin anew.
   /// @throws core::Error as scene::makeMotion().
   Made over(const scene::Scene& scene, double from_s, double to_s);
 
  private:
-  /// A motion that a thread makes or has made.
   struct Entry {
     Entry(const physics::TimeSpan& itsSpan, pid_t itsProcess) : span(itsSpan), process(itsProcess) {}
     bool isMade() const;
@@ -43,7 +41,7 @@ class Motions {
 
   struct Claim {
     SharedEntry entry;
-    bool isNew;  // to be made by the caller
+    bool isNew;
   };
 
   Claim claim(const physics::TimeSpan& span);

@@ -20,12 +20,13 @@ namespace {
 
 using Artist = core::OwningThread<job::FramesCache>;
 
-/// Ends a picture whose caller has left.
+/// Exception that ends a picture whose caller has left.
 class Abandoned : public std::exception {};
 
-std::atomic<pid_t> owner = 0;  // the process that draws; 0 before the first picture
+std::atomic<pid_t> owner = 0;  // process that draws; 0 before the first picture
 
-/// A process forked from one that draws has OpenGL's locks but none of its threads: it would wait for ever.
+/// Throws in a fork of a process that draws. The fork has OpenGL's locks but none of its threads, and would wait
+/// forever.
 void refuseFork() {
   pid_t expected = 0;
   if (owner.compare_exchange_strong(expected, getpid()) || expected == getpid()) return;
@@ -34,7 +35,8 @@ void refuseFork() {
       "\"spawn\": multiprocessing.get_context(\"spawn\")");
 }
 
-/// Lives as long as the process: OpenGL has no business in the interpreter's end.
+/// Returns the thread that draws. It lives as long as the process, because OpenGL must not end with the
+/// interpreter.
 Artist& artist() {
   refuseFork();
   static Artist& drawing = *[] {
@@ -44,7 +46,7 @@ Artist& artist() {
   return drawing;
 }
 
-/// Waits for a result, and leaves it if a signal's handler raises something.
+/// Waits for a result, and abandons it if a signal's handler raises an exception.
 template <class Result>
 Result awaited(std::future<Result> result, std::atomic<bool>& abandoned) {
   try {

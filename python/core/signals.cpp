@@ -14,7 +14,7 @@ unsigned long mainThread = 0;
 std::atomic<bool> ending = false;
 std::atomic<int> returning = 0;  // threads that wait for the GIL
 
-/// A fork has one thread, which is the main one.
+/// Corrects the state in a fork, whose only thread is the main one.
 void beginFork() {
   mainThread = PyThread_get_thread_ident();
   returning = 0;

@@ -10,18 +10,18 @@
 
 namespace poinsot::python {
 
-/// How long a wait may be deaf to Ctrl-C.
+/// Longest time for which a wait ignores Ctrl-C.
 inline constexpr std::chrono::milliseconds kPatience{50};
 
-/// Notes which thread Python runs handlers of signals on. Call it with the GIL, once.
+/// Records the thread on which Python runs signal handlers. Call it once, with the GIL.
 void rememberMainThread();
 
-/// Runs the handlers of signals that arrived, as Python does between two of its instructions; nothing on other
-/// threads than the main one. Call it without the GIL.
-/// @throws pybind11::error_already_set with what a handler raises, such as KeyboardInterrupt.
+/// Runs the handlers of signals that arrived, as Python does between two instructions. Does nothing on threads
+/// other than the main one. Call it without the GIL.
+/// @throws pybind11::error_already_set with the exception of a handler, such as KeyboardInterrupt.
 void checkSignals();
 
-/// Releases the GIL, and lets Ctrl-C end computations that call core::checkInterruption().
+/// Scope without the GIL, in which Ctrl-C ends computations that call core::checkInterruption().
 class WithoutGil {
  public:
   WithoutGil() = default;
@@ -34,9 +34,9 @@ class WithoutGil {
   core::InterruptionCheck check_{checkSignals};
 };
 
-/// Keeps daemon threads that compute from taking the GIL back: Python would end them by an exception that no
-/// destructor lets through (python/cpython#87135), and the process with them. Call it at the process's end,
-/// without the GIL.
+/// Keeps daemon threads that compute from taking the GIL back at the end of the process. Python would end them by
+/// an exception that no destructor lets through (python/cpython#87135), which ends the process. Call it without
+/// the GIL.
 void leaveThreadsAlone();
 
 }  // namespace poinsot::python

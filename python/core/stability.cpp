@@ -16,7 +16,7 @@ py::array_t<double> arrayOf(const Eigen::Matrix3d& matrix) {
   return py::array_t<double>({3, 3}, rows.data());
 }
 
-/// Two circles of unit length, each closed: its last point is its first.
+/// Returns two circles of unit vectors. Each circle is closed: its last point is its first.
 py::array_t<double> circles(const physics::Separatrix& separatrix) {
   constexpr int kPoints = 241;
   py::array_t<double> circles({2, kPoints, 3});

@@ -21,7 +21,6 @@ namespace {
 namespace py = pybind11;
 using Shape = std::vector<py::ssize_t>;
 
-/// An array to be filled in order.
 class Rows {
  public:
   Rows(Shape shape, const Shape& shapeOfOne) {
@@ -41,7 +40,7 @@ class Rows {
   double* next_ = nullptr;
 };
 
-/// "times[1, 2]: " for the k-th of an array; nothing for a single time.
+/// Returns "times[1, 2]: " for the k-th time of an array; empty for a single time.
 std::string placeOf(std::size_t k, const Shape& shape) {
   if (shape.empty()) return "";
   std::vector<std::size_t> index(shape.size());
@@ -50,7 +49,6 @@ std::string placeOf(std::size_t k, const Shape& shape) {
   return fmt::format("times[{}]: ", fmt::join(index, ", "));
 }
 
-/// Calls `action`. Puts the text of `origin` before the message of an error.
 template <class Action, class Origin>
 auto naming(const Action& action, const Origin& origin) {
   try {
@@ -60,7 +58,6 @@ auto naming(const Action& action, const Origin& origin) {
   }
 }
 
-/// The motion that gives the rows.
 std::shared_ptr<const physics::Motion> motionFor(const LoadedScene& loaded, std::span<const double> times_s,
                                                  const Shape& shape,
                                                  const std::optional<std::pair<double, double>>& span_s) {
@@ -75,7 +72,6 @@ std::shared_ptr<const physics::Motion> motionFor(const LoadedScene& loaded, std:
   return naming([&] { return loaded.motionOver(ends_s.first, ends_s.second); }, origin);
 }
 
-/// The arrays of a trajectory while they are filled.
 class Table {
  public:
   explicit Table(const Shape& shape)

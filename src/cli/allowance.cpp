@@ -17,7 +17,7 @@ namespace {
 
 using scene::Limit;
 
-/// What is wrong with an option is said of it.
+/// Calls `set`, and adds the option's name to an error.
 template <class Set>
 void setBy(const std::string& option, Set set) {
   try {
@@ -27,7 +27,7 @@ void setBy(const std::string& option, Set set) {
   }
 }
 
-/// One that is not there yet has nothing in it.
+/// Rejects a path that exists but is no folder. A missing folder is allowed, because it holds no files.
 void expectFolder(const std::string& word) {
   std::error_code ignored;
   if (std::filesystem::is_directory(word, ignored) || !std::filesystem::exists(word, ignored)) return;

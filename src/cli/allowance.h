@@ -11,7 +11,7 @@ namespace poinsot::cli {
 
 class Command;
 
-/// What the user allows, as typed.
+/// Options for limits and permissions, as typed.
 struct AllowanceOptions {
   std::vector<std::string> limits, assetRoots;
   std::string memory;
@@ -21,17 +21,18 @@ struct AllowanceOptions {
 
 /// Declares --limit, --max-memory, --max-seconds and --untrusted.
 void addLimitOptions(const Command& command, AllowanceOptions& options);
-/// Declares these and --asset-root.
+/// Declares the options of addLimitOptions(), and --asset-root.
 void addAllowance(const Command& command, AllowanceOptions& options);
 
-/// Limits, folders and memory as words for another process, which has a time of its own.
+/// Returns limits, asset folders and memory as arguments for another process. Omits --max-seconds, because the
+/// time limit holds for each process by itself.
 std::vector<std::string> allowanceWords(const AllowanceOptions& options);
 
-/// The usual limits, above them the options.
+/// Returns the default limits, overridden by the options.
 /// @throws core::Error(kUsage) naming the option.
 scene::Allowance allowed(const AllowanceOptions& options);
 
-/// The same. Where a limit of time is among them, it runs from here on.
+/// Returns allowed(), and starts the time limit of this process if there is one.
 /// @throws as allowed().
 scene::Allowance granted(const AllowanceOptions& options);
 

@@ -7,12 +7,12 @@
 
 namespace poinsot::cli {
 
-/// A picture is approved by somebody who looked at it.
-/// @throws core::Error(kUsage) where the environment says CI, and for what is not trusted.
+/// Checks that pictures may be approved. A CI job must not approve any, because nobody looks at them.
+/// @throws core::Error(kUsage) if the environment variable CI is set, or with --untrusted
 void expectMayApprove(const AllowanceOptions& options);
 
-/// Folder from which a CI server takes paths of attachments: GitLab's CI_PROJECT_DIR. Empty elsewhere: Jenkins
-/// takes absolute paths.
+/// Returns the folder from which a CI server resolves paths of attachments: GitLab's CI_PROJECT_DIR. Empty if the
+/// variable is not set, as on Jenkins, which takes absolute paths.
 std::filesystem::path attachmentRoot();
 
 }  // namespace poinsot::cli

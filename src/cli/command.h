@@ -12,39 +12,37 @@ class App;
 class Option;
 }  // namespace CLI
 
-/// How a command is declared. CLI11 parses the command line; it takes seconds to compile, so that the commands do
-/// not see it.
+/// Interface for declaring commands. It keeps CLI11, which takes seconds to compile, out of the commands' sources.
 namespace poinsot::cli {
 
-/// The work of the command that is on the command line.
+/// Work of the command that the user typed.
 struct Action {
   std::function<int()> run = {};                ///< returns the exit code
-  const AllowanceOptions* allowance = nullptr;  ///< of a command that has --untrusted
-  std::function<FileAccess()> access = {};      ///< the files it touches, for the sandbox of --untrusted
+  const AllowanceOptions* allowance = nullptr;  ///< null for a command without --untrusted
+  std::function<FileAccess()> access = {};      ///< returns the files that the sandbox of --untrusted must allow
 };
 
-/// An option, a flag or an operand that was declared, to say more of it. Each function returns the same one.
+/// Option, flag or operand that was declared. Each function sets a property and returns the same option.
 class Option {
  public:
   explicit Option(CLI::Option& declared) : declared_(&declared) {}
 
-  /// The name of its value in the help, such as FILE.
+  /// Sets the name of the value in the help, such as FILE.
   Option type(const std::string& name) const;
   Option help(const std::string& text) const;
-  /// The help lists it under this title.
+  /// Lists the option under this title in the help.
   Option group(const std::string& title) const;
   Option showDefault() const;
   Option required() const;
-  /// Refuses '' as a value, most often a shell variable without one, which would else count as not given. `words`
-  /// are the values there are, for the help; what reads the value refuses others.
+  /// Rejects '' as a value, which is usually an unset shell variable and would count as a missing option.
+  /// @param words  values for the help; the code that reads the value rejects others
   Option notEmpty(const std::vector<std::string>& words = {}) const;
-  /// Refuses other values than these.
   Option among(const std::vector<std::string>& words) const;
   Option amongNumbers(const std::vector<int>& numbers) const;
-  /// Refuses numbers below `least` and above `most`. Number is int, std::int64_t or double.
+  /// Rejects numbers below `least` and above `most`. Number is int, std::int64_t or double.
   template <class Number>
   Option range(Number least, Number most) const;
-  /// May be given again; each takes one value.
+  /// Allows the option several times, each with one value.
   Option repeats() const;
   Option excludes(const Option& other) const;
 
@@ -52,28 +50,27 @@ class Option {
   CLI::Option* declared_;
 };
 
-/// A command of the program, or the program itself, to declare its options. Valid as long as the CommandLine.
+/// A command of the program, or the program itself, for declaring its options. Valid as long as the CommandLine.
 class Command {
  public:
   Command(CLI::App& parser, Action& chosen) : parser_(&parser), chosen_(&chosen) {}
 
-  /// A command of this one.
   Command command(const std::string& name, const std::string& summary) const;
-  /// An option, where `names` are such as "-o,--output", or else an operand. Value is std::string, int,
+  /// Declares an option if `names` is like "-o,--output", otherwise an operand. Value is std::string, int,
   /// std::int64_t, double, std::vector<std::string>, or std::optional of std::string, int or double; another type
   /// needs a line in command.cpp.
   template <class Value>
   Option option(const std::string& names, Value& value, const std::string& help) const;
-  /// "!--no-sheet" sets `value` to false.
+  /// Declares a flag. A name like "!--no-sheet" sets `value` to false.
   Option flag(const std::string& names, bool& value, const std::string& help) const;
-  /// One that was declared. @param name  such as "--output"
+  /// Returns an option that was declared. @param name  such as "--output"
   Option declared(const std::string& name) const;
   void remove(const std::string& name) const;
-  /// The end of the help.
+  /// Sets the text at the end of the help.
   void footer(const std::string& text) const;
-  /// Keeps it out of the list of commands.
+  /// Removes the command from the list of commands in the help.
   void hide() const;
-  /// Sets its work. Parsing does none of it.
+  /// Sets the work of the command, which CommandLine::run() starts.
   void does(Action action) const;
 
   const CLI::App& parser() const { return *parser_; }

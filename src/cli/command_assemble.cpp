@@ -22,7 +22,6 @@ struct AssembleOptions {
   bool force = false, keep = false, quiet = false;
 };
 
-/// Where the film goes: the output itself unless another name is given.
 request::OutputTarget filmTarget(const AssembleOptions& options, const request::OutputTarget& output) {
   if (options.film.empty()) return output;
   const auto film = request::parseTarget(options.film);

@@ -22,7 +22,7 @@ struct CheckOptions : SceneOptions {
   std::vector<std::string> scenes;
 };
 
-/// Everything short of drawing: the stage finds what the motion lacks. Gives what may be a slip.
+/// Checks a scene without drawing; the stage finds what the motion lacks. Returns notes on likely mistakes.
 std::string checkScene(const std::string& fileName, const CheckOptions& options,
                        const scene::Allowance& allowance) {
   const scene::Scene scene =
@@ -31,7 +31,7 @@ std::string checkScene(const std::string& fileName, const CheckOptions& options,
   return doubtNotes(scene);
 }
 
-/// Says "ok" or all problems.
+/// Prints "ok" or all problems. Returns whether the scene is valid.
 bool report(const std::string& fileName, const CheckOptions& options, const scene::Allowance& allowance) {
   try {
     writeErr(checkScene(fileName, options, allowance));

@@ -40,7 +40,7 @@ using core::ErrorKind;
 struct DiffOptions : AllowanceOptions {
   std::string reference, test, rule, mask, map, difference, curve, report, junit, markdown;
   std::vector<std::string> limits =
-      std::vector<std::string>(compare::ruleLimits().size());  ///< words; empty: not given
+      std::vector<std::string>(compare::ruleLimits().size());  ///< values as typed; empty if not given
   std::vector<std::string> ignore, update;
   double pixelsPerDegree = compare::kFlipPixelsPerDegree;
   int jobs = 0;
@@ -49,7 +49,7 @@ struct DiffOptions : AllowanceOptions {
 
 enum class Kind { kPicture, kFolder, kFilm };
 
-/// Kind of a file or folder, by its content. @throws Error(kIo) if there is none.
+/// Returns the kind of a path by its content. @throws Error(kIo) if nothing is there.
 Kind kindOf(const fs::path& path) {
   std::error_code failure;
   const fs::file_status status = fs::status(path, failure);
@@ -62,7 +62,8 @@ Kind kindOf(const fs::path& path) {
   return output::isFilm(path) ? Kind::kFilm : Kind::kPicture;
 }
 
-/// A film beside a picture is a difference; a folder beside a file is a slip.
+/// Returns how to compare the two paths. A film and a picture count as different; a folder and a file are an
+/// error.
 Kind commonKind(const DiffOptions& options) {
   const Kind reference = kindOf(options.reference), test = kindOf(options.test);
   if (reference == test) return reference;
@@ -82,7 +83,6 @@ compare::PictureRule ruleOf(const DiffOptions& options) {
   return rule;
 }
 
-/// A place for a picture; of folders a folder.
 std::optional<fs::path> place(const std::string& word) {
   return word.empty() ? std::nullopt : std::optional<fs::path>(word);
 }
@@ -92,7 +92,6 @@ compare::DiffRequest requestOf(const DiffOptions& options) {
           granted(options).limits};
 }
 
-/// Enters the maps of pictures, or of the pairs of two folders.
 void enterMaps(output::RunFiles& files, const compare::DiffRequest& request, const compare::FolderNames* names) {
   if (names == nullptr) {
     files.writes(request.map.value_or(""), "--map", compare::mapKind());
@@ -115,7 +114,7 @@ void expectNamesOfReports(const DiffOptions& options, Kind kind) {
                                        core::smallLettersHint(options.report, {".html", ".htm"})));
 }
 
-/// Enters all files, before anything is compared. @param names  of two folders
+/// Registers all files before anything is compared. @param names  names in two folders; null for other kinds
 void enterFiles(const DiffOptions& options, const compare::DiffRequest& request,
                 const compare::FolderNames* names) {
   output::RunFiles files(options.force);
@@ -135,7 +134,7 @@ void enterFiles(const DiffOptions& options, const compare::DiffRequest& request,
   files.addsTo(options.markdown, "--markdown", compare::markdownKind());
 }
 
-/// Compares in one of the three ways, and writes what was asked for about it.
+/// Compares pictures, folders or films, and writes the reports.
 class Diff {
  public:
   explicit Diff(const DiffOptions& options)
@@ -145,7 +144,6 @@ class Diff {
     expectNamesOfReports(options, kind_);
   }
 
-  /// @returns the exit code.
   int run() {
     switch (kind_) {
       case Kind::kFolder:
@@ -210,7 +208,7 @@ class Diff {
                              : unreadable  ? ""
                                            : compare::diffText(compared.diff, request_);
     const int code = finish({outcome}, text);
-    if (unreadable) throw *unreadable;  // after what could be told
+    if (unreadable) throw *unreadable;  // after the reports are written
     return code;
   }
 
@@ -224,11 +222,10 @@ class Diff {
     addReport([&] { return compare::outcomePage(outcomes, headOf(diff.verdict()), jobs()); });
     const int code = finish(outcomes, options_.json ? compare::diffJson(outcomes, names(), request_)
                                                     : compare::diffText(outcomes, diff.names.linkedFolders));
-    if (diff.firstError) throw *diff.firstError;  // after what could be told
+    if (diff.firstError) throw *diff.firstError;  // after the reports are written
     return code;
   }
 
-  /// Adds the maps of the worst frame.
   void addMaps(const compare::FilmDiff& diff) {
     if (diff.frames.empty() || (!request_.map && !request_.difference)) return;
     compare::forFrames(
@@ -269,7 +266,6 @@ class Diff {
     if (!options_.markdown.empty()) results_.append(options_.markdown, compare::markdownOf(outcomes, head));
   }
 
-  /// Replaces the pictures together with the reports.
   int approve(const std::vector<compare::Outcome>& outcomes) {
     const compare::PairApproval approval =
         compare::addApprovals(results_, outcomes, options_.update, options_.reference, options_.exact);
@@ -281,7 +277,7 @@ class Diff {
   const DiffOptions& options_;
   Kind kind_;
   compare::DiffRequest request_;
-  std::optional<compare::FolderNames> names_;  ///< of two folders
+  std::optional<compare::FolderNames> names_;  ///< only for folders
   core::FileBatch results_;
 };
 

@@ -10,7 +10,7 @@
 namespace poinsot::cli {
 namespace {
 
-constexpr std::size_t kText = 24;  // the column in which it begins
+constexpr std::size_t kText = 24;  // column where a finding's text begins
 
 const char* wordFor(job::Finding::State state) {
   switch (state) {

@@ -30,7 +30,8 @@ std::string explanationText(const scene::Explanation& explanation) {
   return text;
 }
 
-/// Explains a name of a scene, of a golden.toml, or of both. @throws core::Error(kUsage) for any other word.
+/// Returns the explanations of a name in scenes, in a golden.toml, or in both. @throws core::Error(kUsage) for any
+/// other word
 std::vector<scene::Explanation> explanationsOf(const std::string& word) {
   std::vector<scene::Explanation> golden = suite::explainGolden(word);
   if (golden.empty()) return scene::explain(word, suite::goldenWords());

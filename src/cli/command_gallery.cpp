@@ -39,7 +39,6 @@ struct GalleryOptions : RenderOptions {
   bool sheet = true;
 };
 
-/// A picture to make, and how the scene is called.
 struct Item {
   std::string name;
   fs::path target;
@@ -48,7 +47,7 @@ struct Item {
 
 std::vector<fs::path> sceneFiles(const GalleryOptions& options) {
   std::vector<fs::path> files;
-  std::error_code ignored;  // what is no folder is read as a scene, which says what is wrong with it
+  std::error_code ignored;  // anything but a folder is read as a scene, which reports errors
   const auto places = options.places.empty() ? std::vector{scenesPlace()} : options.places;
   for (const fs::path place : places)
     if (fs::is_directory(place, ignored))
@@ -69,7 +68,7 @@ void checkOnly(const std::vector<std::string>& only, const std::vector<fs::path>
   }
 }
 
-/// Two scenes of one name would make one picture, and a scene may not be called as the sheet.
+/// Rejects two scenes with the same name, or a scene with the sheet's name, because their pictures would collide.
 void checkNames(const std::vector<fs::path>& files) {
   std::set<std::string> seen{kSheetName};
   for (const fs::path& file : files)
@@ -90,10 +89,10 @@ std::vector<fs::path> chosenFiles(const GalleryOptions& options) {
   return files;
 }
 
-/// The folder of results, made where it is missing: by default with the one above it.
+/// Returns the folder of the pictures, and makes it if it is missing; for the default also its parent.
 fs::path preparedFolder(const GalleryOptions& options) {
   fs::path folder = options.output.empty() ? fs::path("out") / "gallery" : fs::path(options.output);
-  std::error_code ignored;  // if it cannot be made, the check of the targets says so
+  std::error_code ignored;  // checking the targets reports a missing folder
   if (options.dryRun) return folder;
   if (options.output.empty()) fs::create_directory("out", ignored);
   fs::create_directory(folder, ignored);
@@ -111,7 +110,7 @@ Item itemOf(const GalleryOptions& options, const scene::Allowance& allowance, co
   one.scene = file;
   auto requested = requestedScene(one, allowance);
   const scene::Scene& scene = requested.scene;
-  const stage::Stage stage(scene);  // what the motion lacks is found here
+  const stage::Stage stage(scene);  // throws if the motion lacks something
   const fs::path target = folder / (scene.name + ".png");
   enterInputs(files, one, scene);
   enterTarget(files, options, target);
@@ -128,7 +127,7 @@ void say(const GalleryOptions& options, const std::string& line) {
   if (!options.quiet) writeErr(fmt::format("poinsot: {}\n", line));
 }
 
-/// One command over all scenes: what is wrong with one is said and kept for the end.
+/// Makes the pictures of all scenes. Reports the error of a scene, and goes on with the others.
 class Gallery {
  public:
   explicit Gallery(const GalleryOptions& options)
@@ -191,7 +190,7 @@ class Gallery {
     if (!options_.quiet) writeErr(rendererNotes(renderers));
   }
 
-  /// As many as have memory while each makes the largest picture.
+  /// Returns how many workers fit into memory if each makes the largest picture.
   int workersOf() const {
     const auto bytes = [](const Item& item) { return item.request.worker_bytes; };
     const auto largest = std::ranges::max_element(items_, {}, bytes);
@@ -199,7 +198,7 @@ class Gallery {
     return workerCount(options_, static_cast<int>(items_.size()), largest->request);
   }
 
-  /// Of the pictures that this run made; without any there is no sheet.
+  /// Makes the sheet from the pictures of this run; no sheet without pictures.
   void makeSheet() const {
     std::vector<SheetEntry> entries;
     for (std::size_t i = 0; i < items_.size(); ++i)

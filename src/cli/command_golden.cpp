@@ -63,12 +63,13 @@ std::string lineOf(const Outcome& outcome, const std::string& message) {
                      message.empty() ? "" : ": ", message);
 }
 
-/// Returns why an outcome has its status; for a near picture the reason of its rule only.
+/// Returns the reason of an outcome's status; for a near picture only the reason of its rule.
 std::string lineReason(const Outcome& outcome) {
   return outcome.status == OutcomeStatus::kNear ? outcome.message : compare::reasonOf(outcome);
 }
 
-/// A line for each outcome that is wanted. What is wrong with a scene is said once, at the first of its pictures.
+/// Returns a line for each outcome that `wanted` accepts. Pictures of one scene share its error, which is written
+/// once.
 template <typename Wanted>
 std::string linesOf(const std::vector<Outcome>& outcomes, Wanted wanted) {
   std::string lines, lastError;
@@ -81,7 +82,6 @@ std::string linesOf(const std::vector<Outcome>& outcomes, Wanted wanted) {
   return lines;
 }
 
-/// Enters the reports, which are of four kinds.
 void enterReports(output::RunFiles& files, const GoldenOptions& options) {
   if (!options.outcome.empty() && fs::path(options.outcome).extension() != ".js")
     throw core::usageError(fmt::format("outcome '{}': works: NAME.js{}", core::printable(options.outcome),
@@ -92,7 +92,6 @@ void enterReports(output::RunFiles& files, const GoldenOptions& options) {
   files.addsTo(options.markdown, "--markdown", compare::markdownKind());
 }
 
-/// One run of a suite.
 class Golden {
  public:
   explicit Golden(const GoldenOptions& options)
@@ -125,7 +124,7 @@ class Golden {
     return suite::casesOf(manifest_, all);
   }
 
-  /// The renderers that drew the scenes. Pictures of other programs have none that is known.
+  /// Returns the renderers that drew the scenes. The renderers of other programs' pictures are unknown.
   std::set<std::string> renderers() const {
     std::set<std::string> all;
     for (const Outcome& outcome : outcomes_)
@@ -152,7 +151,8 @@ class Golden {
     if (options_.beside && !namesVariants()) expectOnlyScenes();
   }
 
-  /// Whether any image of the manifest has a variant. The others then have one that is not named.
+  /// Returns whether any image of the manifest has a variant. Images without a named variant then share an unnamed
+  /// one.
   bool namesVariants() const {
     return !options_.variant.empty() || std::ranges::any_of(manifest_.tests, [](const suite::GoldenTest& test) {
       return test.scene.empty() && !test.variant.empty();
@@ -168,7 +168,7 @@ class Golden {
             core::printable(one.name)));
   }
 
-  /// Checks that everything has a place where it can be written, and replaces nothing that somebody else wrote.
+  /// Checks that all outputs can be written, and that none replaces a file of another program.
   void checkPlaces() {
     enterFiles(suite::casesOf(manifest_, request_));
     if (options_.unused) return;
@@ -197,7 +197,7 @@ class Golden {
       if (options_.update && !one.test.isUnmatched) suite::enterApproval(files_, usual);
       folders.insert(usual.parent_path());
     }
-    if (options_.update) return;  // there are no reports, and expectFilesApart() looks at the rest
+    if (options_.update) return;  // no reports are written, and expectFilesApart() checks the rest
     for (const fs::path& folder : folders)
       for (const fs::path& file : core::filesIn(folder)) files_.reads(file, "the reference");
   }
@@ -208,7 +208,7 @@ class Golden {
 
   std::ptrdiff_t failures() const { return compare::countFailures(outcomes_, options_.exact); }
 
-  /// Whether nothing but --exact makes it fail.
+  /// Returns whether the run fails only because of --exact.
   bool onlyNear() const {
     return options_.exact && failures() > 0 &&
            std::ranges::all_of(outcomes_, [](const Outcome& o) { return o.passes(false); });
@@ -237,7 +237,7 @@ class Golden {
     return {suite(), options_.exact, options_.report, approveCommand(), options_.approveBy, attachmentRoot()};
   }
 
-  /// The command that approves tests, drawn and compared in the same way; their names follow.
+  /// Returns the command that approves tests, drawn and compared as in this run; the names of tests must be added.
   std::string approveCommand() const {
     std::vector<std::string> words{"poinsot", "golden", options_.manifest};
     const std::vector<std::string> allowance = allowanceWords(options_);
@@ -253,7 +253,7 @@ class Golden {
     return core::shellWords(words);
   }
 
-  /// Whether an image with a variant can be approved; references of its other variants are to stay.
+  /// Returns whether an image with a variant can be approved, so that references of its other variants must stay.
   bool failsForAVariant() const {
     std::set<std::string> ofVariants;
     for (const suite::GoldenCase& one : suite::casesOf(manifest_, request_))
@@ -285,8 +285,8 @@ class Golden {
     return head;
   }
 
-  /// Approves the pictures that are not as they were: all, or none if one could not be made or read. Exit 1 then,
-  /// and for references that no test makes.
+  /// Approves all changed pictures, or none if one could not be made or read.
+  /// @returns kNo if a picture was in error or missing, or if a reference is unused
   int update() const {
     const auto isThere = [](const Outcome& o) {
       return o.status != OutcomeStatus::kError && o.status != OutcomeStatus::kUnused &&
@@ -299,8 +299,8 @@ class Golden {
     return std::ranges::all_of(outcomes_, isThere) ? kDone : kNo;
   }
 
-  /// Whether a picture that equals a reference still needs one: its reference has no description, or is that of
-  /// another variant. Scenes share references of equal pixels.
+  /// Returns whether a picture that equals a reference still needs its own: the reference has no description, or
+  /// belongs to another variant. Scenes share references of equal pixels.
   bool lacksOwn(const Outcome& outcome) const {
     const bool isImage = outcome.origin.scene.empty();
     return !hasOrigin(outcome) || (options_.beside && isImage && !isOfOwnRenderer(outcome));
@@ -310,12 +310,10 @@ class Golden {
     return outcome.approved.renderer == outcome.origin.renderer;
   }
 
-  /// Whether it is written down what the reference was made with.
   static bool hasOrigin(const Outcome& outcome) {
     return suite::isDescription(suite::descriptionOf(outcome.reference));
   }
 
-  /// Approves them together. Returns a line for each.
   std::string approve() const {
     suite::GoldenApproval approval(manifest_.references, options_.beside, options_.force);
     const std::vector<suite::GoldenCase> cases = suite::casesOf(manifest_, request_);
@@ -347,7 +345,7 @@ class Golden {
   std::vector<Outcome> outcomes_;
 };
 
-/// Checks that an approval is asked for no reports, which only a comparison has.
+/// Rejects reports with --update, because only a comparison has reports.
 void expectNoReports(const GoldenOptions& options) {
   const auto expectNone = [](const char* option, bool given) {
     if (given)
@@ -360,7 +358,7 @@ void expectNoReports(const GoldenOptions& options) {
   expectNone("--json", options.json);
 }
 
-/// Removes the reports of an earlier run, because this one may end before it writes its own.
+/// Removes the reports of an earlier run, because this run may end before it writes its own.
 void removeReports(const GoldenOptions& options) {
   const auto remove = [](const std::string& file, const output::FileKind& kind) {
     std::error_code ignored;
@@ -370,15 +368,15 @@ void removeReports(const GoldenOptions& options) {
   remove(options.junit, compare::junitKind());
 }
 
-/// Whether an outcome can be written before all files of the run are known: where --force is to replace another's
-/// file, that may be a scene.
+/// Returns whether the outcome file can be written before all files of the run are known. With --force an existing
+/// file may be foreign, such as a scene.
 bool isOurs(const std::string& outcome) {
   std::error_code ignored;
   return !outcome.empty() && (!fs::exists(outcome, ignored) || compare::outcomeScriptKind().isOwn(outcome));
 }
 
-/// Runs the suite. An index page shows the last outcome that it finds, so that of an earlier run goes first: this
-/// one may end before it has one.
+/// Runs the suite. First replaces the outcome file of an earlier run: an index page shows the last outcome that it
+/// finds, and this run may end without one.
 int runGolden(const GoldenOptions& options) {
   if (options.list) return Golden(options).run();
   if (options.update) expectNoReports(options);
@@ -396,7 +394,7 @@ int runGolden(const GoldenOptions& options) {
   } catch (const Error& error) {
     try {
       write(error.what());
-    } catch (const Error&) {  // then it says that the run did not finish, which is true
+    } catch (const Error&) {  // the file still says that the run did not finish, which is true
     }
     throw;
   }

@@ -21,7 +21,7 @@ struct GradeOptions : SceneOptions {
   bool json = false;
 };
 
-/// Returns whether the attitude keeps to the limit; if not, standard error says by how much it is off and when.
+/// Returns whether the attitude stays within the limit. If not, prints the error and its time on stderr.
 /// @throws core::Error(kIo) if the file has no attitude.
 bool within(const reference::Grade& grade, double limit_rad, const std::string& fileName) {
   const auto& errors = grade.quantity("attitude").errors;

@@ -28,7 +28,6 @@ struct Entry {
   void (*add)(const Command& program);
 };
 
-/// In the order of the help.
 constexpr std::array kCommands{
     Entry{"new", addNew},
     Entry{"preview", addPreview},
@@ -51,7 +50,7 @@ constexpr std::array kCommands{
     Entry{"self-describe", addSelfDescribe},
 };
 
-/// Later versions of CLI11 fill paragraphs, and would join the lines of an example.
+/// Stops later versions of CLI11 from filling paragraphs, which would join the lines of an example.
 template <class Formatter>
 void keepLines(Formatter& formatter) {
   if constexpr (requires { formatter.enable_footer_formatting(false); }) {
@@ -60,8 +59,8 @@ void keepLines(Formatter& formatter) {
   }
 }
 
-/// Only the command that is named is declared, as nothing is asked of the others; all of them where it is none,
-/// for the help and for what might have been meant, and for the hidden one, which describes them.
+/// Declares only the command that is named, because parsing needs no other. Declares all of them for the help, for
+/// suggestions after an unknown name, and for the hidden command, which describes them.
 void declare(CLI::App& program, std::string_view word, Action& chosen) {
   keepLines(*program.get_formatter());
   program.description("Films and stills of rotating rigid bodies, from scene files.");
@@ -74,7 +73,6 @@ void declare(CLI::App& program, std::string_view word, Action& chosen) {
   for (const Entry& entry : kCommands) entry.add(command);
 }
 
-/// Of the commands that --help lists.
 std::vector<std::string> commandNames(const CLI::App& program) {
   std::vector<std::string> names{"help"};
   for (const CLI::App* command :
@@ -93,7 +91,7 @@ std::string didYouMean(std::string_view word, const std::vector<std::string>& ca
   return near ? fmt::format("; did you mean '{}'?", *near) : "";
 }
 
-/// "help" and "help render" are "--help" and "render --help".
+/// Turns "help" into "--help", and "help render" into "render --help".
 std::vector<std::string> withoutHelpWord(std::vector<std::string> words) {
   if (words.empty()) return {"--help"};
   if (words[0] != "help") return words;
@@ -126,7 +124,7 @@ std::vector<std::string> optionNames(const CLI::App& command) {
                                      didYouMean(word.substr(0, word.find('=')), optionNames(command)), help));
 }
 
-/// CLI11's "--size: 1 required WxH missing" in words.
+/// Rewords CLI11's "--size: 1 required WxH missing".
 std::string withoutValue(const std::string& text) {
   constexpr std::string_view kOne = ": 1 required ", kMissing = " missing";
   const std::size_t at = text.find(kOne);
@@ -138,7 +136,7 @@ std::string withoutValue(const std::string& text) {
 
 void parse(CLI::App& program, std::vector<std::string> words) {
   checkCommandWord(program, words.front());
-  std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
+  std::reverse(words.begin(), words.end());  // CLI11 takes words from the back
   try {
     program.parse(std::move(words));
   } catch (const CLI::ExtrasError&) {

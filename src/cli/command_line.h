@@ -9,7 +9,7 @@
 
 namespace poinsot::cli {
 
-/// The words after the program's name, understood. Nothing is done, read or printed before run().
+/// Parsed arguments of the program. The constructor reads no files, prints nothing and starts no work.
 class CommandLine {
  public:
   /// @throws core::Error(kUsage).
@@ -18,12 +18,11 @@ class CommandLine {
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
 
-  /// Does what they ask for; with --untrusted in a sandbox. @returns the exit code. @throws whatever the command
-  /// throws.
+  /// Runs the command, with --untrusted in a sandbox. @returns the exit code. @throws what the command throws
   int run() const;
 
  private:
-  std::unique_ptr<CLI::App> program_;  ///< which actions may refer to
+  std::unique_ptr<CLI::App> program_;  ///< parser, which actions may refer to
   Action chosen_;
 };
 

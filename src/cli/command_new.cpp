@@ -35,7 +35,6 @@ struct NewOptions {
   bool force = false;
 };
 
-/// File of a scene of the gallery, which stands by itself: none of them names a file.
 fs::path galleryFile(const std::string& name) {
   const std::vector<fs::path> scenes = scenesIn(scenesPlace());
   std::vector<std::string> names;
@@ -53,8 +52,8 @@ std::string galleryText(const fs::path& file) {
   return core::readRegularFile(file, scene::Limits().bytes(scene::Limit::kSceneBytes), ErrorKind::kIo);
 }
 
-/// Enters what is read and written. No scene is known to be one that this program wrote: it is there to be
-/// changed.
+/// Registers the files that are read and written. An existing scene never counts as an earlier output, because
+/// users edit their scenes.
 void enterFiles(const NewOptions& options, const fs::path& from, const fs::path& file, const fs::path& schema) {
   output::RunFiles files(options.force);
   files.reads(from, "--from");
@@ -75,7 +74,7 @@ int makeNew(const NewOptions& options) {
                                                  : galleryScene(galleryText(from), defaults);
   core::FileBatch results;
   results.write(schema, scene::schemaJson());
-  // The first line is for editors that know Taplo (VS Code with Even Better TOML, Helix, Neovim).
+  // The first line names the schema for editors with Taplo (VS Code with Even Better TOML, Helix, Neovim).
   results.write(file, fmt::format("#:schema ./{}\n{}", kSchemaName, scene));
   results.commit();
   const std::string word = core::shellWord(file.string());

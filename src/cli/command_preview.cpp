@@ -29,7 +29,6 @@ struct PreviewOptions : SceneOptions {
   int port = 0;
 };
 
-/// Ends the server when the user or the system wants it.
 class StopOnSignal {
  public:
   explicit StopOnSignal(preview::PreviewServer& server)
@@ -43,10 +42,10 @@ class StopOnSignal {
   std::jthread waiting_;
 };
 
-/// As who came by ssh calls it.
+/// Returns "USER@ADDRESS" of this machine, as an ssh client reached it; "THIS_MACHINE" without ssh.
 std::string thisMachine() {
   const char* const user = std::getenv("USER");
-  const char* const connection = std::getenv("SSH_CONNECTION");  // their address and port, ours
+  const char* const connection = std::getenv("SSH_CONNECTION");  // client address, client port, server address
   if (!user || !connection) return "THIS_MACHINE";
   std::istringstream words(connection);
   std::string theirs, theirPort, ours;
@@ -54,7 +53,7 @@ std::string thisMachine() {
   return ours.empty() ? "THIS_MACHINE" : core::shellWord(fmt::format("{}@{}", user, ours));
 }
 
-/// A file that cannot be read is an error; one with mistakes is what a preview is for.
+/// Prints the mistakes in a scene; the preview starts nevertheless. A file that cannot be read is an error.
 void tellMistakes(const PreviewOptions& options) {
   auto request = request::readSceneRequest(options.scene, options.overrides, granted(options));
   request::askForSweep(request);

@@ -17,12 +17,12 @@ namespace {
 namespace fs = std::filesystem;
 
 void put(const fs::path& file, const std::string& text) {
-  std::error_code ignored;  // if a folder cannot be made, writing the file says so
+  std::error_code ignored;  // writing the file reports a missing folder
   fs::create_directories(file.parent_path(), ignored);
   core::writeFileAtomically(file, std::string_view(text));
 }
 
-/// The places below share/ where man and the shells look.
+/// Writes man pages and completions to the places below share/ where man and the shells look.
 int selfDescribe(const Command& program, const fs::path& share) {
   const ProgramText text = textOf(program.parser());
   const fs::path manuals = share / "man" / "man1";
@@ -39,7 +39,7 @@ int selfDescribe(const Command& program, const fs::path& share) {
 void addSelfDescribe(const Command& program) {
   auto share = std::make_shared<std::string>();
   const Command command = program.command("self-describe", "write man pages and completions into a folder");
-  command.hide();  // the build runs it
+  command.hide();  // only the build runs the command
   command.option("FOLDER", *share, "laid out as share/ of an installed program").required();
   command.does({[share, program] { return selfDescribe(program, *share); }});
 }

@@ -28,7 +28,7 @@ struct StatusOptions {
   bool json = false, shards = false;
 };
 
-/// Words for a state, in the order that they are told in.
+/// A state and its name in the output.
 struct StateWord {
   SegmentState state;
   const char* word;
@@ -38,7 +38,6 @@ constexpr StateWord kStates[] = {{SegmentState::kDone, "done"},
                                  {SegmentState::kStale, "stale"},
                                  {SegmentState::kCorrupt, "corrupt"}};
 
-/// A render, how far it is, and what is left of it.
 struct Standing {
   job::JobRecord job;
   job::JobStatus status;
@@ -48,7 +47,8 @@ struct Standing {
 using Json = nlohmann::ordered_json;
 using Frames = std::vector<request::FrameRange>;
 
-/// Returns the object that is printed of an output without segments: all keys, null or empty where segments tell.
+/// Returns the JSON object for an output without segments: all keys, with null or empty values where segments
+/// would be needed.
 /// @param whole  null for a sequence, which keeps no record of the frames that belong to it
 Json jsonOfOutput(const StatusOptions& options, const Json& whole) {
   Json json{{"output", core::utf8FromBytes(options.output)},
@@ -114,7 +114,6 @@ int statusOfFilm(const StatusOptions& options, const std::filesystem::path& film
   return whole ? kDone : kNo;
 }
 
-/// Returns the runs of numbers without a gap.
 Frames rangesOf(const std::vector<std::int64_t>& frames) {
   Frames ranges;
   for (const std::int64_t k : frames)
@@ -133,8 +132,8 @@ Json jsonOfFrames(const StatusOptions& options, const Frames& there, const Frame
   return json;
 }
 
-/// Prints which frames of a sequence without a work folder are there. It keeps no record of how many belong to it.
-/// Returns the exit code.
+/// Prints which frames of a sequence without a work folder exist. The total number is not known then. Returns the
+/// exit code.
 int statusOfFrames(const StatusOptions& options, const Frames& there) {
   Frames gaps;
   for (std::size_t i = 1; i < there.size(); ++i) gaps.push_back({there[i - 1].last + 1, there[i].first - 1});
@@ -151,7 +150,6 @@ int statusOfFrames(const StatusOptions& options, const Frames& there) {
   return gaps.empty() ? kDone : kNo;
 }
 
-/// Returns the frames of a sequence that are there if it has no work folder; else none.
 Frames framesThere(const request::OutputTarget& target) {
   std::error_code ignored;
   const bool isRecorded = std::filesystem::exists(job::workFolderOf(target.path), ignored);
@@ -170,7 +168,7 @@ int status(const StatusOptions& options) {
     throw core::ioError(fmt::format("{}: no render of it is under way here; {}", core::printable(options.output),
                                     job::nothingUnderWayText(target, folder)));
   const job::JobStatus state = job::statusOf(folder, *job, target);
-  // A run that was killed while it tidied up leaves some segments of a film that needs none.
+  // A run that was killed while cleaning up leaves some segments of a finished film.
   if (!state.complete() && job::isFinished(*job, target.path)) return statusOfFilm(options, target.path);
   const Standing standing{*job, state, job::workLeft(*job, state, job->shards, target)};
   if (options.shards)

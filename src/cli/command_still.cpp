@@ -14,7 +14,6 @@ struct Options : RenderOptions {
   int bits = 8;
 };
 
-/// -o, or out/NAME.png.
 request::OutputTarget targetOf(const Options& options, const std::string& sceneName) {
   return request::parseStillTarget(options.output.empty() ? "out/" + sceneName + ".png" : options.output);
 }

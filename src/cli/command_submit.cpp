@@ -30,10 +30,8 @@ struct SubmitOptions : FilmOptions {
   request::SweepRequest grid;
 };
 
-/// A file's name that is not taken for an option.
 std::string fileWord(const std::string& name) { return name.starts_with('-') ? "./" + name : name; }
 
-/// The same request for `render`, or `sweep`.
 Words renderWords(const SubmitOptions& options, const request::OutputTarget& target) {
   Words words{options.sweep ? "sweep" : "render", fileWord(options.scene), "-o", fileWord(target.path.string())};
   const auto add = [&](const char* option, const std::string& value) {
@@ -108,7 +106,7 @@ int submit(SubmitOptions options) {
   const scene::Scene& scene = requested.scene;
   checkKind(target);
   checkMakeable(options, film, pictureOptions(options));
-  if (!options.sweep) const stage::Stage stage(scene);  // what the motion lacks is found here, not in a queue
+  if (!options.sweep) const stage::Stage stage(scene);  // rejects an incomplete motion here, not in a queue
   const auto render = job::renderRequest(requested, target, frames, {.form = pictureOptions(options)});
   job::expectWithinMemory(render);
   const auto segments = request::segmentsOf(frames, options.parts.segmentFrames);
@@ -128,7 +126,6 @@ int submit(SubmitOptions options) {
   return kDone;
 }
 
-/// Declares how the work is divided.
 void addDivisionOptions(const Command& command, SubmitOptions& options) {
   options.jobs = 1;
   command.option("--engine", options.engine, "slurm, parallel (GNU parallel) or make (default: slurm)")

@@ -19,13 +19,12 @@ struct SweepOptions : FilmOptions {
   request::SweepRequest asked;
 };
 
-/// By the name of the output; without one it is a picture.
+/// Returns whether the output is a film or sequence, by its name; without a name it is a picture.
 bool isFilm(const SweepOptions& options) {
   return options.output == "-" || output::filmContainer(options.output).has_value() ||
          output::FramePattern::isPattern(options.output);
 }
 
-/// -o, or out/NAME_sweep.png, out/NAME_map.png.
 request::OutputTarget pictureTarget(const SweepOptions& options, const std::string& sceneName) {
   const std::string ofItself = "out/" + sceneName + (options.asked.map ? "_map.png" : "_sweep.png");
   return request::parseStillTarget(options.output.empty() ? ofItself : options.output);
@@ -81,7 +80,7 @@ void addSweep(const Command& program) {
       .help(output::filmFormatsText() +
             ", NAME_{frame:05}.png, or - for all cells on one clock; NAME.png, NAME.pdf, NAME.svg or NAME.tex "
             "for a sheet or a map (default: out/SCENE_sweep.png, out/SCENE_map.png)");
-  command.remove("--loop");  // would change each motion by itself
+  command.remove("--loop");  // --loop would change each motion separately
   addPartsOptions(command, options->parts);
   addStillOptions(command, options->still);
   command.flag("--map", options->asked.map,

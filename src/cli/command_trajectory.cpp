@@ -74,7 +74,8 @@ void noteFarTimes(const scene::Scene& scene, const reference::TrajectoryTimes& t
     writeErr("poinsot: note: " + note + "\n");
 }
 
-/// A number has about 18 characters: rows of 15 in the gallery have 271 to 303 bytes.
+/// Checks the estimated size of the output. A number has about 18 characters: rows of 15 numbers in the gallery
+/// have 271 to 303 bytes.
 void checkOutput(const reference::TrajectoryTimes& times, const scene::Scene& scene, const scene::Limits& limits) {
   constexpr double kNumber_bytes = 290. / 15;
   const auto columns = reference::trajectoryColumns(scene.motion.forcing.dissipation);

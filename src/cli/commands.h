@@ -7,7 +7,7 @@
 
 namespace poinsot::cli {
 
-/// Each declares one command of the program with its options.
+/// Functions that declare one command each, with its options.
 void addRender(const Command& program);
 void addStill(const Command& program);
 void addSweep(const Command& program);
@@ -26,10 +26,10 @@ void addPreview(const Command& program);
 void addExplain(const Command& program);
 void addSchema(const Command& program);
 void addDoctor(const Command& program);
-/// Hidden: the build makes man pages and completions with it.
+/// Declares a hidden command, with which the build makes man pages and completions.
 void addSelfDescribe(const Command& program);
 
-/// Text of --version: the program, the libraries it runs with, what its binaries fall under.
+/// Returns the text of --version: versions of the program and its libraries, and the licences of the binaries.
 std::string versionText();
 
 }  // namespace poinsot::cli

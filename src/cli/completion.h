@@ -5,8 +5,8 @@
 
 #include "cli/program_text.h"
 
-/// Scripts by which a shell completes the program's command line: commands, options, their values, keys of scenes
-/// after -D, files of the right kind.
+/// Completion scripts for shells. They complete commands, options, values, scene keys after -D, and files of the
+/// right kind.
 namespace poinsot::cli {
 
 std::string bashCompletion(const ProgramText& text);

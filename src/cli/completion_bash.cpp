@@ -7,8 +7,8 @@
 namespace poinsot::cli {
 namespace {
 
-/// Bash splits words at "=", so that "-D key=v" are four. No helper of bash-completion is called: the script works
-/// by itself, sourced.
+/// Helper functions in bash, which splits words at "=", so that "-D key=v" is four words. The script calls no
+/// function of bash-completion, so it works when sourced alone.
 constexpr const char* kHelpers = R"(
 _poinsot_words() { mapfile -t COMPREPLY < <(compgen -W "$*" -- "$word"); }
 
@@ -46,7 +46,6 @@ std::string patternOf(WordKind kind) {
   return kind == WordKind::kTable ? "'*.csv'" : "'*'";
 }
 
-/// What offers a word of that kind.
 std::string offer(const OptionText& option) {
   if (!option.words.empty()) return wordsCall(option.words);
   switch (option.kind) {
@@ -76,7 +75,6 @@ std::string keyFunction(const std::vector<KeyText>& keys) {
       wordsCall(assignments(keys, false)), cases);
 }
 
-/// One branch of the case on "command option".
 std::string branch(const CommandText& command, const OptionText& option) {
   std::string names;
   for (const std::string& name : option.names)
@@ -106,7 +104,6 @@ std::string optionBranches(const ProgramText& text) {
   return branches;
 }
 
-/// Where a command has several operands, files that can be any of them.
 std::string operandOffer(const CommandText& command) {
   std::string patterns;
   for (const OptionText& operand : command.operands) patterns += " " + patternOf(operand.kind);

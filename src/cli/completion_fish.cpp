@@ -7,7 +7,7 @@
 namespace poinsot::cli {
 namespace {
 
-/// A word in single quotes, where fish knows two signs.
+/// Puts a word in single quotes, in which fish needs escapes for two characters only.
 std::string fishWord(const std::string& text) {
   std::string word = "'";
   for (const char c : text) {
@@ -22,7 +22,8 @@ std::string complete(const std::string& command, const std::string& rest) {
   return fmt::format("complete -c poinsot -n {} {}\n", fishWord(when), rest);
 }
 
-/// What offers a word of that kind, with the flag that says whether files are offered besides.
+/// Returns the options of `complete` that offer the values of an option, including whether files are offered
+/// besides.
 std::string fishOffer(const OptionText& option) {
   if (!option.words.empty()) return "-x -a " + fishWord(core::joined(option.words, " "));
   switch (option.kind) {
@@ -50,7 +51,7 @@ std::string optionLine(const CommandText& command, const OptionText& option) {
   return complete(command.name, rest + "-d " + fishWord(option.help));
 }
 
-/// Operands are not told apart by their places: files that can be any of them.
+/// Offers files for any operand of a command, because fish does not distinguish operands by position.
 std::string operandLine(const CommandText& command, const OptionText& operand) {
   const bool any = operand.kind == WordKind::kFile;
   return complete(command.name, any ? "-F" : fishOffer(operand));

@@ -8,7 +8,7 @@
 namespace poinsot::cli {
 namespace {
 
-/// Text within a spec of _arguments or _describe, where some signs part it.
+/// Escapes the separators of a spec for _arguments or _describe.
 std::string specText(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
@@ -18,7 +18,6 @@ std::string specText(const std::string& text) {
   return escaped;
 }
 
-/// What offers a word of that kind, within a spec.
 std::string zshOffer(const OptionText& option) {
   if (!option.words.empty()) return fmt::format("({})", core::joined(option.words, " "));
   switch (option.kind) {
@@ -35,13 +34,13 @@ std::string zshOffer(const OptionText& option) {
     case WordKind::kOther:
       break;
   }
-  return " ";  // says what is wanted, and offers nothing
+  return " ";  // shows the name of the value, and offers nothing
 }
 
-/// "-o" takes its value in the same word or the next; "--output" after a "=" or in the next.
+/// Returns "+" for "-o", whose value is in the same word or the next, and "=" for "--output", whose value follows
+/// "=" or is in the next word.
 std::string valueSign(const std::string& name) { return name.starts_with("--") ? "=" : "+"; }
 
-/// A spec for each name; the names exclude one another.
 std::vector<std::string> optionSpecs(const OptionText& option) {
   std::vector<std::string> specs;
   const std::string others = option.repeats ? "*" : fmt::format("({})", core::joined(option.names, " "));

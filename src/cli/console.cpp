@@ -26,7 +26,8 @@ bool isSet(const char* variable) {
 }  // namespace
 
 void openStandardStreams() {
-  // open() takes the lowest free number. For reading only: writing to a stream that was closed stays an error.
+  // open() takes the lowest free number. Opened for reading only, so that writing to a closed stream stays an
+  // error.
   int fd = 0;
   do fd = open("/dev/null", O_RDONLY);
   while (fd >= 0 && fd <= STDERR_FILENO);
@@ -63,7 +64,6 @@ int errColumns() {
 
 namespace {
 
-/// Characters, not bytes.
 std::size_t length(std::string_view word) {
   return static_cast<std::size_t>(
       std::ranges::count_if(word, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));

@@ -5,11 +5,11 @@
 #include <string>
 #include <string_view>
 
-/// The two streams: data to stdout, where a lost byte is an error; all else to stderr, where it is not. Whatever a
-/// scene, a file or its name had in it, no control character gets through here (core::printableLines).
+/// Output of the program. Data goes to stdout, where a failed write is an error. All else goes to stderr, where it
+/// is not. Control characters from scenes, files and file names are replaced (core::printableLines).
 namespace poinsot::cli {
 
-/// Descriptors 0 to 2 exist from here on: a file opened later cannot land on one of them.
+/// Opens descriptors 0 to 2 if they are closed, so that no file opened later gets one of these numbers.
 void openStandardStreams();
 
 /// @throws core::BrokenPipe, or core::Error(kIo) if stdout takes no more.
@@ -17,23 +17,25 @@ void writeOut(std::string_view text);
 
 void writeErr(std::string_view text);
 
-/// As it is: what this program itself has put control characters into, and no text of others.
+/// Writes text with control characters to stderr. Use it only for text of this program.
 void writeControl(std::string_view text);
 
-/// "poinsot: error: MESSAGE\n" on stderr; the word in red on a terminal without NO_COLOR.
+/// Writes "poinsot: error: MESSAGE\n" to stderr; "error:" is red on a terminal, unless NO_COLOR is set.
 void writeError(std::string_view message);
 
-/// That memory is out: takes none.
+/// Reports on stderr that memory ran out, without allocating any.
 void writeOutOfMemory() noexcept;
 
-/// Whether stderr is a terminal that can redraw a line, and how wide it is.
+/// Returns whether stderr is a terminal that can redraw a line.
 bool errIsTerminal();
 int errColumns();
 
-constexpr std::size_t kColumns = 100;  ///< of text for a terminal
+constexpr std::size_t kColumns = 100;  ///< width of text for a terminal
 
-/// Broken at spaces to lines of at most `width` characters, each but the first after `indent`; a line end stays
-/// one. `column` characters stand before the first. Ends without a line end.
+/// Breaks text at spaces into lines of at most `width` characters. Line ends in the text stay.
+/// @param indent  number of spaces before each line except the first
+/// @param column  number of characters that already stand on the first line
+/// @returns the lines without a final line end
 std::string wrapped(std::string_view paragraph, std::size_t width = kColumns, std::size_t indent = 0,
                     std::size_t column = 0);
 

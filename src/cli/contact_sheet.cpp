@@ -15,12 +15,12 @@ namespace poinsot::cli {
 namespace {
 
 constexpr image::PixelSize kCell{480, 270};
-constexpr int kCellMargin = 40, kName = 60;    // around each picture; of the band under it, pixels
-constexpr float kType = 24, kBaseline = 0.48;  // of a name, pixels; from the band's top, of its height
-constexpr double kPaperTint = 0.06;            // of ink: white pictures show their edges on it
+constexpr int kCellMargin = 40, kName = 60;    // pixels: around each picture; height of the band with its name
+constexpr float kType = 24, kBaseline = 0.48;  // type size in pixels; fraction of the band above the baseline
+constexpr double kPaperTint = 0.06;            // fraction of ink in the paper, so that white pictures have edges
 constexpr std::size_t kMostColumns = 5;
 
-/// The light of one line of pixels, spread evenly over fewer: which share of which pixel falls on each.
+/// Fraction of a source pixel in the mean that gives a pixel of the smaller picture.
 struct Share {
   int from;
   double weight;
@@ -58,7 +58,6 @@ image::PixelSize fitted(image::PixelSize size, image::PixelSize most) {
   return {side(size.width), side(size.height)};
 }
 
-/// Where the pictures of a sheet are.
 struct Grid {
   int columns, rows;
 

@@ -8,18 +8,18 @@
 
 namespace poinsot::cli {
 
-/// The picture at the largest size that fits into `most` without enlarging or distorting it: each pixel is the
-/// mean of the light that falls on it. RGB; a fourth channel is laid over white.
+/// Shrinks a picture to fit into `most`, without distorting or enlarging it. Each pixel is the mean of the light
+/// that falls on it. Returns RGB; a fourth channel is laid over white.
 image::Image shrunk(const image::Image& picture, image::PixelSize most);
 
-/// One picture of a sheet and what stands under it, as it is: no TeX.
+/// Picture of a sheet, with the name below it as plain text without TeX.
 struct SheetEntry {
   std::string name;
   image::Image picture;
 };
 
-/// Pictures side by side with their names under them, on light paper with even margins, in the order of reading.
-/// A row holds about as many as make the sheet as wide as it is high, four to five in sixteen to nine.
+/// Returns a sheet of pictures with their names below, on light paper with even margins, in reading order. The
+/// number of columns makes the sheet about as wide as it is high, and is at most five.
 /// @pre there is one at least.
 image::Image contactSheet(const std::vector<SheetEntry>& entries);
 

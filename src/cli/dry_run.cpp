@@ -36,7 +36,6 @@ std::int64_t framesThere(const job::RenderRequest& request, const Segments& segm
   return frames;
 }
 
-/// ", 60 frames are there already"
 std::string thereText(const job::RenderRequest& request, const Segments& segments) {
   const bool goesOn = request.record && (request.shard || request.resume);
   return goesOn ? fmt::format(", {} frames are there already", framesThere(request, segments)) : "";
@@ -46,7 +45,7 @@ std::string thereText(const job::RenderRequest& request, const Segments& segment
 
 int describe(const job::RenderRequest& request) {
   const scene::Scene& scene = request.scene.scene;
-  request::composerOf(request.scene);  // what the motion lacks is found here
+  request::composerOf(request.scene);  // throws if the motion lacks something
   if (request.form.print) return describePrinted(request, scene.output);
   const Segments segments = request.segments();
   const std::int64_t own = request::framesIn(segments), all = request.frames.count();

@@ -21,7 +21,7 @@ int tellingErrors(const std::function<int()>& action) {
   } catch (const process::Interrupted& interrupted) {
     return 128 + interrupted.signal();
   } catch (const scene::SceneErrors& errors) {
-    writeErr(fmt::format("{}\n", errors.what()));  // already says "file:line:column: error:"
+    writeErr(fmt::format("{}\n", errors.what()));  // already has "file:line:column: error:"
     return exitCodeOf(errors.kind());
   } catch (const core::Error& error) {
     writeError(error.what());
@@ -55,7 +55,7 @@ ExitCode exitCodeOf(core::ErrorKind kind) {
 int translatingErrors(const std::function<int()>& action) {
   try {
     return tellingErrors(action);
-  } catch (const std::bad_alloc&) {  // perhaps while something else was told
+  } catch (const std::bad_alloc&) {  // perhaps while reporting another error
     writeOutOfMemory();
     return kFailed;
   }

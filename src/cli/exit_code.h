@@ -7,25 +7,24 @@
 
 namespace poinsot::cli {
 
-/// What the program ends with; 128 + n besides, for signal n.
+/// Exit code of the program. After signal n the code is 128 + n.
 enum ExitCode : int {
   kDone = 0,
-  kNo = 1,        ///< the answer is no
-  kBadInput = 2,  ///< usage, the scene or a file it names, a limit
-  kFailed = 3,    ///< rendering, encoding, back end, memory
-  kBadFile = 4,   ///< output, files named on the command line
+  kNo = 1,        ///< no error, but the answer is no
+  kBadInput = 2,  ///< error in the arguments, in the scene or a file that it names, or a limit is exceeded
+  kFailed = 3,    ///< error in rendering, encoding or the back end, or memory ran out
+  kBadFile = 4,   ///< error with an output, or with a file named on the command line
   kBrokenPipe = 141,
 };
 
-/// The same in words, for people.
 constexpr const char* kExitCodesText =
     "0 done, 1 the answer is no, 2 usage, scene or limit, 3 rendering or encoding,\n"
     "  4 files, 129/130/143 signals, 141 broken pipe.";
 
-/// The one place where kinds of errors become exit codes.
+/// Returns the exit code of an error. No other function assigns exit codes to kinds of errors.
 ExitCode exitCodeOf(core::ErrorKind kind);
 
-/// Does it, and says on stderr what it throws. @returns its exit status, or that of what it threw.
+/// Calls `action`, and prints its exception on stderr. @returns the exit status of the action or of the exception
 int translatingErrors(const std::function<int()>& action);
 
 }  // namespace poinsot::cli

@@ -93,7 +93,7 @@ RequestedFilm requestedFilm(const FilmOptions& options) {
   const auto asked =
       options.frames.empty() ? std::nullopt : std::optional(request::parseFrameRange(options.frames));
   const auto named = namedTarget(options);
-  checkBits(options.bits, named.value_or(request::OutputTarget{}));  // without a name, a film
+  checkBits(options.bits, named.value_or(request::OutputTarget{}));  // without a name, the output is a film
   auto requested = requestedScene(options);
   const scene::Scene& scene = requested.scene;
   const auto target = named ? *named : request::parseTarget("out/" + scene.name + ".mp4");

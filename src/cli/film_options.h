@@ -7,7 +7,7 @@
 
 namespace poinsot::cli {
 
-/// Words of the command line common to all that make films, as typed.
+/// Options of the commands that make films, as typed.
 struct FilmOptions : RenderOptions {
   std::string frames, format;
   bool transparent = false;
@@ -15,26 +15,24 @@ struct FilmOptions : RenderOptions {
   PartsOptions parts;
 };
 
-/// Declares the output, the frames and their rate, --loop, and --segment.
+/// Declares -o, the options for frames and their rate, --transparent, --bits, --loop and --segment.
 void addFilmOptions(const Command& command, FilmOptions& options);
 
-/// Declares how it is made in parts: --resume, --keep, --manifest, --shard.
+/// Declares --resume, --keep, --manifest, --shard and --shards-left.
 void addPartsOptions(const Command& command, PartsOptions& parts);
 
-/// Declares the columns and names of a sweep's grid.
 void addGridOptions(const Command& command, request::SweepRequest& grid);
 
-/// @throws core::Error(kUsage) for what the target cannot be made in.
+/// Rejects options that do not fit the target. @throws core::Error(kUsage)
 void checkParts(const PartsOptions& parts, const request::OutputTarget& target);
 
-/// Where it goes, as far as the options alone tell: a wrong name is said before all else.
+/// Returns the target if the options name one, so that a wrong name is reported before the scene is read.
 /// @throws core::Error(kUsage)
 std::optional<request::OutputTarget> namedTarget(const FilmOptions& options);
 
-/// How its pictures are made.
 request::PictureOptions pictureOptions(const FilmOptions& options);
 
-/// @throws scene::SceneErrors, core::Error
+/// Reads the scene, and selects the target and the frames. @throws scene::SceneErrors, core::Error
 RequestedFilm requestedFilm(const FilmOptions& options);
 
 }  // namespace poinsot::cli

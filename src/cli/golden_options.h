@@ -10,7 +10,7 @@ namespace poinsot::cli {
 
 class Command;
 
-/// Words of the command line of `poinsot golden`, as typed.
+/// Options of `poinsot golden`, as typed.
 struct GoldenOptions : AllowanceOptions {
   std::string manifest = "golden.toml", output = "out/golden", images, junit, report, markdown, outcome, variant,
               approveBy, backend = "auto";
@@ -20,7 +20,6 @@ struct GoldenOptions : AllowanceOptions {
        quiet = false, json = false;
 };
 
-/// Declares them.
 void addGoldenOptions(const Command& command, GoldenOptions& options);
 
 }  // namespace poinsot::cli

@@ -13,7 +13,7 @@
 namespace poinsot::cli {
 namespace {
 
-/// Characters that roff, or a terminal's hyphenation, would take for something else.
+/// Escapes characters that roff, or the hyphenation on a terminal, would replace.
 std::string escaped(const std::string& text) {
   std::string roff;
   for (const char c : text) switch (c) {
@@ -68,12 +68,11 @@ std::string synopsis(const CommandText& command) {
   return fmt::format(".SH SYNOPSIS\n{}{} [{}]...\n", bold(words), operandsLine(command), italic("OPTION"));
 }
 
-/// One entry of a list: what, and below it, indented, the text.
 std::string entry(const std::string& what, const std::string& text) {
   return fmt::format(".TP\n{}\n{}\n", what, text);
 }
 
-/// What values there are, where the help does not say it.
+/// Returns the allowed values in parentheses, unless the help already names them.
 std::string allowed(const OptionText& option) {
   const auto told = [&](const std::string& word) { return option.help.find(word) != std::string::npos; };
   if (!option.range.empty()) return fmt::format(" ({})", option.range);
@@ -114,7 +113,7 @@ std::string variableList() {
 }
 
 std::string notes(const CommandText& command) {
-  if (command.name.empty() || command.notes.empty()) return "";  // the program's are the exit codes
+  if (command.name.empty() || command.notes.empty()) return "";  // the program's notes are the exit codes
   std::string text = ".SH NOTES\n";
   for (const std::string& line : command.notes) text += escaped(line) + "\n";
   return text;
@@ -133,7 +132,7 @@ std::string seeAlso(const ProgramText& text, const CommandText& command) {
   return ".SH SEE ALSO\n" + list + "\n";
 }
 
-/// The lines of the help, unindented: roff fills them.
+/// Returns the section on exit codes. The lines of the help lose their indent, because roff fills them.
 std::string exitStatus() {
   std::string text = kExitCodesText;
   for (auto at = text.find("\n "); at != std::string::npos; at = text.find("\n ")) text.erase(at + 1, 1);

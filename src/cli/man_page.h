@@ -7,10 +7,11 @@
 
 namespace poinsot::cli {
 
-/// "poinsot.1", or "poinsot-render.1" of a command.
+/// Returns "poinsot.1" for the program, or "poinsot-render.1" for a command.
 std::string manPageName(const CommandText& command);
 
-/// Manual page of a command, or of the program where it has no name; roff for the macros man(7).
+/// Returns the manual page of a command, or of the program if the command has no name. The format is roff with the
+/// macros man(7).
 std::string manPage(const ProgramText& text, const CommandText& command);
 
 }  // namespace poinsot::cli

@@ -13,7 +13,7 @@
 #include "request/scene_request.h"
 #include "scene/document/problem.h"
 
-// Of new_scene.toml.
+// Content of new_scene.toml.
 extern "C" const char poinsot_new_scene[], poinsot_new_scene_end[];
 
 namespace poinsot::cli {
@@ -25,7 +25,7 @@ bool isPlain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ' ' || c == '-';
 }
 
-/// "My book" for "my_book"; a title is set in type, so that a name with other characters makes none.
+/// Returns "My book" for "my_book". A title may hold TeX, so a name with other characters gives a default title.
 std::string titleOf(std::string name) {
   std::ranges::replace(name, '_', ' ');
   if (name.empty() || !std::ranges::all_of(name, isPlain)) return "A new scene";
@@ -38,7 +38,7 @@ void replaceAll(std::string& text, std::string_view what, std::string_view with)
     text.replace(at, what.size(), with);
 }
 
-/// A quantity of the blank scene as a TOML value, to three digits where it is converted.
+/// Returns a quantity of the template as a TOML value. A value in another unit is rounded to three digits.
 std::string inUnit(const std::string& quantity, scene::Dimension dimension, const request::UnitChoice& units) {
   const bool bare = quantity.find(' ') == quantity.npos;
   const auto choice = units.find(dimension);
@@ -50,7 +50,7 @@ std::string inUnit(const std::string& quantity, scene::Dimension dimension, cons
   return fmt::format("\"{} {}\"", rounded, choice->second);
 }
 
-/// "@length:24 cm@" stands for a quantity.
+/// Replaces marks such as "@length:24 cm@" by quantities in the user's units.
 void setQuantities(std::string& text, const request::UnitChoice& units) {
   for (const scene::Dimension dimension : scene::dimensions()) {
     const std::string mark = "@" + request::dimensionWord(dimension) + ":";
@@ -70,7 +70,7 @@ Lines linesOf(std::string_view text) {
   return lines;
 }
 
-/// What a quantity in the user's unit moved goes back to the column of the others.
+/// Aligns the comments again, which quantities in the user's units have moved.
 void alignComments(std::string& text) {
   constexpr std::size_t kColumn = 38;
   Lines lines = linesOf(text);
@@ -82,13 +82,13 @@ void alignComments(std::string& text) {
   text = fmt::format("{}\n", core::joined(lines, "\n"));
 }
 
-/// The table of a line "[show.body]", perhaps with a comment; none for another line.
+/// Returns "show.body" for the line "[show.body]", with or without a comment; nullopt for another line.
 std::optional<std::string> headerOf(const std::string& line) {
   if (!line.starts_with('[') || line.starts_with("[[")) return std::nullopt;
   return line.substr(1, line.find(']') - 1);
 }
 
-/// The line of the deepest table that the key lies in, or the end.
+/// Returns the index of the line that opens the deepest table with the key; the number of lines if there is none.
 std::size_t tableLine(const Lines& lines, const std::string& path) {
   std::size_t deepest = lines.size(), depth = 0;
   for (std::size_t i = 0; i < lines.size(); ++i)
@@ -100,7 +100,6 @@ std::size_t tableLine(const Lines& lines, const std::string& path) {
   return deepest;
 }
 
-/// Whether the line has the key of this name, or in a comment offers it.
 bool names(std::string_view line, const std::string& name, bool offers) {
   if (offers && line.starts_with("# ")) line.remove_prefix(2);
   return line.starts_with(name + " =") || line.starts_with(name + "=");

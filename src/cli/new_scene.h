@@ -8,15 +8,15 @@
 
 namespace poinsot::cli {
 
-/// A scene to begin with, with comments, in the user's units and with the keys that he always wants.
-/// @param name  of the scene; a title is made of it.
+/// Returns a commented template of a scene, in the user's units and with the keys of the user's defaults.
+/// @param name  name of the scene, from which its title is made
 std::string blankScene(const std::string& name, const request::UserDefaults& defaults);
 
-/// A scene of the gallery with those of the user's keys that it does not have itself and that fit it.
+/// Returns a gallery scene with the default keys that the scene lacks, except for keys that make it invalid.
 std::string galleryScene(std::string text, const request::UserDefaults& defaults);
 
-/// The text with a key set: in place of the line that has it, or offers it in a comment, else as the first of its
-/// table, which is added where there is none.
+/// Sets a key in the text of a scene. The new line replaces a line that has the key, or a comment that offers the
+/// key; otherwise it becomes the first of its table, which is added if it is missing.
 std::string withKey(std::string_view text, const request::DefaultKey& key);
 
 }  // namespace poinsot::cli

@@ -24,7 +24,7 @@ constexpr double kPointsPerInch = 72;
 
 std::string line(const std::string& text) { return "poinsot: " + text + "\n"; }
 
-/// How long what the motion does over and over takes on the screen; empty where that is never, or nothing.
+/// Returns the film time of a nutation; empty if the motion is no heavy top, or has no finite nutation period.
 std::string nutationText(const scene::Scene& scene, double pace) {
   const auto top = scene::heavyTopStart(scene);
   const double period_s = top ? top->nutation().period_s / pace : 0;
@@ -32,8 +32,8 @@ std::string nutationText(const scene::Scene& scene, double pace) {
   return fmt::format(" a nutation takes {:.3g} s of film;", period_s);
 }
 
-/// A film that nobody gave a speed shows the motion at one that the eye follows: not to be taken for the real one,
-/// and perhaps too slow to get anywhere.
+/// Returns a note on a speed that the program chose so that the eye can follow. Such a film can be mistaken for
+/// real time, and may be too slow to show much of the motion.
 std::string paceNote(const scene::Scene& scene) {
   const double pace = scene::chosenSpeed(scene);
   if (scene.time.speed || std::abs(pace - 1) < 0.05) return "";
@@ -43,7 +43,7 @@ std::string paceNote(const scene::Scene& scene) {
                   pace, pace * scene.time.duration_s, nutationText(scene, pace)));
 }
 
-/// A path that was made smaller so that the body can be seen: not to be taken for one to scale.
+/// Returns a note if the path of a flight was shrunk so that the body can be seen, because it looks true to scale.
 std::string flightNote(const scene::Scene& scene) {
   if (!scene.motion.flight || scene.show.figures.flight.scale) return "";
   const double scale = stage::Stage(scene).flightScale();
@@ -61,7 +61,7 @@ std::string torqueNote(const scene::Scene& scene) {
 }
 
 std::string faintTypeNote(const scene::Scene& scene) {
-  constexpr double kLegible = 3;  // of large type (WCAG 2)
+  constexpr double kLegible = 3;  // contrast of large type (WCAG 2)
   const stage::Palette colors = stage::palette(scene.style);
   const double contrast = stage::contrastRatio(colors.ink, colors.paper);
   if (contrast >= kLegible) return "";
@@ -97,8 +97,8 @@ std::string choiceNotes(const scene::Scene& scene, bool film) {
 }
 
 std::string smallTypeNote(const job::RenderRequest& render) {
-  constexpr double kLegible_px = 7;  // an x of 3 pixels
-  constexpr double kLegible_pt = 5;  // what publishers ask for at least
+  constexpr double kLegible_px = 7;  // the letter x is then 3 pixels high
+  constexpr double kLegible_pt = 5;  // least size that publishers accept
   const auto& [sweep, print] = std::tie(render.scene.request.sweep, render.form.print);
   if (!sweep && !print) return "";
   const scene::Scene& scene = render.scene.scene;

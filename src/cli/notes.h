@@ -9,19 +9,19 @@
 
 namespace poinsot::cli {
 
-/// What the file says and may be a slip: "file:line:column: note: ...", a line each.
+/// Returns notes on likely mistakes in the scene file, one per line: "file:line:column: note: ...".
 std::string doubtNotes(const scene::Scene& scene);
 
-/// These, and what was decided where the scene says nothing of it, and what its author can hardly have wanted; a
-/// line each.
-/// @param film  more than one frame is made
+/// Returns doubtNotes(), and notes on choices of the program and on results that the author hardly wants; one per
+/// line.
+/// @param film  whether more than one frame is made
 std::string choiceNotes(const scene::Scene& scene, bool film);
 
-/// Of a grid of films in the pixels of one, or of a figure on paper, whose type nobody can read; else empty.
+/// Returns a note if type is too small to read, in a sweep or in a picture on paper; else an empty string.
 std::string smallTypeNote(const job::RenderRequest& render);
 
-/// Why pictures of these renderers are slow and not quite those of other machines: a note for each such renderer.
-/// @param renderers  GL_RENDERER of those that drew; an empty one is no renderer
+/// Returns a note for each renderer that is slow and whose pictures differ from those of other machines.
+/// @param renderers  GL_RENDERER of the processes that drew; empty texts are ignored
 std::string rendererNotes(const std::set<std::string>& renderers);
 
 }  // namespace poinsot::cli

@@ -46,9 +46,8 @@ struct PaperUnit {
 
 constexpr PaperUnit kUnits[] = {{"mm", 1}, {"cm", 10}, {"in", 25.4}, {"pt", 25.4 / 72.27}};
 
-constexpr double kLeastWidth_mm = 15;  // type of the size it is printed in takes that
+constexpr double kLeastWidth_mm = 15;  // type in its printed size needs this width
 
-/// The sides, unbounded.
 struct Sides {
   double width, height;
 };
@@ -63,7 +62,7 @@ bool fits(const Sides& sides, double most) {
   return within(sides.width) && within(sides.height);
 }
 
-/// The whole number of dpi nearest to those asked that fits, in words; empty where none does.
+/// Returns advice with the nearest whole --dpi that fits; empty if none fits.
 std::string advice(request::PrintSize print, image::PixelSize proportion, double longest) {
   const Sides asked = sidesOf(print, proportion);
   const auto [least, most] = std::minmax(asked.width, asked.height);

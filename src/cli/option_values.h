@@ -14,28 +14,28 @@ namespace poinsot::cli {
 
 class Command;
 
-/// A number of seconds, or a number with a unit of time as scene files have it; possibly not finite.
+/// Parses a time: a number of seconds, or a number with a unit of time as in scene files. The result may be
+/// infinite or NaN.
 /// @throws core::Error(kUsage) naming the option
 double parseTime_s(std::string_view option, const std::string& word);
 
-/// "0,-1.5,90 ms", separated by commas.
+/// Parses times that are separated by commas, such as "0,-1.5,90 ms".
 /// @throws core::Error(kUsage) naming the option
 std::vector<double> parseTimes_s(std::string_view option, std::string_view words);
 
-/// A width on paper: a number with mm, cm, in or pt, such as "86mm" or "3.4 in". A point is TeX's, 1/72.27 inch,
-/// as \the\columnwidth prints it.
-/// @throws core::Error(kUsage) when it is no such thing or not more than 0.
+/// Parses a width on paper: a number with mm, cm, in or pt, such as "86mm" or "3.4 in". A point is TeX's, 1/72.27
+/// inch, as \the\columnwidth prints it.
+/// @throws core::Error(kUsage) if the text is malformed, or the width is less than 15 mm
 double parseWidth_mm(const std::string& word);
 
-/// The pixels of a print whose sides are as those of `proportion`.
-/// @throws core::Error(kLimit) beyond the limits of a picture, saying how many dpi would do.
+/// Returns the pixels of a picture on paper, with the ratio of sides of `proportion`.
+/// @throws core::Error(kLimit) beyond the limits of a picture, naming a --dpi that fits
 image::PixelSize printedPixels(const request::PrintSize& print, image::PixelSize proportion,
                                const scene::Limits& limits);
 
-/// Declares --bits.
 void addBitsOption(const Command& command, int& bits);
 
-/// @throws core::Error(kUsage) where the target takes no pictures of that many bits, saying what does.
+/// @throws core::Error(kUsage) if the target takes no pictures of that many bits, naming targets that do
 void checkBits(int bits, const request::OutputTarget& target);
 
 }  // namespace poinsot::cli

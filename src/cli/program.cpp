@@ -30,8 +30,8 @@ void requireStack() {
 
 int runProgram(int argc, char** argv) {
   openStandardStreams();
-  std::signal(SIGPIPE, SIG_IGN);  // a write says EPIPE in its place
-  std::signal(SIGXFSZ, SIG_IGN);  // and EFBIG
+  std::signal(SIGPIPE, SIG_IGN);  // a write fails with EPIPE instead
+  std::signal(SIGXFSZ, SIG_IGN);  // a write fails with EFBIG instead
   return translatingErrors([&] {
     requireStack();
     clearOtherVariables();

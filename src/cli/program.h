@@ -3,7 +3,8 @@
 
 namespace poinsot::cli {
 
-/// The whole program: parses, runs the command, turns every failure into its message and exit code.
+/// Runs the program: parses the arguments, runs the command, and turns every failure into a message and an exit
+/// code.
 int runProgram(int argc, char** argv);
 
 }  // namespace poinsot::cli

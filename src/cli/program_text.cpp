@@ -22,7 +22,8 @@ constexpr KindOfWord kKinds[] = {
     {"THEIRS", WordKind::kTable}, {"OUTPUT", WordKind::kFile},   {"KEY=VALUE", WordKind::kKey},
 };
 
-/// An operand of another name is a file: what else would a shell offer.
+/// Returns the kind of a value by its name. Operands with other names are files, because a shell can offer nothing
+/// else.
 WordKind kindOf(const OptionText& option) {
   const auto* known = std::ranges::find(kKinds, option.value, &KindOfWord::value);
   if (known != std::end(kKinds)) return known->kind;
@@ -39,13 +40,12 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-/// The text between two signs, or empty.
 std::string within(const std::string& text, char open, char close) {
   const auto from = text.find(open), to = text.rfind(close);
   return from == std::string::npos || to == std::string::npos ? "" : text.substr(from + 1, to - from - 1);
 }
 
-/// CLI11 says what an option takes as "NAME:{auto,osmesa,egl}" and "N:INT in [1 - 1024]".
+/// Reads CLI11's description of a value, such as "NAME:{auto,osmesa,egl}" or "N:INT in [1 - 1024]".
 void readValue(const std::string& typeName, OptionText& option) {
   const auto colon = typeName.find(':');
   option.value = typeName.substr(0, colon);
@@ -70,7 +70,7 @@ OptionText optionText(const CLI::Option& declared) {
   return option;
 }
 
-/// A footer is prose, and examples: the indented lines after "Example:" or "Examples:".
+/// Splits a footer into notes and examples. Examples are the indented lines after "Example:" or "Examples:".
 void readFooter(const std::string& footer, CommandText& command) {
   bool inExamples = false;
   for (const std::string& line : split(footer, '\n')) {
@@ -106,7 +106,7 @@ CommandText commandText(const CLI::App& declared) {
   return command;
 }
 
-/// Those that stand for one value each: an element of an array is for the file.
+/// Returns the keys with a single value. Elements of arrays can only be set in the file.
 std::vector<KeyText> keyTexts() {
   std::vector<KeyText> texts;
   for (const scene::Key& key : scene::keys()) {

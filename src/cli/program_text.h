@@ -8,24 +8,23 @@ namespace CLI {
 class App;
 }
 
-/// The command line as values: what was declared to the parser, read back from it. Man pages and completions are
-/// written from this, so that a new option needs no second place.
+/// Description of the command line, read back from the parser. Man pages and completions are made from this
+/// description, so that a new option is declared only once.
 namespace poinsot::cli {
 
-/// What a word of the command line names, as far as a shell can help with it.
+/// Kind of a value on the command line, from which a shell completes it.
 enum class WordKind { kOther, kFile, kFolder, kScene, kTable, kKey };
 
 struct OptionText {
   std::vector<std::string> names;  ///< "-o", "--output"; empty for an operand
-  std::string value;               ///< "FILE"; the name of an operand; empty for a flag
+  std::string value;               ///< "FILE", or the name of an operand; empty for a flag
   std::string help;
   std::string range;               ///< "1 to 1024", or empty
-  std::vector<std::string> words;  ///< the values there are, if they are few
+  std::vector<std::string> words;  ///< all allowed values, if they are few
   WordKind kind = WordKind::kOther;
   bool required = false, repeats = false;
 };
 
-/// A key of the file that a command reads.
 struct FileKeyText {
   std::string path, value, help;
 };
@@ -35,28 +34,27 @@ struct CommandText {
   std::string summary;
   std::vector<std::string> notes, examples;
   std::vector<OptionText> options, operands;
-  std::vector<FileKeyText> fileKeys;  ///< of golden's manifest; keys of scenes have a page of their own
+  std::vector<FileKeyText> fileKeys;  ///< keys of golden's manifest; keys of scenes have their own page
 };
 
-/// A key of scenes, for -D.
 struct KeyText {
   std::string path;
-  std::vector<std::string> words;  ///< the values there are, if they are few
+  std::vector<std::string> words;  ///< all allowed values, if they are few
 };
 
 struct ProgramText {
   std::string version;
   CommandText program;
-  std::vector<CommandText> commands;  ///< those that --help lists
+  std::vector<CommandText> commands;  ///< commands that --help lists
   std::vector<KeyText> keys;
 };
 
 ProgramText textOf(const CLI::App& program);
 
-/// Names of the commands and "help": what the first word can be.
+/// Returns what the first argument can be: a name of a command, or "help".
 std::vector<std::string> firstWords(const ProgramText& text);
 
-/// "key=" for all keys, and "key=value" for those with few values where `withValues`.
+/// Returns "key=" for all keys, and with `withValues` also "key=value" for keys with few values.
 std::vector<std::string> assignments(const std::vector<KeyText>& keys, bool withValues);
 
 }  // namespace poinsot::cli

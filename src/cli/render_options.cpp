@@ -19,7 +19,7 @@ std::vector<std::string> qualityNames() {
   return names;
 }
 
-/// What -q stands for: also the size and rate factor it means, as these win over a file's own.
+/// Returns the overrides for -q. The size and rate factor are included, because they must override the file's own.
 std::vector<std::string> qualityOverrides(const std::string& quality) {
   if (quality.empty()) return {};
   std::vector<std::string> overrides{"output.quality=" + quality};
@@ -35,7 +35,6 @@ struct Override {
   std::string typed;  ///< "--fps 0"
 };
 
-/// From the weakest to the strongest.
 std::vector<Override> overridesOf(const RenderOptions& options) {
   std::vector<Override> overrides;
   for (const std::string& text : qualityOverrides(options.quality))
@@ -46,7 +45,7 @@ std::vector<Override> overridesOf(const RenderOptions& options) {
   return overrides;
 }
 
-/// The scene layer knows every override as a -D; its user typed perhaps another option.
+/// Throws the errors with the options that the user typed. The scene layer names every override as a -D.
 [[noreturn]] void throwAsTyped(const scene::SceneErrors& errors, const std::vector<Override>& overrides) {
   std::vector<scene::Problem> problems = errors.problems();
   for (scene::Problem& problem : problems)

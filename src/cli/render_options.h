@@ -13,36 +13,36 @@
 
 namespace poinsot::cli {
 
-/// Words of the command line common to `render` and `still`, as typed.
+/// Options of the commands that render, as typed.
 struct RenderOptions : SceneOptions {
   std::string output, size, quality, fps, trace;
   int jobs = 0;
-  int view = 0;  ///< counted from 1; 0: all of them
+  int view = 0;  ///< number of the only view, from 1; 0 draws all views
   bool force = false, quiet = false, reproducible = false, stats = false, dryRun = false, loop = false;
   std::string progress = "auto", backend = "auto";
-  std::optional<request::SweepRequest> sweep;  ///< by the command
+  std::optional<request::SweepRequest> sweep;
 };
 
-/// Declares those that every process of a render must be told: size, quality, back end, what may be replaced.
+/// Declares the options that every process of a render needs: size, quality, back end, --force.
 void addLookOptions(const Command& command, RenderOptions& options);
 
-/// Declares those of how pictures are made: size, quality, workers, what may be replaced, back end, dry run.
+/// Declares the options of addLookOptions(), -j, --quiet, --reproducible and --dry-run.
 void addPictureOptions(const Command& command, RenderOptions& options);
 
-/// Declares --view.
 void addViewOption(const Command& command, RenderOptions& options);
 
-/// Declares them all, except for the output and --fps.
+/// Declares all options except -o, --fps and --loop.
 void addRenderOptions(const Command& command, RenderOptions& options);
 
-/// "640x360".
-/// @throws core::Error(kUsage) when it is no such thing, core::Error(kLimit) beyond the limits of a picture.
+/// Parses a size such as "640x360".
+/// @throws core::Error(kUsage) if the text is malformed; core::Error(kLimit) beyond the limits of a picture
 image::PixelSize parseSize(const std::string& text, const scene::Limits& limits);
 
-/// Reads and checks the scene file, with -q, -D, --fps and --loop above it, the later above the earlier.
+/// Reads and checks the scene file. The options -q, -D, --fps and --loop override the file, later options in this
+/// list the earlier ones.
 /// @throws scene::SceneErrors naming options as typed; core::Error(kScene, kUsage, kLimit)
 request::RequestedScene requestedScene(const RenderOptions& options);
-/// The same with what is allowed, where several scenes are read by one command.
+/// Reads a scene with limits that were granted before, for commands that read several scenes.
 request::RequestedScene requestedScene(const RenderOptions& options, const scene::Allowance& allowance);
 
 gl::Backend requestedBackend(const RenderOptions& options);

@@ -41,27 +41,27 @@ void checkStandardOutput() {
     throw core::usageError("-o -: standard output is a terminal; send it to a program or a file");
 }
 
-/// The folder of results, out/, also where it was named. False when it is missing and a dry run leaves it so.
+/// Makes the default folder, out/, even if the user named it. Returns false if the folder is missing in a dry run.
 bool prepareDefaultFolder(const RenderOptions& options, const request::OutputTarget& target) {
   const auto folder = target.path.parent_path();
   const bool results = options.output.empty() || folder == "out";
-  std::error_code ignored;  // if it cannot be made, the check of the target says so
+  std::error_code ignored;  // checking the target reports a missing folder
   if (results && !options.dryRun) std::filesystem::create_directory(folder, ignored);
   return !results || std::filesystem::exists(folder, ignored);
 }
 
-/// A sequence makes its folder; every other target was checked to have one.
+/// Makes the folder of a sequence. The folders of other targets were checked before.
 void prepareFolder(const request::OutputTarget& target) {
   if (target.kind == OutputKind::kSequence) output::PngSequence(output::FramePattern(target.path.string()));
 }
 
 job::ProgressStyle styleOf(const RenderOptions& options, std::int64_t frames) {
-  // One frame is over before a bar says anything.
+  // A single frame is ready before a bar is useful.
   const bool silent = options.quiet || (frames == 1 && options.progress == "auto");
   return job::progressStyle(silent ? "none" : options.progress, errIsTerminal());
 }
 
-/// Ends an open bar whatever happens, so that a message starts on its own line.
+/// Ends an open bar at the end of the scope, so that a message starts on its own line.
 class LineEnd {
  public:
   explicit LineEnd(job::Progress& progress) : progress_(progress) {}
@@ -94,9 +94,9 @@ job::RenderSummary runWithProgress(const RenderOptions& options, job::RenderRequ
   }
 }
 
-/// What is refused for want of memory is refused here, before anything is made.
+/// Returns the number of workers. Throws before anything is made if memory does not suffice.
 int workersOf(const RenderOptions& options, const job::RenderRequest& request) {
-  // A shard has none if there are more shards than segments.
+  // With more shards than segments, some shards are empty.
   return workerCount(options, std::max(1, static_cast<int>(request.segments().size())), request);
 }
 
@@ -140,7 +140,7 @@ std::string completeText(const PartsOptions& parts, const request::OutputTarget&
                      parts.shard);
 }
 
-/// "out/film.mp4 is ready (420 frames, 60 of them were there already, 31.2 s)"
+/// Returns "out/film.mp4 is ready (420 frames, 60 of them were there already, 31.2 s)".
 std::string readyText(const PartsOptions& parts, const request::OutputTarget& target,
                       const request::FrameRange& frames, const job::RenderSummary& summary) {
   const std::string what = target.stream ? "standard output" : core::printable(target.path.string());
@@ -154,7 +154,6 @@ std::string readyText(const PartsOptions& parts, const request::OutputTarget& ta
                      reused, summary.wall_s);
 }
 
-/// Returns a command's choices with those of the options.
 job::RenderChoices completed(job::RenderChoices choices, const RenderOptions& options, const PartsOptions& parts) {
   choices.backend = requestedBackend(options);
   choices.reproducible = options.reproducible;
@@ -168,7 +167,7 @@ job::RenderChoices completed(job::RenderChoices choices, const RenderOptions& op
   return choices;
 }
 
-/// Does it. A program that reads the progress is told which file made it fail, and why.
+/// Calls `action`. With JSON progress, reports the file that caused a failure, and its errno.
 template <class Action>
 int reportingFailures(const RenderOptions& options, const Action& action) {
   try {
@@ -179,11 +178,10 @@ int reportingFailures(const RenderOptions& options, const Action& action) {
   }
 }
 
-/// Makes what was asked for, showing progress. @throws core::Error, process::Interrupted
 int make(const RenderOptions& options, job::RenderRequest render, const PartsOptions& parts) {
   const request::OutputTarget target = render.target;
   const request::FrameRange frames = render.frames;
-  std::optional<core::TemporaryFolder> parked;  // where segments wait for their turn
+  std::optional<core::TemporaryFolder> parked;  // segments that wait to be sent
   if (target.stream) render.target.path = parked.emplace().path() / target.path;
   prepareFolder(render.target);
   process::watchInterrupts();
@@ -200,7 +198,7 @@ int make(const RenderOptions& options, job::RenderRequest render, const PartsOpt
 FileAccess accessOf(const RenderOptions& options, const std::optional<request::OutputTarget>& target) {
   FileAccess access{{options.scene}, options.assetRoots};
   access.reproducible = options.reproducible;
-  if (!options.dryRun) {  // what is missing cannot be made within
+  if (!options.dryRun) {  // the sandbox cannot make missing folders
     if (options.output.empty() || !target)
       access.made.emplace_back("out");
     else if (target->kind == OutputKind::kSequence && !target->stream)

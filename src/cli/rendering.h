@@ -10,34 +10,33 @@
 
 namespace poinsot::cli {
 
-/// How a film or a sequence is made in parts, as typed.
+/// Options for making a film or sequence in parts, as typed.
 struct PartsOptions {
   bool resume = false, keep = false;
   std::int64_t segmentFrames = request::kSegmentFrames;
   std::string shard, manifest;
-  int shardsLeft = 0;  ///< only tells which of so many shards have work left
+  int shardsLeft = 0;  ///< if not 0, only prints which of so many shards have work left
 };
 
-/// What it touches. @param target  where it was named; else `out` is made.
+/// Returns the files that a render reads and writes. @param target  output that was named; else `out` is made
 FileAccess accessOf(const RenderOptions& options, const std::optional<request::OutputTarget>& target);
 
-/// A film, a sequence or a picture to make: scene, target and frames.
 struct RequestedFilm {
   request::RequestedScene scene;
   request::OutputTarget target;
   request::FrameRange frames;
 };
 
-/// What can be refused before anything is drawn: a film of no such format, files that stand where it would go.
-/// Makes the folder of an output that was not named, unless this is a dry run.
+/// Checks everything that can fail before drawing, such as the film's format and files that must not be replaced.
+/// Makes the folder of an output that was not named, except in a dry run.
 /// @returns the files of the run so far: inputs, the output and its subtitles.
 /// @throws core::Error
 output::RunFiles checkMakeable(const RenderOptions& options, const RequestedFilm& film,
                                const request::PictureOptions& form);
 
-/// The last part of `render`, `still` and `sweep`: checks the target, then makes it (with --dry-run prints what
-/// would be made), showing progress and what was asked for besides.
-/// @param choices  what the command chooses besides the options
+/// Checks the target, renders and shows progress; the last part of `render`, `still` and `sweep`. With --dry-run
+/// only prints what would be made.
+/// @param choices  choices of the command besides the options
 /// @throws core::Error, process::Interrupted
 int renderTo(const RenderOptions& options, RequestedFilm film, job::RenderChoices choices,
              const PartsOptions& parts = {});

@@ -10,29 +10,28 @@
 
 namespace poinsot::cli {
 
-/// Words of the command line common to every command that reads one scene, as typed.
+/// Options of the commands that read one scene, as typed.
 struct SceneOptions : AllowanceOptions {
   std::string scene;
   std::vector<std::string> overrides;
 };
 
-/// Declares -D and what may be allowed.
+/// Declares -D and the options of addAllowance().
 void addOverrides(const Command& command, SceneOptions& options);
 
-/// Declares SCENE, -D and what may be allowed.
+/// Declares SCENE, -D and the options of addAllowance().
 void addSceneOptions(const Command& command, SceneOptions& options);
 
-/// Reads and checks the scene file, with -D above it.
+/// Reads and checks the scene file, with the overrides of -D.
 /// @throws scene::SceneErrors, core::Error(kScene, kLimit, kUsage)
 scene::Scene loadScene(const SceneOptions& options, const scene::Allowance& allowance);
-/// The same with what the options allow.
 scene::Scene loadScene(const SceneOptions& options);
 
-/// Enters what a run reads: the scene and the files that it names.
+/// Adds the inputs of a run: the scene and the files that it names.
 /// @throws core::Error(kUsage) if an output is one of these files.
 void enterInputs(output::RunFiles& files, const SceneOptions& options, const scene::Scene& scene);
 
-/// The files of a run with these inputs.
+/// Returns the files of a run with the inputs of enterInputs().
 /// @param force  whether the run may replace files that this program did not write
 output::RunFiles enteredInputs(const SceneOptions& options, const scene::Scene& scene, bool force);
 

@@ -7,12 +7,12 @@
 
 namespace poinsot::cli {
 
-/// Where scenes are looked for without being told: the folder POINSOT_SCENES (the launcher names that of its
-/// checkout), the one that was installed with the program, or scenes/ here.
+/// Returns the default folder of scenes: POINSOT_SCENES (which the launcher sets to the scenes of its checkout),
+/// else the folder that was installed with the program, else scenes/ in the current folder.
 std::string scenesPlace();
 
-/// The scenes (NAME.toml) in a folder, sorted; at least one.
-/// @throws core::Error(kIo) if it cannot be read; core::Error(kUsage) if none is there.
+/// Returns the scenes (NAME.toml) in a folder, sorted; at least one.
+/// @throws core::Error(kIo) if the folder cannot be read; core::Error(kUsage) if it has no scene
 std::vector<std::filesystem::path> scenesIn(const std::filesystem::path& folder);
 
 }  // namespace poinsot::cli

@@ -11,7 +11,7 @@
 namespace poinsot::cli {
 namespace {
 
-/// A figure has a size on paper, a picture only where one is asked for.
+/// Sets the size on paper, which a figure always has, and a picture only on request.
 request::PictureOptions printed(request::PictureOptions form, const StillOptions& options,
                                 request::OutputKind kind) {
   if (kind == request::OutputKind::kFigure || !options.width.empty()) form.print.emplace();
@@ -22,7 +22,7 @@ request::PictureOptions printed(request::PictureOptions form, const StillOptions
   return form;
 }
 
-/// With a size on paper the one in pixels is its proportion.
+/// Computes the pixels of a picture on paper, whose size in the scene gives only the proportion.
 void setPixels(const request::PictureOptions& form, request::RequestedScene& requested) {
   if (!form.print) return;
   requested.resize(printedPixels(*form.print, requested.size(), requested.request.allowance.limits));
@@ -50,7 +50,7 @@ void addStillOptions(const Command& command, StillOptions& options) {
 
 int makeStill(const RenderOptions& options, const StillOptions& still, request::PictureOptions form,
               const StillTarget& targetOf) {
-  const auto named = targetOf("SCENE");  // what is typed wrong is said first
+  const auto named = targetOf("SCENE");  // reports a wrong name before the scene is read
   checkBits(form.bits, named);
   form = printed(form, still, named.kind);
   if (form.print && !options.quality.empty())

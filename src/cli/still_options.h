@@ -11,7 +11,7 @@ namespace poinsot::cli {
 
 class Command;
 
-/// Words of the command line common to all that make one picture, as typed.
+/// Options of the commands that make one picture, as typed.
 struct StillOptions {
   std::optional<std::string> time;
   std::string width;
@@ -20,13 +20,12 @@ struct StillOptions {
   bool any() const { return time || !width.empty() || dpi; }
 };
 
-/// Declares --time, --width and --dpi.
 void addStillOptions(const Command& command, StillOptions& options);
 
-/// Where the picture of a scene of that name goes. @throws core::Error(kUsage)
+/// Function that returns the target of a scene's picture. @throws core::Error(kUsage)
 using StillTarget = std::function<request::OutputTarget(const std::string& sceneName)>;
 
-/// Makes it. @param form  what it is besides its size on paper
+/// Makes a picture. @param form  properties besides the size on paper
 /// @returns the exit status. @throws core::Error, scene::SceneErrors, process::Interrupted
 int makeStill(const RenderOptions& options, const StillOptions& still, request::PictureOptions form,
               const StillTarget& targetOf);

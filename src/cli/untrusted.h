@@ -10,16 +10,16 @@
 
 namespace poinsot::cli {
 
-/// What a command may touch that does not trust what it reads.
+/// Files that a command may access in the sandbox of --untrusted.
 struct FileAccess {
-  std::vector<std::string> scenes;        ///< files, to read with all beneath their folders
-  std::vector<std::string> inputs = {};   ///< files and folders, to read
-  std::vector<std::string> outputs = {};  ///< files: their folders are written to; "-" and "" are none
-  std::vector<std::string> made = {};     ///< folders, made where they are missing, to write to
-  std::optional<bool> reproducible = {};  ///< of those that draw
+  std::vector<std::string> scenes;  ///< scene files; their folders are readable with everything below
+  std::vector<std::string> inputs = {};
+  std::vector<std::string> outputs = {};  ///< files whose folders are writable; "-" and "" are ignored
+  std::vector<std::string> made = {};     ///< writable folders, made if they are missing
+  std::optional<bool> reproducible = {};  ///< --reproducible of a command that draws; else nullopt
 };
 
-/// Does `work`, in a sandbox if the files are not trusted. @returns its exit status. @throws what it throws.
+/// Runs `work`, with --untrusted in a sandbox. @returns its exit status. @throws what it throws.
 int confined(const AllowanceOptions& options, const std::function<FileAccess()>& accessOf,
              const std::function<int()>& work);
 

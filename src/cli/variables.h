@@ -5,20 +5,19 @@
 
 namespace poinsot::cli {
 
-/// An environment variable that the program reads.
 struct Variable {
   const char* name;
   const char* help;
 };
 
-/// All of them, in the order of the manual. docs/defaults.md has the same ones.
+/// Returns all variables in the order of the manual. docs/defaults.md lists the same ones.
 std::span<const Variable> variables();
 
-/// Removes every other variable from the environment, before any library reads one. The libraries that draw, set
-/// type and encode read more than 180 of them: to clear those by name would leave out those of the next release.
+/// Removes all other variables from the environment, before a library reads one. The libraries that draw, set type
+/// and encode read more than 180 variables, and a list of these names would miss those of the next release.
 ///
-/// Kept as well is what is read before main(), by the dynamic linker and by sanitizers: clearing it here would
-/// change nothing but the render that a preview starts.
+/// Keeps what the dynamic linker and sanitizers read before main(): removing these variables here would only
+/// change the render that a preview starts.
 /// @pre this process has one thread.
 void clearOtherVariables();
 

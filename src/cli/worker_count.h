@@ -6,12 +6,12 @@
 
 namespace poinsot::cli {
 
-/// How many workers may run: as many as -j says, else one per CPU or, which is said on stderr, as many as memory
-/// holds.
-/// @param most  that there is work for.
-/// @param each  what one makes.
-/// @throws core::Error(kLimit) if one may not have so much; (kGraphics) with these figures if not one fits, or not
-/// as many as -j says.
+/// Returns the number of workers: the value of -j, or else one per CPU. If memory holds fewer than that, the
+/// number is reduced with a note on stderr.
+/// @param most  number of workers that have something to do
+/// @param each  request of one worker
+/// @throws core::Error(kLimit) if a worker needs more memory than allowed; core::Error(kGraphics) if memory does
+/// not hold one worker, or not as many as -j
 int workerCount(const RenderOptions& options, int most, const job::RenderRequest& each);
 
 }  // namespace poinsot::cli

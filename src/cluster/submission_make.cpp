@@ -14,19 +14,19 @@ extern "C" const char poinsot_make_header[], poinsot_make_header_end[];
 namespace poinsot::cluster {
 namespace {
 
-/// What GNU make has no way to write in a name.
+/// Reports whether GNU make has no escape for a character in a file name.
 bool isUnwritable(char c) {
   return static_cast<unsigned char>(c) < 0x20 || std::string_view("%;|\\\x7f").find(c) != std::string::npos;
 }
 
 std::string writtenForMake(char c) {
-  if (c == '=') return "$(equals)";  // or the line would set a variable
+  if (c == '=') return "$(equals)";  // a bare = would make the line a variable assignment
   if (c == '$') return "$$";
   return std::string_view(" #:*?[").find(c) != std::string::npos ? std::string{'\\', c} : std::string(1, c);
 }
 
-/// A file's name as a target or a prerequisite. Absolute, so that it does not matter where make runs.
-/// @throws core::Error(kUsage).
+/// Returns a file's name, escaped as a target or a prerequisite, and absolute so that make may run in any folder.
+/// @throws core::Error(kUsage) if make cannot represent the name.
 std::string makeName(const Submission& submission, const std::filesystem::path& file) {
   const std::string whole = (submission.folder / file).lexically_normal().string();
   std::string name;
@@ -41,8 +41,9 @@ std::string makeName(const Submission& submission, const std::filesystem::path& 
 
 using Lines = std::vector<std::string>;
 
-/// Lines of bash, after those of placeLines(), as one command of a recipe, which ends where one of them fails.
-/// `variables`: bash's, set from make's.
+/// Returns the lines of placeLines() and then `lines`, as one bash command of a recipe that stops at the first
+/// failure.
+/// @param variables  assignments of bash variables from make's, each after "; "
 std::string recipe(const Submission& submission, const std::string& variables, const Lines& lines) {
   Lines all = placeLines(submission);
   all.insert(all.end(), lines.begin(), lines.end());
@@ -61,7 +62,7 @@ std::string header(const Submission& submission) {
                  {"status", statusCommand(submission)}});
 }
 
-/// Names of the marks: an empty file for each shard that is done, named by its number.
+/// Returns the make variable with the marks: an empty file for each finished shard, named by its number.
 std::string marks(const Submission& submission) {
   std::string text = "shards :=";
   for (int k = 1; k <= submission.division.shards; ++k)
@@ -73,15 +74,16 @@ std::string shardRule(const Submission& submission) {
   std::string inputs;
   for (const std::filesystem::path& file : submission.inputs) inputs += " " + makeName(submission, file);
   const std::string folder = core::shellWord(tasksFolderOf(submission).string());
-  // The last part of the mark's name. Not $(@F), which takes a space for the end of a name.
+  // $(@F), the last part of the mark's name, would take a space for the end of the name.
   return "$(shards):" + inputs + "\n" +
          recipe(submission, "; shard=$(lastword $(subst /, ,$@))",
                 {"mkdir -p -- " + folder, shardCommand(submission, "$shard"), "touch -- " + folder + "/$shard"});
 }
 
-/// Removes the marks before the joining. If the joining fails, each task then looks again whether its segments are
-/// still there, which takes a second. Marks are secondary: they are not missed while the film is newer than the
-/// scene, so a film that did not have to be made again is touched. The mark of a sequence stands for all frames.
+/// Returns the rule that joins the shards. The rule removes the marks before joining: if joining fails, each task
+/// checks again whether its segments exist, which takes a second. Marks are .SECONDARY, so that make does not miss
+/// them while the film is newer than the scene; the rule therefore touches a film that was already complete.
+/// Numbered pictures have no single file, so the mark "all" stands for them.
 std::string joinRule(const Submission& submission) {
   const bool film = submission.output.kind == request::OutputKind::kFilm;
   const std::filesystem::path folder = tasksFolderOf(submission);

@@ -5,8 +5,8 @@
 #include "cluster/submission_text.h"
 #include "core/shell_word.h"
 
-/// parallel.sh: the task is a function with the words in it, so that parallel, which reads {} and the like in what
-/// it is told, sees none of them.
+/// Text of parallel.sh. The script puts each task's words in a shell function, because GNU parallel would expand
+/// {} and its other replacement strings in a command line.
 extern "C" const char poinsot_parallel_script[], poinsot_parallel_script_end[];
 
 namespace poinsot::cluster {

@@ -9,19 +9,20 @@
 #include "core/shell_word.h"
 #include "core/text.h"
 
-/// slurm.sh: a task's number within the array goes with the number of the whole: one task has that as
-/// $SLURM_JOB_ID, and a requeue by it would be one of all tasks. Failures are counted in a file, since
-/// SLURM_RESTART_COUNT also has the requeues of Slurm itself, by preemption or for a lost node.
+/// Text of slurm.sh. The script requeues a task by the array's number and the task's index. In one task of each
+/// array, $SLURM_JOB_ID is the array's own number, by which Slurm would requeue all tasks. A file counts failures,
+/// because SLURM_RESTART_COUNT also counts Slurm's own requeues after preemption or the loss of a node.
 extern "C" const char poinsot_slurm_script[], poinsot_slurm_script_end[];
 
 namespace poinsot::cluster {
 namespace {
 
-/// Minutes a task may take: four times the estimate and ten, as CPUs differ and a limit ends a task.
+/// Returns a task's time limit in minutes: four times the estimate plus ten, as CPUs differ and Slurm kills late
+/// tasks.
 int limit_min(const Division& division) { return static_cast<int>(std::ceil(10 + 4 * division.task_s / 60)); }
 
-/// Absolute, as a % in the working folder would mean something to Slurm. A backslash anywhere switches the meaning
-/// of all % off, and then each task's file would have the same name.
+/// Returns the log folder as an absolute path: in a relative one, Slurm would expand a % of the working folder.
+/// @throws core::Error(kUsage) if the path has a backslash: Slurm then expands no %, and all tasks share one log.
 std::string saidFolder(const Submission& submission) {
   std::string folder = (submission.folder / tasksFolderOf(submission)).lexically_normal().string();
   if (folder.find('\\') != std::string::npos)
@@ -30,7 +31,8 @@ std::string saidFolder(const Submission& submission) {
   return folder;
 }
 
-/// Returns "poinsot_film.mp4", without blanks and equals signs: sacct -c splits its records there, and stops.
+/// Returns a name such as "poinsot_film.mp4" without blanks and equals signs, at which `sacct -c` splits its
+/// records.
 std::string jobName(const Submission& submission) {
   std::string name = "poinsot_" + submission.output.path.filename().string();
   for (char& c : name)

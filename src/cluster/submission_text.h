@@ -8,31 +8,31 @@
 
 #include "cluster/submission.h"
 
-/// What the scripts of all engines have in common.
 namespace poinsot::cluster {
 
-/// The script, with each value in the place of its @name@. Any other @ stays. @pre each value has its place.
+/// Returns the script with each @name@ replaced by its value; any other @ stays. @pre each value has its place.
 std::string filled(std::string_view script, const std::map<std::string, std::string>& values);
 
-/// The command that tells how far it is, to be run anywhere, with no poinsot on the PATH.
+/// Returns the command that reports progress. The command runs in any folder and without poinsot on the PATH.
 std::string statusCommand(const Submission& submission);
 
-/// Comment lines: what is made, of how many parts, from which estimate.
+/// Returns comment lines that name the output, the numbers of frames, segments and tasks, and the time estimate.
 std::string whatText(const Submission& submission, const std::string& how);
 
-/// Lines of bash that go to the folder and say which program runs: $POINSOT if that is set.
+/// Returns bash lines that change to the folder and set $poinsot to the program; $POINSOT overrides the program.
 std::vector<std::string> placeLines(const Submission& submission);
 
-/// The same as text, without a line end after the last.
+/// Returns placeLines() as one text, each line after `indent`, without a final line break.
 std::string placeText(const Submission& submission, const std::string& indent = "");
 
-/// The command of a shard, without `shard`, which a shell expands.
+/// Returns the command that renders a shard.
+/// @param shard  text that the shell expands to the shard's number, such as "$1"
 std::string shardCommand(const Submission& submission, const std::string& shard);
 
-/// The command that prints which shards have work left.
+/// Returns the command that prints which shards have work left; it succeeds only if the output is complete.
 std::string leftCommand(const Submission& submission);
 
-/// The command that joins them, unless the output is complete.
+/// Returns the command that joins the shards if the output is not complete yet.
 std::string joinCommand(const Submission& submission);
 
 }  // namespace poinsot::cluster

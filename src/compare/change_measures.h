@@ -12,15 +12,15 @@
 
 namespace poinsot::compare {
 
-/// Differing pixels that lie close together.
+/// Cluster of differing pixels that lie close together.
 struct ChangedPlace {
-  image::PixelRect box;     ///< the smallest around them
-  std::int64_t pixels = 0;  ///< that differ
+  image::PixelRect box;
+  std::int64_t pixels = 0;  ///< number of differing pixels
   friend bool operator==(const ChangedPlace&, const ChangedPlace&) = default;
 };
 
-/// Collects differing pixels into places. Pixels with fewer than 8 equal ones between them always share a place,
-/// pixels with 16 or more never do unless others connect them: letters of a word are one place.
+/// Clusters differing pixels into places. Pixels with fewer than 8 equal ones between them always share a place.
+/// Pixels with 16 or more never do, unless others connect them. The letters of a word thus form one place.
 class PlaceFinder {
  public:
   explicit PlaceFinder(image::PixelSize size);
@@ -31,13 +31,13 @@ class PlaceFinder {
                 std::max(here.box.bottom, y + 1)};
   }
 
-  /// Returns the places, the one with most pixels first, those of equal count from the top left. Call once.
+  /// Returns the places by falling number of pixels; ties are ordered from the top left. Call once.
   std::vector<ChangedPlace> places();
 
  private:
-  static constexpr int kCell = 8;  // pixels a side
+  static constexpr int kCell = 8;  // side of a cell, in pixels
 
-  /// Takes the place that grows from a cell over its neighbours, and leaves their cells empty.
+  /// Takes a cell with all cells connected to it as one place, and empties these cells.
   ChangedPlace placeFrom(int column, int row);
   ChangedPlace& cell(int column, int row) {
     return cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
@@ -48,45 +48,48 @@ class PlaceFinder {
   std::vector<ChangedPlace> cells_;
 };
 
-/// Pixels that something moved, to the right and down.
+/// Displacement in pixels, positive to the right and down.
 struct Shift {
   int x = 0, y = 0;
   friend bool operator==(const Shift&, const Shift&) = default;
 };
 
-/// Largest shift along an axis that is looked for, in pixels.
+/// Largest shift along an axis for which shiftOf() searches, in pixels.
 inline constexpr int kLargestShift = 16;
 
-/// Returns the smallest shift that turns the reference into the test within `box`: what was in the box is found at
-/// its new place and what is in the box comes from its old place, sample by sample, except where the other end
-/// lies outside the picture. Nothing if there is none. @param changed  number of differing pixels in the box.
+/// Returns the shift, up to kLargestShift along each axis, that turns the reference into the test within `box`.
+/// All reference samples of the box must be at their new places in the test, and all test samples of the box must
+/// come from their old places; places outside the picture do not count. Returns nullopt if no shift fits, or if
+/// several do.
+/// @param changed  number of differing pixels in the box
 std::optional<Shift> shiftOf(const image::Image& reference, const image::Image& test, const image::PixelRect& box,
                              std::int64_t changed);
 std::optional<Shift> shiftOf(const image::DeepImage& reference, const image::DeepImage& test,
                              const image::PixelRect& box, std::int64_t changed);
 
-/// Slips of programs that read pixels back: rows from the bottom, columns from the right, blue before red.
+/// Errors of programs that read pixels back: rows from the bottom, columns from the right, blue before red.
 enum class Symmetry { kUpsideDown, kMirrored, kRedAndBlueExchanged };
 
-/// Returns the one that makes `test` from `reference`. @pre both have the same shape, and differ.
+/// Returns the symmetry that turns `reference` into `test`. @pre both have the same shape, and differ.
 std::optional<Symmetry> symmetryOf(const image::Image& reference, const image::Image& test);
 std::optional<Symmetry> symmetryOf(const image::DeepImage& reference, const image::DeepImage& test);
 
-/// A change that gave every value of a channel one new value, at every pixel that had it.
+/// Change of tone: every value of a channel was replaced by one new value at all pixels that had it.
 struct ToneChange {
   enum class Kind {
     kLevel,     ///< `level` was added
     kGain,      ///< values were multiplied by `factor`
     kContrast,  ///< distances from mid-grey were multiplied by `factor`
-    kCurve      ///< another rising curve
+    kCurve      ///< values were mapped by another rising curve
   };
   Kind kind = Kind::kLevel;
-  std::array<double, 4> level{};  ///< of red, green, blue, alpha; in 1/255
+  std::array<double, 4> level{};  ///< change of red, green, blue, alpha, in 1/255
   double factor = 1;
 };
 
-/// Returns the change of tone that makes `test` from `reference`, results cut at black and full. Nothing if there
-/// is none, or if too few values occur to tell it from another colour. @pre both have the same shape.
+/// Returns the change of tone that turns `reference` into `test`, with results clipped to the sample's range.
+/// Returns nullopt if there is none, or if too few values occur to distinguish a tone from another colour.
+/// @pre both have the same shape.
 /// @param ignored  pixels that do not count; null for none
 std::optional<ToneChange> toneChange(const image::Image& reference, const image::Image& test,
                                      const IgnoreMask* ignored);

@@ -11,7 +11,7 @@
 namespace poinsot::compare {
 namespace {
 
-/// All shifts but none, the shortest first.
+/// Returns all shifts up to kLargestShift except (0, 0), the shortest first.
 std::vector<Shift> candidates() {
   std::vector<Shift> shifts;
   for (int y = -kLargestShift; y <= kLargestShift; ++y)
@@ -21,7 +21,7 @@ std::vector<Shift> candidates() {
   return shifts;
 }
 
-/// Tries shifts on one box: first on a few of its changed pixels, which refute nearly all, then on every pixel.
+/// Test of shifts on one box. A few changed pixels refute nearly all shifts; the others are tested on every pixel.
 template <typename Sample>
 class ShiftTrial {
  public:
@@ -45,7 +45,7 @@ class ShiftTrial {
       if (hasTarget && !equal(a_.at(at.x, at.y), b_.at(toX, toY), 1)) return false;
       met += hasOrigin && hasTarget ? 1 : 0;
     }
-    return 3 * met >= probes_.size();  // else it came in from outside, or left, as far as anyone can tell
+    return 3 * met >= probes_.size();  // below a third, content entered or left the picture and proves nothing
   }
 
   bool agreesEverywhere(const Shift& shift) const {
@@ -55,7 +55,7 @@ class ShiftTrial {
   }
 
  private:
-  /// Whether what lies in that part of the reference has moved, as far as both ends are in the picture.
+  /// Reports whether a part of the reference moved by `shift`, where both ends lie inside the picture.
   bool agreesFrom(const Shift& shift, const image::PixelRect& part) const {
     const auto [width, height] = a_.size;
     const int left = std::max({part.left, 0, -shift.x}), right = std::min({part.right, width, width - shift.x});
@@ -71,19 +71,19 @@ class ShiftTrial {
 
   const image::BasicImage<Sample>&a_, &b_;
   image::PixelRect box_;
-  std::vector<Shift> probes_;  // places of pixels
+  std::vector<Shift> probes_;  // positions of sampled pixels
 };
 
 template <typename Sample>
 std::optional<Shift> found(const image::BasicImage<Sample>& a, const image::BasicImage<Sample>& b,
                            const image::PixelRect& box, std::int64_t changed) {
   const ShiftTrial<Sample> trial(a, b, box, changed);
-  int fullTrials = 8;  // bounds the cost of pictures in which every probe agrees with many shifts
+  int fullTrials = 8;  // limits the cost if the probes agree with many shifts
   std::optional<Shift> only;
   for (const Shift& shift : candidates()) {
     if (!trial.agreesAtProbes(shift)) continue;
     if (trial.agreesEverywhere(shift)) {
-      if (only) return std::nullopt;  // a flat area that grew looks moved by any of many shifts
+      if (only) return std::nullopt;  // ambiguous: a flat area that grew fits many shifts
       only = shift;
     }
     if (--fullTrials == 0) break;

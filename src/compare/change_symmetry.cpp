@@ -8,7 +8,6 @@
 namespace poinsot::compare {
 namespace {
 
-/// Whether `equal` holds for every pixel of the test. Stops at the first for which it does not.
 template <typename Sample, typename Equal>
 bool holds(const image::BasicImage<Sample>& a, const image::BasicImage<Sample>& b, Equal equal) {
   for (int y = 0; y < a.size.height; ++y)

@@ -12,19 +12,18 @@ namespace {
 
 constexpr int kNone = -1;
 
-/// New value of each old one of a channel; kNone for a value that does not occur.
+/// New value for each old value of a channel; kNone for an old value that does not occur.
 using Table = std::vector<int>;
 
-/// A value that occurs, and its new value.
 struct Entry {
   int channel, from, to;
 };
 
-/// New values of all values that occur, in rising order of channel and value.
+/// New values of all old values that occur, ordered by channel and old value.
 struct Mapping {
   std::vector<Entry> entries;
-  int most = 0;             ///< the largest sample
-  bool allChanged = false;  ///< no pixel is as it was
+  int most = 0;             ///< largest value of a sample
+  bool allChanged = false;  ///< whether every compared pixel changed
 
   bool isCut(const Entry& entry) const { return entry.to == 0 || entry.to == most; }
 };
@@ -39,7 +38,7 @@ std::vector<Entry> entriesOf(const std::vector<Table>& tables) {
   return entries;
 }
 
-/// Nothing as soon as one value became two.
+/// Returns nullopt as soon as one old value has two new values.
 template <typename Sample>
 std::optional<Mapping> mappingOf(const image::BasicImage<Sample>& a, const image::BasicImage<Sample>& b,
                                  const IgnoreMask* ignored) {
@@ -61,7 +60,7 @@ std::optional<Mapping> mappingOf(const image::BasicImage<Sample>& a, const image
   return Mapping{entriesOf<Sample>(tables), image::BasicImage<Sample>::kMost, allChanged};
 }
 
-/// Returns how many values changed and were not cut. A single other colour changes one in each channel.
+/// Returns how many values changed without being clipped. One recoloured area changes one value in each channel.
 std::ptrdiff_t evidence(const Mapping& mapping) {
   return std::ranges::count_if(mapping.entries,
                                [&](const Entry& e) { return e.to != e.from && !mapping.isCut(e); });
@@ -84,7 +83,7 @@ std::optional<ToneChange> levelOf(const Mapping& mapping) {
   return change;
 }
 
-/// Multiples of the distance from `centre`, within a level of 8 bits. Alpha keeps its values.
+/// Returns a change that multiplies the distance from `centre`, exact to 1/255. Alpha must not change.
 std::optional<ToneChange> scaledFrom(double centre, ToneChange::Kind kind, const Mapping& mapping) {
   double products = 0, squares = 0;
   for (const Entry& e : mapping.entries) {
@@ -102,8 +101,8 @@ std::optional<ToneChange> scaledFrom(double centre, ToneChange::Kind kind, const
   return holds ? std::optional(ToneChange{kind, {}, factor}) : std::nullopt;
 }
 
-/// Whether the curve rises and keeps most values apart. Another colour, or a thing that is lost, gives many values
-/// one new value.
+/// Reports whether the curve rises and keeps most values apart. Recolouring or losing a thing maps many values to
+/// one.
 bool isCurve(const Mapping& mapping) {
   std::size_t rises = 0;
   for (std::size_t i = 1; i < mapping.entries.size(); ++i) {

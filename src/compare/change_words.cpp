@@ -17,17 +17,15 @@ int heightOf(const image::PixelRect& box) { return box.bottom - box.top; }
 
 std::string pixelsText(std::int64_t pixels) { return fmt::format("{} pixel{}", pixels, pixels == 1 ? "" : "s"); }
 
-/// "40x24 px at (460, 340)".
 std::string boxText(const image::PixelRect& box) {
   return fmt::format("{}x{} px at ({}, {})", widthOf(box), heightOf(box), box.left, box.top);
 }
 
-/// Whether the box has at least that share of the picture's width, and of its height.
+/// Reports whether the box covers at least `share` of both the picture's width and its height.
 bool spans(const image::PixelRect& box, image::PixelSize size, double share) {
   return widthOf(box) >= share * size.width && heightOf(box) >= share * size.height;
 }
 
-/// "by 1 px to the right and 2 px down".
 std::string shiftText(const Shift& shift) {
   std::vector<std::string> parts;
   if (shift.x != 0)
@@ -81,7 +79,7 @@ std::string symmetryText(Symmetry symmetry) {
   return "red and blue are exchanged everywhere";
 }
 
-/// Whether the changes are many, small beside their number, and lie far apart.
+/// Reports whether the changes are many, far apart, and without a dominant place.
 bool areScattered(const Changes& changes) {
   constexpr std::int64_t kMany = 30;
   return changes.placeCount >= kMany && 4 * changes.places.front().pixels <= changes.pixels &&
@@ -110,14 +108,14 @@ std::string placesText(const Changes& changes) {
                      changes.shiftOfLargest ? ", which moved " + shiftText(*changes.shiftOfLargest) : "");
 }
 
-/// ", only in green", where one channel differs.
+/// Returns text such as ", only in green" if only one channel differs.
 std::string channelText(const Changes& changes) {
   if (std::ranges::count(changes.channels, true) != 1) return "";
   const auto place = std::ranges::find(changes.channels, true) - changes.channels.begin();
   return fmt::format(", only in {}", kChannels[place]);
 }
 
-/// Whether the eye would not see it, so that the colours say less than the size of the difference.
+/// Reports whether the difference is too small to see; the text then gives its size instead of colours.
 bool isHardlySeen(const Changes& changes) { return changes.largest <= 4; }
 
 std::string sizeText(const Changes& changes) {

@@ -22,7 +22,7 @@ bool isOpaque(const image::BasicImage<Sample>& picture) {
   return true;
 }
 
-/// The picture with three or four channels; alpha that is added is opaque.
+/// Returns the picture with three or four channels; a new alpha channel is opaque.
 template <typename Sample>
 image::BasicImage<Sample> withChannels(image::BasicImage<Sample>&& picture, int channels) {
   if (picture.channels == channels) return std::move(picture);

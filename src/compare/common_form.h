@@ -5,15 +5,14 @@
 
 namespace poinsot::compare {
 
-/// Brings two pictures into one form of storage without changing what they show, so that they can be compared by
-/// value: 8 bits become the 16 that they stand for where the other has 16; pictures without alpha become opaque
-/// where the other has some that is not; alpha that is opaque in both is left out; and what stands under alpha 0,
-/// which nobody sees, becomes 0 0 0.
+/// Converts two pictures to one storage format, without a visible change, so that values can be compared. If one
+/// has 16 bits, both get 16. If one has alpha that is not opaque, both get alpha; otherwise, alpha is dropped.
+/// Colours under alpha 0, which are invisible, become 0 0 0.
 void toCommonForm(image::AnyImage& a, image::AnyImage& b);
 
-/// The picture upon paper of one grey, as RGB; blended in encoded values, as browsers do.
+/// Returns the picture blended onto a grey background, as RGB. Blends encoded values, as browsers do.
 /// @pre four channels.
-/// @param paper  0 black, kMost white.
+/// @param paper  background, from 0 (black) to kMost (white)
 template <typename Sample>
 image::BasicImage<Sample> onPaper(const image::BasicImage<Sample>& picture, Sample paper);
 

@@ -20,26 +20,25 @@ constexpr std::string_view kCsvHeader =
 constexpr double kWidth = 1280, kHeight = 254, kLeft = kCurveLeft * kWidth, kRight = kCurveRight * kWidth;
 constexpr std::size_t kMostPoints = 1600;
 
-// Grey, amber, red: as the words of the page, but to be seen as areas.
+// Grey, amber and red as for the verdicts on the page, in shades that suit areas.
 constexpr const char* colorOf(Verdict verdict) {
   return verdict == Verdict::kIdentical ? "#c3c9cf" : verdict == Verdict::kNear ? "#c88a00" : "#b3261e";
 }
 
-/// A curve begins with this, and no figure of a scene does.
+/// Returns the start of a curve's SVG file, by which curves are recognised; figures of scenes start differently.
 std::string svgStart() {
   return fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {1}" width="{0}" height="{1}" )",
                      kWidth, kHeight);
 }
 
-/// A figure of each point, and the line that it must not cross.
+/// Curve of one figure, with the figure's limit.
 struct Series {
   const char* name;
   double limit;
-  double top, bottom;  ///< in the picture
+  double top, bottom;  ///< y coordinates in the diagram
   double (*of)(const PictureDiff& frame);
 };
 
-/// Frames that share a point.
 struct Span {
   std::size_t first = 0, end = 0;
 };
@@ -54,7 +53,7 @@ class CurvePicture {
          [](const PictureDiff& f) { return f.figures.flip.max; }},
         {"FLIP, mean", rule_.flipMean, 136, 212, [](const PictureDiff& f) { return f.figures.flip.mean; }}};
     std::string body;
-    if (diff_.frames.empty()) {  // as of films of two sizes
+    if (diff_.frames.empty()) {  // for example, films of different size
       body = text(kLeft, kHeight / 2, "start", diff_.mismatch.empty() ? "no frames" : diff_.mismatch);
     } else {
       for (const Series& one : series) body += panel(one);
@@ -79,7 +78,6 @@ class CurvePicture {
     const double last = std::max<double>(1, static_cast<double>(diff_.frames.size()) - 1);
     return kLeft + (kRight - kLeft) * frame / last;
   }
-  /// The most of frames that have figures; nothing where none has.
   template <class Figure>
   std::optional<double> mostOf(const Span& span, Figure figure) const {
     std::optional<double> most;
@@ -119,7 +117,7 @@ class CurvePicture {
   template <class Place>
   std::string line(const Series& series, Place yOf) const {
     std::string path;
-    bool pen = false;  // down
+    bool pen = false;
     for (std::size_t i = 0; i < points(); ++i) {
       const Span span = spanOf(i);
       const auto most = mostOf(span, series.of);
@@ -135,12 +133,12 @@ class CurvePicture {
         path);
   }
 
-  /// A band of the worst verdict of each point's frames; neighbours of one verdict are one.
+  /// Returns a strip of the worst verdict at each point; neighbours with equal verdicts share a rectangle.
   std::string verdicts() const {
     std::string svg;
     for (std::size_t i = 0, end = 0; i < points(); i = end) {
       for (end = i + 1; end < points() && verdictOf(end) == verdictOf(i);) ++end;
-      // Each point reaches half a step to both sides.
+      // Each point extends half a step to both sides.
       const double from = i == 0 ? kLeft : std::max(kLeft, xOf(static_cast<double>(spanOf(i).first) - 0.5));
       const double to =
           end == points() ? kRight : std::min(kRight, xOf(static_cast<double>(spanOf(end - 1).end) - 0.5));

@@ -9,21 +9,21 @@
 
 namespace poinsot::compare {
 
-/// Where the curve of a film's picture begins and ends, as shares of its width.
+/// Left and right end of the curve in a film's diagram, as fractions of the diagram's width.
 inline constexpr double kCurveLeft = 0.055, kCurveRight = 0.985;
 
-/// The figures over time: a line for each frame, CSV with a header.
+/// Returns the figures over time as CSV with a header, one line per frame.
 std::string curveCsv(const FilmDiff& diff);
 
-/// FLIP's largest and mean over time as an SVG picture, each with its limit, above a strip of the verdicts. Where
-/// frames are many, each point has the most of those that it stands for.
+/// Returns an SVG diagram of FLIP's maximum and mean over time with their limits, above a strip of verdicts. For
+/// long films, each point shows the maximum of several frames.
 std::string curveSvg(const FilmDiff& diff, const NearRule& rule);
 
-/// Curves of this program, in the form that the name of a file asks for: .csv or .svg.
-/// @throws core::Error(kUsage) for another name.
+/// Returns the kind of curve files that a file's name selects, .csv or .svg.
+/// @throws core::Error(kUsage) for other extensions
 output::FileKind curveKind(const std::filesystem::path& file);
 
-/// The curve in the form that the name says.
+/// Returns the curve in the format that the file's extension selects: CSV for .csv, SVG otherwise.
 std::string curveText(const std::filesystem::path& file, const FilmDiff& diff, const NearRule& rule);
 
 }  // namespace poinsot::compare

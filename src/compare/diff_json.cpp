@@ -76,7 +76,7 @@ ordered_json sizeJson(const PictureDiff& diff) {
   return isKnown(diff.size) ? ordered_json({diff.size.width, diff.size.height}) : ordered_json();
 }
 
-/// Boxes as left, top, width and height, with the pixels that differ in each.
+/// Returns the largest places, each as left, top, width, height and number of differing pixels.
 ordered_json placesJson(const Changes& changes) {
   constexpr std::size_t kMost = 10;
   ordered_json json = ordered_json::array();
@@ -87,13 +87,12 @@ ordered_json placesJson(const Changes& changes) {
   return json;
 }
 
-/// Numbers of frames, from 0, and when they are shown.
 ordered_json filmJson(const FilmSummary& film) {
   return {{"frames", film.frames},        {"differing_frames", film.differing}, {"first_frame", film.first},
           {"first_time_s", film.first_s}, {"worst_frame", film.worst},          {"worst_time_s", film.worst_s}};
 }
 
-/// The object of one pair, without the names. `worstPixels`: with the list of them.
+/// Returns the object of one pair, without names. @param worstPixels  whether to add `places` and `worst_pixels`
 ordered_json figuresJson(const PictureDiff& diff, bool worstPixels) {
   ordered_json json{{"verdict", diff.isReadable ? toString(diff.verdict) : "error"},
                     {"mismatch", textOrNull(diff.mismatch)},
@@ -131,7 +130,6 @@ ordered_json figuresJson(const PictureDiff& diff, bool worstPixels) {
   return json;
 }
 
-/// Null where nothing is known of what made a picture.
 ordered_json originJson(const PictureOrigin& origin) {
   ordered_json json{{"software", textOrNull(origin.software)},
                     {"driver", textOrNull(origin.driver)},
@@ -156,7 +154,6 @@ ordered_json outcomeJson(const Outcome& outcome) {
   return json;
 }
 
-/// Pairs, and what has no partner.
 ordered_json outcomesJson(const std::vector<Outcome>& outcomes, const DiffNames& names) {
   ordered_json json = headJson(verdictOf(outcomes), names);
   json.update({{"pictures", ordered_json::array()},

@@ -10,18 +10,17 @@
 
 namespace poinsot::compare {
 
-/// What was compared with what, as it was named.
+/// Names of the compared files or folders, as typed.
 struct DiffNames {
   std::string reference, test;
 };
 
-/// For programs: one JSON object. A figure that is not defined (SSIM below its window, PSNR of identical pictures,
-/// all of pictures of different shape) is null.
+/// Returns a comparison as a JSON object. Undefined figures are null: SSIM of pictures smaller than a window, PSNR
+/// of identical pictures, and all figures of pictures of different shape.
 std::string diffJson(const PictureDiff& diff, const DiffNames& names, const DiffRequest& request);
-/// Pairs of two folders, and files without a partner.
 std::string diffJson(const std::vector<Outcome>& outcomes, const DiffNames& names, const DiffRequest& request);
 std::string diffJson(const FilmDiff& diff, const DiffNames& names, const DiffRequest& request);
-/// A suite: as of two folders, and of each picture also its files, its limits and what made it.
+/// Returns a suite as JSON: like two folders, with the files, limits and origins of each picture.
 std::string suiteJson(const std::vector<Outcome>& outcomes, const DiffNames& names);
 
 }  // namespace poinsot::compare

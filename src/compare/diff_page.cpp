@@ -35,7 +35,8 @@ ordered_json dataUrl(const char* type, const std::string& bytes) {
   return fmt::format("data:{};base64,{}", type, core::base64(bytes));
 }
 
-/// The path as a relative URL (RFC 3986): all but unreserved characters as their bytes.
+/// Returns the path as a relative URL; all bytes except unreserved characters (RFC 3986) and slashes are
+/// percent-encoded.
 std::string urlOf(const fs::path& path) {
   std::string url;
   for (const unsigned char c : path.generic_string())
@@ -45,7 +46,6 @@ std::string urlOf(const fs::path& path) {
   return url;
 }
 
-/// A file, from the folder of the page.
 std::string urlFrom(const fs::path& page, const fs::path& file) {
   std::error_code failure;
   const fs::path folder = fs::absolute(page).parent_path();
@@ -75,7 +75,6 @@ DiffPageFacts factsOf(const DiffPageEntry& entry) {
   return facts;
 }
 
-/// Boxes as left, top, width and height.
 ordered_json ignoredJson(const PictureDiff& diff) {
   ordered_json boxes = ordered_json::array();
   for (const image::PixelRect& box : diff.ignored)
@@ -83,7 +82,7 @@ ordered_json ignoredJson(const PictureDiff& diff) {
   return boxes;
 }
 
-/// Changes in words, and their places: boxes as left, top, width, height and differing pixels.
+/// Returns the changes in words and their places, each as left, top, width, height and number of differing pixels.
 ordered_json changeJson(const DiffPageEntry& entry) {
   const Changes& changes = entry.diff.changes;
   ordered_json places = ordered_json::array();
@@ -142,8 +141,8 @@ ordered_json pageJson(const DiffPage& page) {
   return json;
 }
 
-/// Returns the picture of a file to embed; an empty one if the file cannot be read or is, where that is in doubt,
-/// no whole PNG.
+/// Returns a file's picture for embedding; an empty one if the file is unreadable.
+/// @param inDoubt  whether to check that the file is a complete PNG
 DiffPagePicture readPicture(const fs::path& file, bool inDoubt) try {
   std::string png = core::readRegularFile(file, request::kMostPicture, core::ErrorKind::kIo);
   const std::span bytes(reinterpret_cast<const std::uint8_t*>(png.data()), png.size());
@@ -153,7 +152,7 @@ DiffPagePicture readPicture(const fs::path& file, bool inDoubt) try {
   return {};
 }
 
-/// Inside a script element nothing may end it.
+/// Escapes "<", so that no text can end the script element.
 std::string scriptText(const ordered_json& json) {
   const std::string text = json.dump(-1, ' ', true, ordered_json::error_handler_t::replace);
   std::string safe;
@@ -161,7 +160,7 @@ std::string scriptText(const ordered_json& json) {
   return safe;
 }
 
-/// Puts a text in place of the last such mark: names of files in the data come before the script's.
+/// Replaces the last occurrence of a mark, because earlier ones may be file names inside the data.
 void fillIn(std::string& html, std::string_view mark, const std::string& text) {
   html.replace(html.rfind(mark), mark.size(), text);
 }

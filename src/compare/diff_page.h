@@ -12,55 +12,53 @@
 
 namespace poinsot::compare {
 
-/// Terms with their texts.
 using DiffPageFacts = std::vector<std::pair<std::string, std::string>>;
 
-/// A picture that the page embeds, or loads from a file.
 struct DiffPagePicture {
-  std::string png;                  ///< bytes to embed; empty if the page loads the file
-  std::filesystem::path file = {};  ///< empty if there is none
+  std::string png;  ///< PNG to embed; if empty, the page loads `file`
+  std::filesystem::path file = {};
 };
 
-/// A row of the page, and what is shown when it is chosen.
+/// Row of the page, with the details that the page shows when the row is selected.
 struct DiffPageEntry {
   std::string name, status, message;
   PictureDiff diff;
-  bool hasFigures = false;                        ///< whether diff.figures were made
-  double pixelsPerDegree = kFlipPixelsPerDegree;  ///< of them
-  DiffPageFacts facts = {};                       ///< shown after the figures
-  std::string approve = {};  ///< argument of DiffPage::approve for this row; empty if it cannot be approved
+  bool hasFigures = false;                        ///< whether diff.figures are valid
+  double pixelsPerDegree = kFlipPixelsPerDegree;  ///< resolution for which the FLIP figures hold
+  DiffPageFacts facts = {};
+  std::string approve = {};  ///< argument to DiffPage::approve for this row; empty if not approvable
   DiffPagePicture reference = {}, actual = {}, map = {};
 };
 
-/// A curve over time above the rows: a picture on which entries are places.
+/// Curve over time above the rows, on which each entry has a position.
 struct DiffPageCurve {
   std::string svg;
-  double left = 0, right = 1;           ///< its first and its last moment, as shares of the picture's width
-  std::vector<double> placesOfEntries;  ///< between 0, the first moment, and 1; of the entries in their order
+  double left = 0, right = 1;           ///< ends of the time axis, as fractions of the width
+  std::vector<double> placesOfEntries;  ///< position of each entry, from 0 (left) to 1 (right)
 };
 
-/// Pictures beside those that they are compared with.
+/// Content of a page that shows pictures beside their references.
 struct DiffPage {
   std::string title, verdict;
-  std::string reference = "reference", actual = "test";  ///< names of the two
-  std::string entry = "Picture";                         ///< name of a row
-  std::string note = {};                                 ///< beside the title; empty for none
-  std::string counts = {};                               ///< where entries are not all that was compared
-  std::string first = {};           ///< name of the row that is chosen at first; empty for the first in order
-  std::filesystem::path file = {};  ///< of the page: files of pictures are named from its folder
-  DiffPageFacts run = {};           ///< what identifies the run
-  std::string approve = {};         ///< command that approves the rows whose arguments follow; empty for none
+  std::string reference = "reference", actual = "test";  ///< labels of the two pictures
+  std::string entry = "Picture";                         ///< word for a row, such as "Frame"
+  std::string note = {};
+  std::string counts = {};          ///< summary, if the entries are not all that was compared
+  std::string first = {};           ///< name of the initially selected row; empty for the first
+  std::filesystem::path file = {};  ///< the page's file, to which links are relative
+  DiffPageFacts run = {};
+  std::string approve = {};  ///< command that approves rows, without their arguments; may be empty
   std::vector<DiffPageEntry> entries = {};
   std::optional<DiffPageCurve> curve = {};
 };
 
-/// Bounds what a page embeds: pictures of 100 rows, or 50 MB.
+/// Limit for the pictures that a page embeds: 100 rows and 50 MB.
 class EmbedBudget {
  public:
   bool isSpent() const { return isSpent_; }
 
-  /// Counts the bytes of a row's pictures. If they do not fit, drops them, so that the page loads the files, and
-  /// nothing fits any more.
+  /// Counts the bytes of a row's pictures. If the budget does not suffice, drops the pictures of this row and of
+  /// all later ones, so that the page loads their files.
   void admit(DiffPageEntry& entry);
 
  private:
@@ -68,17 +66,17 @@ class EmbedBudget {
   std::size_t rows_ = 0, bytes_ = 0;
 };
 
-/// Returns the rows that are not identical in the order in which the budget is spent on them.
+/// Returns the rows that are not identical, the worst first; the budget is spent in this order.
 std::vector<DiffPageEntry*> worstFirst(std::vector<DiffPageEntry>& entries);
 
-/// Reads the files of a row's pictures, to embed them. A picture that cannot be read is left out.
+/// Reads the files of a row's pictures in order to embed them. Unreadable pictures are dropped.
 void embedFiles(DiffPageEntry& entry);
 
-/// Returns a page of HTML that frames what changed, magnifies it and approves nothing by itself. Style, script and
-/// embedded pictures are in it; it loads the other pictures and nothing else. A comment marks it as poinsot's own.
+/// Returns an HTML page that outlines and magnifies the changes. The page contains style, script and embedded
+/// pictures, and loads only the other pictures. The page cannot approve anything by itself. A comment marks it as
+/// poinsot's own.
 std::string htmlOf(const DiffPage& page);
 
-/// Pages of this program.
 output::FileKind reportKind();
 
 }  // namespace poinsot::compare

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kFilmParts = 20;
 
-/// The worst of each part of the film that are not identical, rising.
+/// Returns the worst frame of each part of the film in rising order, without identical frames.
 std::vector<std::size_t> worstFrames(const std::vector<PictureDiff>& frames) {
   std::vector<std::size_t> worst;
   const std::size_t parts = std::min(kFilmParts, frames.size());
@@ -40,7 +40,7 @@ DiffPageEntry frameEntry(const FilmDiff& diff, std::size_t frame, const Compared
   return entry;
 }
 
-/// False if a file could not be read, and for a film beside a picture.
+/// Returns false if a file was unreadable, or if a film was compared with a picture.
 bool hasPictures(const ComparedPictures& compared) {
   return std::visit([](const auto& picture) { return picture.size.width > 0; }, compared.reference.pixels);
 }

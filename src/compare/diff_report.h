@@ -8,12 +8,12 @@
 
 namespace poinsot::compare {
 
-/// Shows one pair that was just compared. `outcome` is made of the same comparison.
+/// Returns an HTML page for one pair. @param outcome  result of the same comparison as `compared`
 std::string diffReport(const ComparedPictures& compared, const Outcome& outcome, const OutcomePageHead& head);
 
-/// Shows the curve of two films over time and, of each twentieth of the film, the worst frame that is not
-/// identical; the worst of all is chosen first.
-/// @throws core::Error(kIo), or (kLimit), if the films cannot be read again.
+/// Returns an HTML page for two films: the curve over time and the worst non-identical frame of each twentieth of
+/// the film. The worst frame of all is selected first.
+/// @throws core::Error(kIo), or (kLimit), if the films cannot be read again
 std::string diffReport(const FilmDiff& diff, const std::filesystem::path& reference,
                        const std::filesystem::path& test, const DiffRequest& request, OutcomePageHead head);
 

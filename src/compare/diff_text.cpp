@@ -35,7 +35,6 @@ std::string figuresText(const PictureDiff& diff, double pixelsPerDegree) {
   return text + worstText(diff);
 }
 
-/// Remarks, and what was left out, each in a line of its own.
 std::string notesText(const PictureDiff& diff) {
   std::string text;
   if (diff.ignoredShare > 0)
@@ -44,7 +43,7 @@ std::string notesText(const PictureDiff& diff) {
   return text;
 }
 
-/// Remarks on many pictures, each once with how many it is about.
+/// Returns each note once, with the number of pictures to which it applies.
 std::string notesText(const std::vector<Outcome>& outcomes) {
   constexpr std::size_t kMostNames = 3;
   std::map<std::string, std::vector<std::string>> names;
@@ -57,12 +56,10 @@ std::string notesText(const std::vector<Outcome>& outcomes) {
   return text;
 }
 
-/// Limits that do not hold, in a line of their own.
 std::string beyondText(const PictureDiff& diff) {
   return diff.excesses.empty() ? "" : fmt::format("  beyond     {}\n", reasonOf(diff));
 }
 
-/// One line of a pair among many, or of a frame.
 std::string rowText(const PictureDiff& diff, const char* kind = "") {
   const ImageDifference& d = diff.figures;
   if (!diff.hasFigures)

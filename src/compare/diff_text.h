@@ -11,16 +11,16 @@
 
 namespace poinsot::compare {
 
-/// For people: the verdict, and why, in the first line; then the figures.
+/// Returns a text for people: first the verdict and its reason, then the figures.
 std::string diffText(const PictureDiff& diff, const DiffRequest& request);
-/// @param links  to folders, which were not followed
+/// Returns a text for many pairs. @param links  links to folders, which were not followed
 std::string diffText(const std::vector<Outcome>& outcomes, const std::vector<std::string>& links);
 std::string diffText(const FilmDiff& diff);
 
-/// The figures of a pair as terms and what is to be said of each. @pre diff.mismatch is empty.
+/// Returns the figures of a pair, each as a term and its text. @pre diff.mismatch is empty.
 std::vector<std::pair<std::string, std::string>> termsOf(const PictureDiff& diff, double pixelsPerDegree);
 
-/// "12 identical, 1 near, 2 different".
+/// Returns the number of pictures of each verdict: "12 identical, 1 near, 2 different".
 std::string countsText(const std::vector<PictureDiff>& pictures);
 
 }  // namespace poinsot::compare

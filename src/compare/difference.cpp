@@ -28,14 +28,13 @@ void checkComparable(const image::BasicImage<Sample>& a, const image::BasicImage
       fmt::format("pictures of different shape cannot be compared: {} and {}", shape(a), shape(b)));
 }
 
-/// Steps of a sample that are 1/255.
+/// Number of steps of a sample type per 1/255.
 template <typename Sample>
 constexpr double kStep = image::BasicImage<Sample>::kMost / 255.0;
 
-/// Keeps the few largest of what it is shown.
+/// Collection of the ten pixels with the largest differences.
 class Worst {
  public:
-  /// Whether a pixel of that difference would be kept.
   bool wants(int difference) const { return kept_.size() < kMost || difference > kept_.back().first; }
 
   void add(int difference, const DifferingPixel& pixel) {
@@ -56,7 +55,7 @@ class Worst {
   std::vector<Entry> kept_;
 };
 
-/// Counts and sums over the compared pixels, in the samples' own steps.
+/// Accumulator of counts and sums over the compared pixels, in steps of the sample type.
 template <typename Sample>
 class Sums {
  public:
@@ -122,7 +121,6 @@ ImageDifference summed(const image::BasicImage<Sample>& a, const image::BasicIma
   return sums.figures();
 }
 
-/// The difference of two RGB pictures as an eye sees it.
 struct Seen {
   FlipMap flip;
   std::optional<SsimFigures> ssim;
@@ -134,7 +132,7 @@ Seen seenOf(const image::BasicImage<Sample>& a, const image::BasicImage<Sample>&
   return {flip(a, b, options.pixelsPerDegree), ssim(a, b, options.ignored)};
 }
 
-/// The larger differences of two papers.
+/// Returns the larger of the differences on black and on white background.
 Seen larger(Seen dark, const Seen& light) {
   std::ranges::transform(dark.flip.error, light.flip.error, dark.flip.error.begin(),
                          [](double a, double b) { return std::max(a, b); });
@@ -150,7 +148,7 @@ Seen seenUponPapers(const image::BasicImage<Sample>& a, const image::BasicImage<
   return larger(upon(0), upon(image::BasicImage<Sample>::kMost));
 }
 
-/// FLIP's filters carry an error to ignored pixels beside it, where it does not count.
+/// Clears the errors at ignored pixels, to which FLIP's filters carry errors of their neighbours.
 void clearIgnored(FlipMap& map, const IgnoreMask& ignored) {
   auto error = map.error.begin();
   for (int y = 0; y < map.size.height; ++y)
@@ -192,7 +190,6 @@ image::Image amplified(const image::BasicImage<Sample>& a, const image::BasicIma
   return out;
 }
 
-/// Calls `use` with two pictures of one sample type.
 template <typename Use>
 auto ofOneType(const image::AnyImage& a, const image::AnyImage& b, Use use) {
   POINSOT_EXPECT(a.index() == b.index());

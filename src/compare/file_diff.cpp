@@ -28,7 +28,7 @@ ComparedPictures compareFilms(const fs::path& reference, const fs::path& test, c
   return compared;
 }
 
-/// A film beside a picture: nothing can be compared. @throws core::Error(kIo) if the picture cannot be read.
+/// Returns the mismatch of a film and a picture. @throws core::Error(kIo) if the picture cannot be read
 ComparedPictures unlikeKinds(const fs::path& picture, bool testIsFilm) {
   read(picture);
   ComparedPictures compared;

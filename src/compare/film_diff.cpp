@@ -30,7 +30,7 @@ std::string filmsText(image::PixelSize size) {
   return fmt::format("comparing films of {}x{}", size.width, size.height);
 }
 
-/// Opens a film if what its header says can be compared within the limits; no larger picture is decoded.
+/// Opens a film if the size in its header can be compared within the limits; larger pictures are not decoded.
 output::FilmReader opened(const std::filesystem::path& film, const scene::Limits& limits) {
   core::checkInterruption();
   const image::PixelSize size = output::FilmReader::declaredSize(film);
@@ -41,10 +41,8 @@ output::FilmReader opened(const std::filesystem::path& film, const scene::Limits
                             static_cast<std::int64_t>(std::min(1e18, largestFilmPicture_pixels(most_bytes))));
 }
 
-/// Two films that are read side by side.
 class FilmPair {
  public:
-  /// @throws core::Error as diffFilms().
   FilmPair(const std::filesystem::path& reference, const std::filesystem::path& test, const scene::Limits& limits)
       : reference_(opened(reference, limits)),
         test_(opened(test, limits)),
@@ -56,20 +54,18 @@ class FilmPair {
   core::Rational fps() const { return reference_.fps(); }
   const FilmTimes& times() const { return times_; }
 
-  /// Why no frames are compared.
   std::string sizeMismatch() const {
     const image::PixelSize a = reference_.size(), b = test_.size();
     return a == b ? "" : fmt::format("the size is {}x{}, not {}x{}", b.width, b.height, a.width, a.height);
   }
 
-  /// Returns how many frames may be compared at a time, up to `jobs`.
+  /// Returns how many frames can be compared at a time within the memory limit, at most `jobs`.
   int jobsWithin(const scene::Limits& limits, int jobs) const {
     const double one_bytes = memory_bytes(1), each_bytes = memory_bytes(2) - one_bytes;
     const double left_bytes = static_cast<double>(limits[scene::Limit::kMemory]) - one_bytes;
     return static_cast<int>(std::clamp(1 + left_bytes / each_bytes, 1.0, std::max(1.0, 1.0 * jobs)));
   }
 
-  /// The next pairs, as many as there are up to `most`.
   std::vector<FramePair> next(std::size_t most) {
     std::vector<FramePair> pairs;
     while (pairs.size() < most) {
@@ -80,7 +76,7 @@ class FilmPair {
     return pairs;
   }
 
-  /// Why the films do not go together; after the last pair.
+  /// Reads both films to their ends and returns why they do not match; empty if they do. Call after the last pair.
   std::string mismatch() {
     while (read(reference_, times_)) continue;
     while (read(test_, timesOfTest_)) continue;
@@ -109,7 +105,7 @@ class FilmPair {
   FilmTimes times_, timesOfTest_;
 };
 
-/// The default picture of an animated PNG may be none of its frames.
+/// Compares the default pictures of two animated PNGs, which need not be among the frames.
 std::string defaultPictureMismatch(const std::filesystem::path& reference, const std::filesystem::path& test,
                                    const DiffRequest& request) {
   if (!image::isAnimatedPng(reference) || !image::isAnimatedPng(test)) return "";
@@ -149,7 +145,7 @@ FilmDiff diffFilms(const std::filesystem::path& reference, const std::filesystem
     core::forEachIndex(pairs.size(), together, [&](std::size_t i) {
       auto& [a, b] = pairs[i];
       diff.frames[first + i] = comparePictures(std::move(a), std::move(b), request).diff;
-      diff.frames[first + i].ignored = {};  // the same in all
+      diff.frames[first + i].ignored = {};  // the same in all frames
       diff.frames[first + i].name = fmt::format("{}", first + i);
     });
   }

@@ -11,35 +11,36 @@
 
 namespace poinsot::compare {
 
-/// Two films, frame by frame.
+/// Comparison of two films, frame by frame.
 struct FilmDiff {
-  std::string mismatch;             ///< "the film has 89 frames, not 90"; empty where both go together
-  core::Rational fps;               ///< of the reference
-  FilmTimes times;                  ///< of the reference
-  std::vector<PictureDiff> frames;  ///< of as many as both have; named by their number
+  std::string mismatch;             ///< "the film has 89 frames, not 90"; empty if the films match
+  core::Rational fps;               ///< frame rate of the reference
+  FilmTimes times;                  ///< frame times of the reference
+  std::vector<PictureDiff> frames;  ///< one entry per frame that both films have; `name` is the number
 
-  /// The worst of the frames; different where the films do not go together.
+  /// Returns the worst verdict of the frames, or kDifferent if there is a mismatch.
   Verdict verdict() const;
-  /// The frame with the largest badness(). @pre there is one.
+  /// Returns the frame with the largest badness(). @pre there is one.
   std::size_t worst() const;
-  /// The first frame of the worst verdict. @pre there is one.
+  /// Returns the first frame with the worst frame's verdict. @pre there is one.
   std::size_t first() const;
-  /// When the reference shows a frame, from its first.
+  /// Returns when the reference shows a frame, in seconds after its first frame.
   double time_s(std::size_t frame) const { return times.start_s(frame); }
 };
 
-/// Compares every frame of two films and the times at which they are shown: `jobs` frames at a time, or as many as
-/// the limits leave memory for.
-/// @throws core::Error(kIo) with the film, if one cannot be read; (kLimit) before a picture is decoded, if its
-/// size takes more memory than it may.
+/// Compares every frame of two films and the times at which the frames are shown. Compares `jobs` frames at a
+/// time, or fewer if the memory limit requires it.
+/// @throws core::Error(kIo) with the film, if one cannot be read; (kLimit), before decoding, if pictures of this
+///   size would exceed the memory limit
 FilmDiff diffFilms(const std::filesystem::path& reference, const std::filesystem::path& test,
                    const DiffRequest& request, int jobs);
 
-/// The films as one pair: figures of the worst frame, and where it is.
+/// Summarises a film comparison as one pair, with the worst frame's figures and number.
 PictureDiff summaryOf(const FilmDiff& diff);
 
-/// Compares some frames of two such films again and hands them on with their pictures, since no film is kept in
-/// memory. @param frames  rising. @throws as diffFilms.
+/// Compares some frames of two films again, because films are not kept in memory, and passes their pictures to
+/// `visit`.
+/// @param frames  frame numbers in rising order. @throws core::Error as diffFilms()
 void forFrames(const std::filesystem::path& reference, const std::filesystem::path& test,
                const std::vector<std::size_t>& frames, const DiffRequest& request,
                const std::function<void(std::size_t frame, const ComparedPictures&)>& visit);

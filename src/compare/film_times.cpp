@@ -10,10 +10,9 @@
 namespace poinsot::compare {
 namespace {
 
-/// Least rounding that is allowed: FFmpeg's reader of APNG rounds each duration to 10 us, which adds up.
+/// Minimum tolerances: FFmpeg's APNG demuxer rounds each duration to 10 us, which accumulates.
 constexpr double kRounding_s = 2e-3, kRoundingPerFrame_s = 5e-6;
 
-/// Shortest time for which a picture is shown before another; infinite for a single picture.
 double shortest_s(const FilmTimes& film) {
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < film.frames(); ++i)
@@ -21,8 +20,8 @@ double shortest_s(const FilmTimes& film) {
   return shortest;
 }
 
-/// How far two times of a frame may be apart: what rounding to the films' units makes of one time, but never so
-/// much that a frame could be taken for its neighbour.
+/// Tolerance for two times of a frame: the rounding to the films' time units, but at most a quarter of the
+/// shortest frame, so that no frame is mistaken for its neighbour.
 class Allowance {
  public:
   Allowance(const FilmTimes& a, const FilmTimes& b)
@@ -31,14 +30,13 @@ class Allowance {
 
   bool holds(double a_s, double b_s, std::size_t frame) const {
     const double allowed = std::min(rounding_s_, most_s_) + kRoundingPerFrame_s * static_cast<double>(frame);
-    return !(std::abs(a_s - b_s) > allowed);  // a time that is not a number is no difference
+    return !(std::abs(a_s - b_s) > allowed);  // NaN counts as equal
   }
 
  private:
   double rounding_s_, most_s_;
 };
 
-/// To the millisecond.
 std::string timeText(double time_s) { return fmt::format("{:.12g} s", std::round(time_s * 1e3) / 1e3); }
 
 std::string rateMismatch(const FilmTimes& reference, const FilmTimes& test) {

@@ -9,20 +9,20 @@
 
 namespace poinsot::compare {
 
-/// When the pictures of a film are shown.
+/// Times at which the pictures of a film are shown.
 class FilmTimes {
  public:
-  /// @param step_s  unit in which the film counts its times
+  /// @param step_s  time unit of the film, in seconds
   explicit FilmTimes(double step_s) : step_s_(step_s) {}
   void add(const output::ShownPicture& shown);
 
   std::size_t frames() const { return starts_s_.size(); }
   double step_s() const { return step_s_; }
-  /// From the first picture. @pre frame < frames().
+  /// Returns a frame's time in seconds after the first frame. @pre frame < frames().
   double start_s(std::size_t frame) const { return starts_s_.at(frame) - starts_s_.front(); }
-  /// How long the last picture is shown; 0 where the film says nothing.
+  /// Returns the duration of the last picture in seconds; 0 if the film does not specify it.
   double lastFor_s() const { return lastFor_s_; }
-  /// Pictures a second of a film that shows each for the same time, but for rounding; 0 for others.
+  /// Returns the frame rate in 1/s if all durations are equal except for rounding; otherwise 0.
   double steadyRate() const;
 
  private:
@@ -31,8 +31,9 @@ class FilmTimes {
   double lastFor_s_ = 0;
 };
 
-/// Why two films show their pictures at different times: "frame 45 is at 3.5 s, not 1.5 s". Empty where they agree
-/// but for what their containers round, and where one of them has no times. Compares as many frames as both have.
+/// Returns a difference in timing: "frame 45 is at 3.5 s, not 1.5 s". Returns an empty string if the times agree
+/// to within the rounding of the containers, or if a film has no times. Only frames that both films have are
+/// compared.
 std::string timesMismatch(const FilmTimes& reference, const FilmTimes& test);
 
 }  // namespace poinsot::compare

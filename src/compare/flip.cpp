@@ -19,7 +19,6 @@ namespace {
 
 using Row = std::vector<double>;
 
-/// Linear light of every value that a sample can have.
 template <typename Sample>
 const std::vector<double>& linearTable() {
   static const std::vector<double> table = [] {
@@ -45,7 +44,7 @@ RowWindow opponentWindow(const image::BasicImage<Sample>& picture, int radius) {
           }};
 }
 
-/// Rows of one picture as the eye has them: perceived colours, and how much of an edge or a point each pixel is.
+/// Rows of one picture as perceived: colours, and the strengths of edges and points at each pixel.
 class PerceivedRows {
  public:
   template <typename Sample>
@@ -82,7 +81,7 @@ class PerceivedRows {
     }
   }
 
-  /// Lengths of the responses to the profiles along x and along y, each smoothed across.
+  /// Computes the gradient lengths from the responses along x and along y, each smoothed in the other direction.
   void findFeatures() {
     features_.smooth.alongColumns(window_, kY, smoothed_.data());
     findFeature(features_.edge, edge_);
@@ -92,7 +91,7 @@ class PerceivedRows {
   void findFeature(const Kernel& profile, Row& length) {
     profile.alongRow(smoothed_.data(), window_.width(), along_.data());
     filter(kY, profile, features_.smooth, across_);
-    // Of luminance, (Y + 16) / 116; the profiles sum to 0 and do not see the 16.
+    // Converts Y to luminance, (Y + 16) / 116. The profiles sum to 0, so the 16 cancels.
     std::ranges::transform(along_, across_, length.begin(),
                            [](double x, double y) { return std::sqrt(x * x + y * y) / 116; });
   }
@@ -128,13 +127,10 @@ void flipInto(double* error, const image::BasicImage<Sample>& a, const image::Ba
   }
 }
 
-// ---- only where the pictures differ
-
-/// Pixels first..last of both directions.
+/// Rectangle of pixels, with both ends included.
 struct Box {
   int x0, y0, x1, y1;
 
-  /// `by` more on each side, within a picture.
   Box grown(int by, image::PixelSize size) const {
     return {std::max(x0 - by, 0), std::max(y0 - by, 0), std::min(x1 + by, size.width - 1),
             std::min(y1 + by, size.height - 1)};
@@ -142,7 +138,6 @@ struct Box {
   image::PixelSize size() const { return {x1 - x0 + 1, y1 - y0 + 1}; }
 };
 
-/// The smallest that holds all pixels that differ.
 template <typename Sample>
 std::optional<Box> differingBox(const image::BasicImage<Sample>& a, const image::BasicImage<Sample>& b) {
   std::optional<Box> box;
@@ -175,7 +170,7 @@ FlipMap flipOf(const image::BasicImage<Sample>& a, const image::BasicImage<Sampl
   FlipMap map{a.size, Row(width * static_cast<std::size_t>(a.size.height))};
   const auto differing = differingBox(a, b);
   if (!differing) return map;
-  // An error reaches as far as the filters, and is right where they see all that they would in the whole pictures.
+  // Errors spread as far as the filters reach. They are exact where the cut-out holds all that the filters read.
   const int radius = flipRadius(pixelsPerDegree);
   const Box wrong = differing->grown(radius, a.size), seen = wrong.grown(radius, a.size);
   const image::PixelSize size = seen.size();
@@ -188,9 +183,8 @@ FlipMap flipOf(const image::BasicImage<Sample>& a, const image::BasicImage<Sampl
   return map;
 }
 
-// ---- figures
-
-/// The first value, from the smallest, at which the running sum of the values exceeds a share of the whole.
+/// Quantiles weighted by value: at(share) is the smallest value at which the running sum of the sorted values
+/// exceeds share × total.
 class WeightedQuantiles {
  public:
   explicit WeightedQuantiles(const std::vector<double>& values) : bins_(kBins) {
@@ -210,11 +204,11 @@ class WeightedQuantiles {
       if (above > share * total_) return within(bin, sum, share * total_);
       sum = above;
     }
-    return 0;  // all are 0
+    return 0;
   }
 
  private:
-  static constexpr std::size_t kBins = 1024;  // so that few values are sorted
+  static constexpr std::size_t kBins = 1024;  // bins, so that only a few values need sorting
 
   static std::size_t binOf(double value) { return std::min(static_cast<std::size_t>(value * kBins), kBins - 1); }
 

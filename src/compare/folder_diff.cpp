@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 using core::Error;
 using core::ErrorKind;
 
-/// Names of the PNG files and films beneath a folder, from there; sorted. Hidden ones are left out.
-/// @param links  gets the links to folders, which are not followed
+/// Returns the relative paths of the PNG files and films below a folder, sorted, without hidden ones.
+/// @param links  receives the links to folders, which are not followed
 std::vector<std::string> namesIn(const fs::path& folder, std::vector<std::string>& links) {
   std::vector<std::string> names;
   std::error_code failure;
@@ -44,7 +44,7 @@ std::vector<std::string> namesIn(const fs::path& folder, std::vector<std::string
   return names;
 }
 
-/// Adds the maps of one pair; an identical one has none.
+/// Adds the maps of one pair, or their removal if the pair is identical.
 void addPairMaps(core::FileBatch& maps, const ComparedPictures& compared, const DiffRequest& own) {
   if (compared.diff.verdict == Verdict::kIdentical) return addRemovalOfMaps(maps, own);
   for (const auto& place : {own.map, own.difference})

@@ -10,31 +10,31 @@
 
 namespace poinsot::compare {
 
-/// Names of the PNG files and films in two folders and the folders in them, sorted.
+/// Paths of the PNG files and films in two folders and their subfolders, sorted.
 struct FolderNames {
   std::vector<std::string> inBoth, onlyInReference, onlyInTest;
   std::vector<std::string> linkedFolders;  ///< links to folders, which are not followed
 };
 
-/// @throws core::Error(kIo) with a folder that cannot be read; (kUsage) if neither has a PNG or a film.
+/// Finds the files of two folders. @throws core::Error(kIo) with a folder that cannot be read; (kUsage) if neither
+/// folder has a PNG file or a film
 FolderNames namesInFolders(const std::filesystem::path& reference, const std::filesystem::path& test);
 
-/// The request for one pair of two folders, where the places for pictures are folders, too.
+/// Returns the request for one pair of two folders: `name` is appended to the folders for maps.
 DiffRequest requestForPair(const DiffRequest& request, const std::string& name);
 
-/// Many pairs, and what had no partner.
 struct FolderDiff {
   FolderNames names;
-  std::vector<PictureDiff> pictures;      ///< of the pairs, by name
-  std::optional<core::Error> firstError;  ///< of the first pair that could not be read or drawn; it is different
+  std::vector<PictureDiff> pictures;
+  std::optional<core::Error> firstError;  ///< error of the first pair that could not be compared
 
-  /// The worst of the pairs; different where something has no partner.
+  /// Returns the worst verdict of the pairs, or kDifferent if a file has no partner.
   Verdict verdict() const;
 };
 
-/// Compares each pair of two folders; `jobs` at a time. Where the request names places for pictures these are
-/// folders, and get one of each pair that is not identical, by its name.
-/// @param maps  gets these pictures, and the removal of those that an earlier run wrote for identical pairs
+/// Compares each pair of two folders, `jobs` pairs at a time. Map paths of the request are folders, which get a
+/// map of each pair that is not identical, under the pair's name.
+/// @param maps  receives the maps, and the removal of old maps of identical pairs
 FolderDiff diffFolders(const std::filesystem::path& reference, const std::filesystem::path& test,
                        FolderNames names, const DiffRequest& request, int jobs, core::FileBatch& maps);
 

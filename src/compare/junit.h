@@ -9,12 +9,12 @@
 
 namespace poinsot::compare {
 
-/// JUnit reports of this program.
 output::FileKind junitKind();
 
-/// The outcomes as JUnit XML, as continuous integration reads it: a failure for what does not pass, an error for
-/// what has no picture. Each has the reason, the paths of its pictures and the command that approves it; pictures
-/// are attachments in the form that GitLab and Jenkins read, [[ATTACHMENT|path]]: the new one first.
+/// Returns the outcomes as JUnit XML for continuous integration: an error for each picture that could not be made
+/// or read, a failure for each other outcome that does not pass. Each has the reason, the paths of the pictures
+/// and the command that approves them. Pictures are attached in the form that GitLab and Jenkins read,
+/// [[ATTACHMENT|path]], the new one first.
 std::string junitXml(const std::vector<Outcome>& outcomes, const OutcomeReport& report);
 
 }  // namespace poinsot::compare

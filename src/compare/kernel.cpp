@@ -11,13 +11,12 @@ namespace poinsot::compare {
 
 namespace {
 
-/// Four values side by side.
 typedef double Four __attribute__((vector_size(32)));
 
-/// What a filter looks at: rows (or one row, shifted) at the offsets -i and i.
+/// Rows that a filter reads at the offsets -i, or those at i; a filter along a row uses pointers into one row.
 using Rows = std::vector<const double*>;
 
-/// The same with its weights, for the innermost loop, where an index that is checked takes a third more.
+/// Weights and rows as raw pointers, because checked indices make the innermost loop a third slower.
 struct Pairs {
   const double* half;
   const double* const* before;
@@ -25,13 +24,13 @@ struct Pairs {
   std::size_t count;
 };
 
-/// out[x] = half[0] before[0][x] + sum over i of half[i] (after[i][x] ± before[i][x]), for as many x as a Value
-/// holds. The pairs are added first: half the multiplications, and a mirrored picture gives the mirrored sums to
-/// the bit.
+/// Computes out[x] = half[0] before[0][x] + sum over i of half[i] (after[i][x] ± before[i][x]), for as many x as a
+/// Value holds. Adding the pairs first halves the multiplications and gives mirrored pictures mirrored sums to the
+/// last bit.
 template <class Value, bool odd>
 [[gnu::always_inline]] inline void addPairsAt(int x, const Pairs& pairs, double* out) {
   Value sum, b, a;
-  std::memcpy(&b, pairs.before[0] + x, sizeof b);  // which is how a value is read at any address
+  std::memcpy(&b, pairs.before[0] + x, sizeof b);  // memcpy reads a value at any alignment
   sum = pairs.half[0] * b;
   for (std::size_t i = 1; i < pairs.count; ++i) {
     std::memcpy(&b, pairs.before[i] + x, sizeof b);
@@ -48,8 +47,9 @@ template <bool odd>
   for (; x < width; ++x) addPairsAt<double, odd>(x, pairs, out);
 }
 
-// Without FMA, which would give other bits, AVX2 does the same sums in one instruction for each four. What chooses
-// the clone runs before ThreadSanitizer is ready, which ends the program.
+// AVX2 without FMA, which would round differently, computes the same sums for four values per instruction. The
+// code that selects the clone runs before ThreadSanitizer is ready and would end the program, so such builds have
+// no clones.
 #if defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
 [[gnu::target_clones("avx2", "default")]]
 #endif
@@ -98,7 +98,7 @@ void Kernel::alongColumns(const RowWindow& window, int plane, double* out) const
 
 void Kernel::alongRow(const double* in, int width, double* out) const {
   const auto r = static_cast<std::size_t>(radius()), n = static_cast<std::size_t>(width);
-  thread_local std::vector<double> padded;  // making one anew for each row took a twelfth of the time
+  thread_local std::vector<double> padded;  // kept, because allocating it for each row took a twelfth of the time
   padded.resize(n + 2 * r);
   std::fill_n(padded.begin(), r, in[0]);
   std::copy_n(in, n, padded.begin() + static_cast<std::ptrdiff_t>(r));
@@ -125,7 +125,7 @@ double* RowWindow::slot(int plane, int y) {
 
 void RowWindow::moveTo(int y) {
   POINSOT_EXPECT(y >= middle_ && y < size_.height);
-  core::checkInterruption();  // every measure with a filter moves through the rows of large pictures
+  core::checkInterruption();  // polled here because every filter on large pictures moves through rows
   middle_ = y;
   made_ = std::max(made_, y - radius_);
   std::vector<double*> rows(static_cast<std::size_t>(planes_));

@@ -6,8 +6,8 @@
 
 namespace poinsot::compare {
 
-/// A map as a picture in the colours of "magma", from black for 0 over red to pale yellow for 1: index
-/// round(255 error).
+/// Returns a map as a picture in the colours of "magma", from black for 0 over red to pale yellow for 1. The
+/// colour index is round(255 error).
 image::Image magmaPicture(const FlipMap& map);
 
 }  // namespace poinsot::compare

@@ -13,8 +13,8 @@
 namespace poinsot::compare {
 namespace {
 
-/// Text that Markdown takes as it is, on one line. Characters that mean something are written as entities, which
-/// also keeps a name from being a link or a mention.
+/// Escapes text for one line of Markdown. Special characters become entities, which also prevents links and
+/// mentions.
 std::string plain(std::string_view text) {
   constexpr std::string_view kSpecial = "\\`*_{}[]()<>#+-.!|~&@:/";
   std::string out;
@@ -27,7 +27,7 @@ std::string plain(std::string_view text) {
   return out;
 }
 
-/// A line of code in a block of its own; more backticks around it than are in it.
+/// Returns a fenced code block with a fence longer than any run of backticks in the code.
 std::string codeBlock(const std::string& code) {
   std::size_t run = 0, longest = 2;
   for (const char c : code) {

@@ -9,11 +9,12 @@
 
 namespace poinsot::compare {
 
-/// A file that a table of outcomes may be added to: NAME.md, or the one that GITHUB_STEP_SUMMARY names.
+/// Returns the kind of file to which a table of outcomes may be appended: NAME.md, or the file that
+/// GITHUB_STEP_SUMMARY names.
 const output::FileKind& markdownKind();
 
-/// The outcomes in GitHub's Markdown, for the summary of a job: the counts, a table of what does not pass (fifty
-/// at most), the command that approves it and the page with the pictures.
+/// Returns the outcomes in GitHub's Markdown for a job summary: the counts, a table of at most fifty failures, the
+/// command that approves them and the page with the pictures.
 std::string markdownOf(const std::vector<Outcome>& outcomes, const OutcomeReport& report);
 
 }  // namespace poinsot::compare

@@ -6,13 +6,14 @@
 namespace poinsot::compare {
 namespace {
 
-constexpr double kFilmsStart_bytes = 56e6;  // the libraries of FFmpeg 7 are opened for films
-constexpr double kLeastReading_bytes = 9;   // for each pixel: two films, each with two pictures of 4:2:0
+constexpr double kFilmsStart_bytes = 56e6;  // libraries of FFmpeg 7, which only films load
+constexpr double kLeastReading_bytes = 9;   // lower bound per pixel for reading two films
 constexpr double kGaps = 1.1;               // frames that come and go leave gaps in the heap
 
-/// Bytes for each pixel of two pictures that differ everywhere. Transparent ones are looked at upon two papers.
+/// Returns the memory per pixel for comparing pictures that differ everywhere. Transparent pictures are compared
+/// on two backgrounds.
 double comparePixel_bytes(PixelKind kind) {
-  // Measured with noise of 2560x1440 pixels: 28.4, 41, 45, 69.
+  // Measured bytes, with noise of 2560x1440 pixels: 28.4 (8 bits), 41 (16), 45 (8 with alpha), 69 (16 with alpha).
   if (kind.deep) return kind.transparent ? 70 : 42;
   return kind.transparent ? 48 : 29;
 }
@@ -24,7 +25,7 @@ double compareMemory_bytes(image::PixelSize size, PixelKind kind) {
   return kStart_bytes + comparePixel_bytes(kind) * size.width * size.height;
 }
 
-// Measured, see tests/faults/film_memory_test.cpp.
+// The constants are measured, see tests/faults/film_memory_test.cpp.
 double compareFilmsMemory_bytes(image::PixelSize size, PixelKind kind, std::optional<double> reading_bytes,
                                 int jobs) {
   const double pixels = 1.0 * size.width * size.height;

@@ -5,23 +5,23 @@
 
 #include "image/image.h"
 
-/// The memory that a comparison takes, known before it begins.
+/// Estimates of the memory that a comparison needs, before it starts.
 namespace poinsot::compare {
 
-/// The form of pixels: with transparency or not, of 8 or 16 bits.
 struct PixelKind {
   bool transparent = false, deep = false;
 };
 
-/// Bytes that comparing two pictures of a size takes at its peak, maps included.
+/// Returns the peak memory for comparing two pictures, including maps, in bytes.
 double compareMemory_bytes(image::PixelSize size, PixelKind kind = {});
 
-/// Bytes that comparing two films takes at its peak, so many frames at a time, maps included.
-/// @param reading_bytes  taken by both readers. The default is the least that any film takes.
+/// Returns the peak memory for comparing two films, including maps, in bytes.
+/// @param reading_bytes  memory of both readers; default: the least that any film needs
+/// @param jobs  number of frames that are compared at a time
 double compareFilmsMemory_bytes(image::PixelSize size, PixelKind kind = {},
                                 std::optional<double> reading_bytes = {}, int jobs = 1);
 
-/// Returns how large pictures of films may be, so that comparing them takes no more than this.
+/// Returns the largest film picture, in pixels, that can be compared within `bytes` of memory.
 double largestFilmPicture_pixels(double bytes);
 
 }  // namespace poinsot::compare

@@ -9,14 +9,12 @@
 namespace poinsot::compare {
 namespace {
 
-/// One limit, and how much of it is used.
 struct Limit {
   std::string name;
   double value, most;
   const char* unit = "";
 };
 
-/// Four digits of a fraction; all of a number of pixels.
 std::string figure(double value) {
   return value < 1000 ? fmt::format("{:.4g}", value) : fmt::format("{:.0f}", value);
 }
@@ -79,7 +77,7 @@ std::vector<std::string> excesses(const ImageDifference& d, const NearRule& rule
 }
 
 double distanceBeyond(const ImageDifference& d, const NearRule& rule) {
-  constexpr double kLeast = 1e-6;  // in place of a limit of 0
+  constexpr double kLeast = 1e-6;  // replaces a limit of 0
   double sum = 0;
   for (const Limit& limit : limitsOf(d, rule))
     if (limit.value > limit.most) sum += std::log(limit.value / std::max(limit.most, kLeast));

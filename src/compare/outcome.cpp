@@ -18,7 +18,6 @@ constexpr OutcomeStatus kAll[] = {OutcomeStatus::kIdentical, OutcomeStatus::kNea
                                   OutcomeStatus::kMissing,   OutcomeStatus::kNew,  OutcomeStatus::kUnused,
                                   OutcomeStatus::kError};
 
-/// The map of a pair where it was written.
 fs::path writtenMap(const std::optional<fs::path>& place, const std::string& name, const PictureDiff& diff) {
   const bool written = place && diff.hasFigures && diff.verdict != Verdict::kIdentical;
   return written ? *place / name : fs::path();
@@ -31,12 +30,10 @@ Outcome loneOutcome(const std::string& name, OutcomeStatus status) {
   return outcome;
 }
 
-/// Whether a pair has the same pixels, but two ways to store them.
 bool isStoredOtherwise(const Outcome& outcome) {
   return outcome.status == OutcomeStatus::kIdentical && !outcome.diff.storedAlike;
 }
 
-/// "grey beside RGB, same pixels"
 std::string storageText(const PictureDiff& diff) {
   return diff.notes.empty() ? "the same pixels are stored in another way" : core::joined(diff.notes, "; ");
 }

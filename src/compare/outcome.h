@@ -16,29 +16,28 @@ enum class OutcomeStatus {
   kIdentical,
   kNear,
   kDifferent,
-  kNew,      ///< there is no reference
-  kMissing,  ///< there is only a reference
-  kUnused,   ///< approved, and no test makes it
-  kError     ///< a picture that cannot be made or read
+  kNew,      ///< no reference exists
+  kMissing,  ///< only the reference exists
+  kUnused,   ///< reference that no test uses
+  kError     ///< the picture could not be made or read
 };
 
-/// "identical", "near", "different", "new", "missing", "unused", "error".
 std::string_view toString(OutcomeStatus status);
 
-/// Result of one test: of a case of a suite, or of a pair of pictures or films.
+/// Result of one test: a case of a suite, or a pair of pictures or films.
 struct Outcome {
   std::string name;
   OutcomeStatus status = OutcomeStatus::kError;
-  std::string message;                    ///< why it is no pass, or near; then originChange()
-  PictureDiff diff;                       ///< against `reference`; figures where both could be compared
-  std::filesystem::path reference;        ///< the nearest of those approved; empty if none
-  PictureOrigin approved;                 ///< of the reference
-  std::filesystem::path actual;           ///< the new picture; empty if there is none
-  std::string pixels;                     ///< pixelDigest() of the new picture of a suite; empty if there is none
-  std::filesystem::path map, difference;  ///< files that were written of it; empty if none
-  PictureOrigin origin;                   ///< of the new picture
-  PictureRule rule;                       ///< that it was held to
-  double seconds = 0;                     ///< of comparing
+  std::string message;                    ///< reason of a failure or of a near result, followed by originChange()
+  PictureDiff diff;                       ///< difference from `reference`
+  std::filesystem::path reference;        ///< nearest approved picture; empty if there is none
+  PictureOrigin approved;                 ///< origin of the reference
+  std::filesystem::path actual;           ///< new picture; empty if there is none
+  std::string pixels;                     ///< suites: pixelDigest() of the new picture; empty if there is none
+  std::filesystem::path map, difference;  ///< files written for this outcome; empty if there are none
+  PictureOrigin origin;                   ///< origin of the new picture
+  PictureRule rule;
+  double seconds = 0;  ///< duration of the comparison
 
   bool passes(bool exact) const {
     const bool compared = status == OutcomeStatus::kIdentical || status == OutcomeStatus::kNear;
@@ -48,52 +47,53 @@ struct Outcome {
 
 OutcomeStatus statusOf(Verdict verdict);
 
-/// Whether there is a new picture that can become the reference.
+/// Reports whether there is a new picture that can become the reference.
 bool canBeApproved(const Outcome& outcome);
 
-/// Whether approving would change the reference: a new picture differs from it, or, with `exact`, is stored in
-/// another way.
+/// Reports whether approving would change the reference: the new picture differs or, with `exact`, its storage
+/// differs.
 inline bool isToApprove(const Outcome& outcome, bool exact) {
   return canBeApproved(outcome) && !(outcome.status == OutcomeStatus::kIdentical && outcome.passes(exact));
 }
 
-/// Why an outcome is no pass, in figures and in words: "largest difference 222 (limit 2); 87 pixels in one place
-/// of 40x24 px at (460, 340)". Never empty.
+/// Returns why an outcome fails, in figures and in words: "largest difference 222 (limit 2); 87 pixels in one
+/// place of 40x24 px at (460, 340)". Never empty.
 std::string reasonOf(const Outcome& outcome);
 
-/// How many outcomes have each status: "60 identical, 2 near, 1 different".
+/// Returns the number of outcomes of each status: "60 identical, 2 near, 1 different".
 std::string countsText(const std::vector<Outcome>& outcomes);
 
-/// The verdict of all together: that of the worst.
+/// Returns the worst verdict of all outcomes; failures count as different.
 Verdict verdictOf(const std::vector<Outcome>& outcomes);
 
 std::ptrdiff_t countFailures(const std::vector<Outcome>& outcomes, bool exact);
 
-/// The pairs of two folders, and what has no partner. Maps are named where the request asks for them.
+/// Returns the outcomes of two folders' pairs and of files without a partner, with the maps that the request asks
+/// for.
 std::vector<Outcome> outcomesOf(const FolderDiff& diff, const std::filesystem::path& reference,
                                 const std::filesystem::path& test, const DiffRequest& request);
 
-/// One pair of files, called by the file name of the test.
+/// Returns the outcome of one pair of files, named after the test's file.
 Outcome outcomeOf(const PictureDiff& diff, const std::filesystem::path& reference,
                   const std::filesystem::path& test, const DiffRequest& request);
 
-/// How far a new reference is from the one before: "approved, 12 pixels changed, largest 30, ...".
+/// Describes how a new reference differs from the previous one: "approved, 12 pixels changed, largest 30, ...".
 std::string approvalText(const Outcome& outcome);
 
-/// Facts about a run for the reports of its outcomes.
+/// Facts about a run that its reports need.
 struct OutcomeReport {
-  std::string suite;           ///< name of all tests together
-  bool exact = false;          ///< only identical pictures pass
-  std::filesystem::path page;  ///< report with pictures; empty if there is none
-  std::string approve;         ///< command that approves the tests whose names follow; empty if there is none
-  std::string approveBy;       ///< in place of that, command that approves all failures; empty if there is none
-  std::filesystem::path attachmentRoot;  ///< folder from which paths of attachments are; empty: absolute paths
+  std::string suite;
+  bool exact = false;          ///< whether only identical pictures pass
+  std::filesystem::path page;  ///< HTML report; empty if there is none
+  std::string approve;         ///< command that approves tests, without their names; empty if there is none
+  std::string approveBy;       ///< command that approves all failures and replaces `approve`; may be empty
+  std::filesystem::path attachmentRoot;  ///< root for relative attachment paths; empty for absolute paths
 };
 
-/// The word of a command line that means a test of this name and no other.
+/// Returns the command-line word that selects the test of this name only, escaped for the shell.
 std::string approvalWord(const std::string& name);
 
-/// The command that approves all failures that can be approved; empty if there are none.
+/// Returns the command that approves all failures that can be approved; empty if there are none.
 std::string approveCommand(const std::vector<Outcome>& outcomes, const OutcomeReport& report);
 
 }  // namespace poinsot::compare

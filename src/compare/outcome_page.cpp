@@ -20,10 +20,10 @@ std::string pngOf(const image::AnyImage& picture) {
   return textOf(std::visit([](const auto& p) { return image::encodePng(p); }, picture));
 }
 
-/// A browser shows no film as a picture.
+/// Reports whether a browser can show the file as a picture, which excludes films.
 bool isPicture(const std::filesystem::path& file) { return image::isPngName(file); }
 
-/// Embeds the files of an entry; the map perhaps from where it waits for its name.
+/// Embeds the files of an entry. A map of an uncommitted batch is read from its temporary file.
 void embedFilesOf(DiffPageEntry& entry, const OutcomePageHead& head) {
   const std::filesystem::path map = entry.map.file;
   if (head.unnamed != nullptr) entry.map.file = head.unnamed->contentOf(map);
@@ -31,7 +31,7 @@ void embedFilesOf(DiffPageEntry& entry, const OutcomePageHead& head) {
   if (!entry.map.file.empty()) entry.map.file = map;
 }
 
-/// Embeds what can be read of an outcome. Where no file has the map, or the files are films, both are compared
+/// Embeds an outcome's pictures as far as they are readable. Films, and pictures without a map file, are compared
 /// again.
 void embed(DiffPageEntry& entry, const Outcome& outcome, const OutcomePageHead& head) try {
   const bool film = outcome.diff.film.has_value();
@@ -43,7 +43,7 @@ void embed(DiffPageEntry& entry, const Outcome& outcome, const OutcomePageHead& 
     embedCompared(entry, compared);
   else
     entry.map.png = textOf(image::encodePng(magmaPicture(compared.flip)));
-} catch (const core::Error&) {  // the files changed meanwhile
+} catch (const core::Error&) {  // the files have changed in the meantime
   entry.map = {};
 }
 

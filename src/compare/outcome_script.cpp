@@ -22,7 +22,6 @@ std::string callOf(const ordered_json& json) {
   return kCall + json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) + ");\n";
 }
 
-/// The report's path as the script's folder sees it.
 ordered_json pageOf(const OutcomeReport& report, const std::filesystem::path& script) {
   if (report.page.empty()) return nullptr;
   return std::filesystem::absolute(report.page)
@@ -30,7 +29,8 @@ ordered_json pageOf(const OutcomeReport& report, const std::filesystem::path& sc
       .native();
 }
 
-/// "sphere: largest difference 230 (limit 2); 2 more"; the name is left out where there is one test only.
+/// Returns text such as "sphere: largest difference 230 (limit 2); 2 more", without the name if there is only one
+/// test.
 std::string reasonOf(const std::vector<Outcome>& outcomes, const Outcome& first, std::ptrdiff_t failures) {
   const std::string reason = reasonOf(first);
   if (outcomes.size() == 1) return reason;

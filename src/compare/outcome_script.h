@@ -10,18 +10,17 @@
 
 namespace poinsot::compare {
 
-/// Outcome scripts of this program.
 output::FileKind outcomeScriptKind();
 
-/// The outcome of a run as one call in JavaScript. A page that is read from the file system may load scripts but
-/// no data, so an index page of several runs loads this and defines the function poinsotOutcome(), which takes an
+/// Returns the outcome of a run as a JavaScript call of poinsotOutcome(). An index page of several runs loads such
+/// scripts, because a page from the file system may load scripts but no data. The function's argument is an
 /// object: verdict ("identical", "near" or that of the first failure), passed, counts, message (the first
-/// failure's reason), page (path of the report from the script's folder, or null), finished (time in UTC).
-/// @param script  where the text is going to be
+/// failure's reason), page (path of the report relative to the script's folder, or null), finished (time in UTC).
+/// @param script  path at which the text will be saved
 std::string outcomeScript(const std::vector<Outcome>& outcomes, const OutcomeReport& report,
                           const std::filesystem::path& script);
 
-/// The same of a run that has not finished, or has failed before it compared anything.
+/// Returns the script of a run that has not finished, or failed before comparing anything.
 std::string brokenOutcomeScript(const std::string& message);
 
 }  // namespace poinsot::compare

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool isMeant(const Outcome& outcome, const std::string& word) {
-  const std::string pattern = word.starts_with("./") ? word.substr(2) : word;  // of a name that begins with a dash
+  const std::string pattern = word.starts_with("./") ? word.substr(2) : word;  // ./ escapes a leading dash
   return core::matchesWildcard(pattern, outcome.name);
 }
 
@@ -41,7 +41,6 @@ void expectMeaning(const std::vector<Outcome>& outcomes, const std::vector<std::
   }
 }
 
-/// Copies a picture under a temporary name beside `to`.
 core::AtomicFile copyOf(const fs::path& from, const fs::path& to) {
   core::makeFolders(core::folderOf(to));
   output::checkTarget(to, true);
@@ -50,7 +49,8 @@ core::AtomicFile copyOf(const fs::path& from, const fs::path& to) {
   return file;
 }
 
-/// Returns the file that a picture is copied to. @param reference  the picture, or the folder of pictures
+/// Returns the reference file that an outcome's picture replaces.
+/// @param reference  the reference picture, or the folder of reference pictures
 fs::path placeOf(const Outcome& outcome, const fs::path& reference) {
   return outcome.reference.empty() ? reference / outcome.name : outcome.reference;
 }

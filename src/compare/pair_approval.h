@@ -10,24 +10,23 @@
 
 namespace poinsot::compare {
 
-/// Approved pictures, a line for each, and whether all that was asked for could be approved.
+/// Approved pictures, one line each, and whether everything requested could be approved.
 struct PairApproval {
   std::string text;
   bool complete = true;
 };
 
-/// Checks that pictures of a reference can be replaced, before any are compared. @param reference  a file or
-/// folder
-/// @throws core::Error(kIo) with the path and the reason.
+/// Checks, before comparing, that the reference's pictures can be replaced. @param reference  file or folder
+/// @throws core::Error(kIo) with the path and the reason
 void expectReplaceable(const std::filesystem::path& reference);
 
-/// Adds copies of pictures of the test, for the places of those of the reference: of the outcomes whose names the
-/// patterns mean (* for any characters), those that are not identical. Pictures that cannot be read and
-/// those that only the reference has stay as they are, and make the approval incomplete.
-/// @param reference  folder for pictures that are new
-/// @param exact  whether pictures that are only stored in another way are copied, too
-/// @throws core::Error(kUsage) for a pattern that means no outcome; core::Error(kIo), also for a
-/// link among the folders below the reference's.
+/// Adds copies of the test's pictures to a batch that replaces reference pictures. Copies the pictures that are
+/// not identical and whose names match a pattern (* for any characters). Pictures that cannot be read, or that
+/// only the reference has, stay unchanged and make the approval incomplete.
+/// @param reference  folder for new pictures
+/// @param exact  whether to copy pictures that differ only in storage format
+/// @throws core::Error(kUsage) if a pattern matches no outcome; core::Error(kIo), also for links among the folders
+///   below the reference's
 PairApproval addApprovals(core::FileBatch& batch, const std::vector<Outcome>& outcomes,
                           const std::vector<std::string>& patterns, const std::filesystem::path& reference,
                           bool exact);

@@ -14,7 +14,7 @@
 namespace poinsot::compare {
 namespace {
 
-constexpr const char* kMapKey = "Comparison";  // of the text by which maps are known
+constexpr const char* kMapKey = "Comparison";  // key of the PNG text that identifies maps
 
 image::PixelSize sizeOf(const image::AnyImage& picture) {
   return std::visit([](const auto& p) { return p.size; }, picture);
@@ -31,7 +31,6 @@ std::string sizeMismatch(const DiffPicture& reference, const DiffPicture& test) 
   return a == b ? "" : fmt::format("the size is {}x{}, not {}x{}", b.width, b.height, a.width, a.height);
 }
 
-/// "grey", "palette of 16 bits".
 std::string storageText(const image::PngStorage& stored) {
   constexpr const char* kKinds[] = {"", "grey", "grey and alpha", "RGB", "RGB and alpha"};
   const std::string kind = !stored.palette        ? kKinds[stored.channels]
@@ -40,7 +39,7 @@ std::string storageText(const image::PngStorage& stored) {
   return kind + (stored.deep ? " of 16 bits" : "");
 }
 
-/// Remarks on what is stored differently without being a difference of pixels.
+/// Returns remarks on differences in storage that are not differences of pixels.
 std::vector<std::string> notesOf(const ComparedPictures& compared) {
   std::vector<std::string> notes;
   const auto& [reference, test, diff, flip] = compared;
@@ -52,7 +51,8 @@ std::vector<std::string> notesOf(const ComparedPictures& compared) {
   return notes;
 }
 
-/// "3 of 90 frames are different, the first is frame 40 at 1.333 s; the worst, frame 45 at 1.500 s".
+/// Returns text such as "3 of 90 frames are different, the first is frame 40 at 1.333 s; the worst, frame 45 at
+/// 1.500 s".
 std::string frameText(const PictureDiff& diff) {
   const FilmSummary& film = *diff.film;
   const std::string worst = fmt::format("frame {} at {:.3f} s", film.worst, film.worst_s);

@@ -20,8 +20,7 @@ namespace {
   throw core::usageError(fmt::format("{} '{}': {}", name, core::printable(word), why));
 }
 
-/// The upper end of "0-N", or of "0-N%".
-/// @param most  the largest that makes sense
+/// Parses "0-N" or "0-N%" and returns N. @param most  largest allowed N
 double upperEnd(std::string_view name, std::string_view word, double most) {
   const std::string_view unit = word.ends_with('%') ? "%" : "";
   const std::string_view range = word.substr(0, word.size() - unit.size());
@@ -75,7 +74,7 @@ void setLevel(NearRule& limits, std::string_view name, std::string_view word) {
 
 bool isWhole(double value) { return value == std::floor(value) && std::abs(value) <= 1e6; }
 
-/// Adds the pixels of a mask at which it is painted. @param name  of the mask, for messages
+/// Adds the painted pixels of a mask. @param name  name of the mask for messages
 void addMask(IgnoreMask& mask, const image::AnyImage& painted, const std::string& name) {
   const image::PixelSize size = std::visit([](const auto& p) { return p.size; }, painted);
   if (size != mask.size())

@@ -14,44 +14,46 @@
 
 namespace poinsot::compare {
 
-/// How far a picture may be from its reference, and where.
+/// Permitted difference between a picture and its reference.
 struct PictureRule {
   NearRule limits = {};
-  std::vector<image::PixelRect> ignore = {};    ///< places that are not compared
+  std::vector<image::PixelRect> ignore = {};
   std::filesystem::path mask = {};              ///< PNG whose painted pixels are not compared; empty for none
-  std::optional<image::AnyImage> painted = {};  ///< the same of a picture in memory
-  std::string reason = {};                      ///< why it may be farther than by default
+  std::optional<image::AnyImage> painted = {};  ///< mask in memory, used like `mask`
+  std::string reason = {};                      ///< why the picture may differ by more than the default
 };
 
-/// A limit as it is written on a command line and in a golden.toml: "0-2", "0-1e-3"; of pixels a number or a
-/// share, "0-20", "0-0.5%". Each is a range from 0, so that an identical picture always passes.
+/// Limit of a rule and its notation on command lines and in golden.toml: "0-2", "0-1e-3"; for pixels a number or a
+/// percentage, "0-20", "0-0.5%". Limits are ranges from 0, so that an identical picture always passes.
 struct RuleLimit {
-  const char* key;     ///< in a golden.toml
-  const char* option;  ///< of `diff`
+  const char* key;
+  const char* option;  ///< option of `diff`
   const char* form;    ///< "0-N"
   const char* help;
-  /// Sets the limit. @throws core::Error(kUsage) with `name` and the word, saying how it is written.
+  /// Sets the limit. @throws core::Error(kUsage) with `name`, the word and the expected notation
   void (*set)(NearRule& limits, std::string_view name, std::string_view word);
 };
 std::span<const RuleLimit> ruleLimits();
 
-/// "same, near, other_driver"
 std::string ruleNames();
-/// The limits of a named rule. @throws core::Error(kUsage) with `name`, the word and the names that there are.
+/// Returns the limits of a named rule. @throws core::Error(kUsage) with `name`, the word and the known names
 NearRule namedLimits(std::string_view name, std::string_view word);
 
-/// A box of pixels from its left, its top, its width and its height.
-/// @throws core::Error(kUsage) with `name` unless they are whole, left and top at least 0, the others at least 1.
+/// Returns the box with the given left, top, width and height in pixels.
+/// @throws core::Error(kUsage) with `name`, unless all are whole, left and top at least 0, width and height at
+///   least 1
 image::PixelRect ignoredBox(std::string_view name, std::span<const double> leftTopWidthHeight);
-/// The same of "x,y,w,h".
+/// Parses a box of pixels given as "x,y,w,h". @throws core::Error(kUsage) if the box is invalid
 image::PixelRect ignoredBox(std::string_view name, std::string_view word);
 
-/// @throws core::Error(kUsage) with `name` if no picture, or none of so many pixels, could be beyond the limits.
+/// Checks that some pair of pictures can exceed the limits. @param pixels  number of pixels of the pictures, if
+/// known
+/// @throws core::Error(kUsage) with `name` if every pair would pass
 void expectCanRefuse(const NearRule& limits, std::string_view name, std::optional<std::int64_t> pixels = {});
 
-/// The places that a rule leaves out of a picture; nothing where it leaves out none.
-/// @throws core::Error(kUsage) if a box lies outside of the picture, the mask has another size, or nothing would
-/// be left to compare; core::Error(kIo) if the mask cannot be read.
+/// Returns the mask of the pixels that a rule ignores; nullopt if it ignores none.
+/// @throws core::Error(kUsage) if a box lies outside the picture, the mask has another size, or nothing is left to
+///   compare; core::Error(kIo) if the mask cannot be read
 std::optional<IgnoreMask> ignoreMaskOf(const PictureRule& rule, image::PixelSize size);
 
 }  // namespace poinsot::compare

@@ -21,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Text of a small file, without the line end; empty if it cannot be read.
 std::string textOf(const fs::path& file) try {
   constexpr std::size_t kMost = std::size_t{16} << 20;  // packed-refs of large projects
   std::string text = core::readRegularFile(file, kMost, core::ErrorKind::kIo);
@@ -31,7 +30,6 @@ std::string textOf(const fs::path& file) try {
   return "";
 }
 
-/// SHA-1 or SHA-256.
 bool isCommit(const std::string& text) {
   return (text.size() == 40 || text.size() == 64) &&
          std::ranges::all_of(text, [](unsigned char c) { return std::isxdigit(c); });
@@ -41,7 +39,7 @@ std::string after(const std::string& text, std::string_view prefix) {
   return text.starts_with(prefix) ? text.substr(prefix.size()) : "";
 }
 
-/// The folder with HEAD: .git, or where the file .git of a further work tree points to.
+/// Returns git's folder with HEAD: .git or, in a linked work tree, the folder that the file .git names.
 std::optional<fs::path> gitFolderAround(const fs::path& place) {
   std::error_code failure;
   for (fs::path folder = fs::weakly_canonical(fs::absolute(place), failure); !failure;
@@ -55,7 +53,7 @@ std::optional<fs::path> gitFolderAround(const fs::path& place) {
   return std::nullopt;
 }
 
-/// "refs/heads/main" among lines of "HASH refs/heads/main".
+/// Returns the commit of a ref such as "refs/heads/main" from lines of "HASH refs/heads/main".
 std::string packedCommit(const std::string& packed, const std::string& ref) {
   std::istringstream lines(packed);
   for (std::string line; std::getline(lines, line);)
@@ -64,14 +62,13 @@ std::string packedCommit(const std::string& packed, const std::string& ref) {
 }
 
 std::string commitOf(const fs::path& git, const std::string& ref) {
-  const std::string commonWord = textOf(git / "commondir");  // of a further work tree
+  const std::string commonWord = textOf(git / "commondir");  // exists in linked work trees only
   const fs::path common = commonWord.empty() ? git : git / commonWord;
   for (const fs::path& folder : {git, common})
     if (const std::string commit = textOf(folder / ref); isCommit(commit)) return commit;
   return packedCommit(textOf(common / "packed-refs"), ref);
 }
 
-/// "2026-02-28 09:30:00 +0100".
 std::string dateText() {
   const std::time_t now = std::time(nullptr);
   std::tm local{};
@@ -85,7 +82,8 @@ std::string machineText() {
   return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
-/// The words of this process, the program's without its folder. Not readable in a sandbox.
+/// Returns this process's command line, with the program's name only. Empty in a sandbox, where it is not
+/// readable.
 std::string commandText() {
   std::istringstream all(textOf("/proc/self/cmdline"));
   std::vector<std::string> words;

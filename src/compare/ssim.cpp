@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kRadius = 5;
 
-/// Sums to 1 over two dimensions.
+/// Returns a Gaussian whose products over two dimensions sum to 1.
 Kernel windowProfile() {
   constexpr double kSigma = 1.5;
   std::vector<double> half;
@@ -22,7 +22,6 @@ Kernel windowProfile() {
   return bell.scaled(1 / bell.sum());
 }
 
-/// In [0, 1].
 template <typename Sample>
 double luma(const Sample* p) {
   return (0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2]) / image::BasicImage<Sample>::kMost;
@@ -33,7 +32,7 @@ enum Moment { kA, kB, kAA, kBB, kAB, kMoments };
 template <typename Sample>
 RowWindow lumaWindow(const image::BasicImage<Sample>& a, const image::BasicImage<Sample>& b) {
   return {a.size, kMoments, kRadius, [&a, &b](int y, const std::vector<double*>& rows) {
-            double* const* const planes = rows.data();  // an index that is checked takes longer than the sum
+            double* const* const planes = rows.data();  // raw pointers: checked indices take longer than the sum
             const Sample *p = a.at(0, y), *q = b.at(0, y);
             for (int x = 0; x < a.size.width; ++x, p += a.channels, q += b.channels) {
               const double va = luma(p), vb = luma(q);
@@ -46,7 +45,7 @@ RowWindow lumaWindow(const image::BasicImage<Sample>& a, const image::BasicImage
           }};
 }
 
-/// Of the means of a, b, a², b² and ab over a window.
+/// Returns the SSIM of a window from the means of a, b, a², b² and ab.
 double similarity(double a, double b, double aa, double bb, double ab) {
   constexpr double kC1 = 0.01 * 0.01, kC2 = 0.03 * 0.03;
   const double varianceA = aa - a * a, varianceB = bb - b * b, covariance = ab - a * b;

@@ -23,7 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Takes the last part of a name, which follows `mark`, from its end. Nothing if there is no mark.
 std::optional<std::string_view> takeLast(std::string_view& name, char mark) {
   const auto at = name.rfind(mark);
   if (at == std::string_view::npos) return std::nullopt;
@@ -37,8 +36,8 @@ std::optional<pid_t> numberOf(std::optional<std::string_view> digits) {
   return number && *number >= 0 ? number : std::nullopt;
 }
 
-/// Returns the process that writes a file of this name; nothing if the name is not one of temporaryName(), or the
-/// number is not one of this machine's and container's.
+/// Returns the PID from a name made by temporaryName(). Returns nullopt for other names, and for names from
+/// another PID namespace.
 std::optional<pid_t> writerOf(std::string_view name) {
   const std::string& space = processSpace();
   if (space.empty() || !name.starts_with('.')) return std::nullopt;
@@ -60,7 +59,6 @@ void removeAbandonedFiles(const fs::path& folder) {
   }
 }
 
-/// Whether no thread of this process was told so of the folder before.
 bool isFirst(const fs::path& folder) {
   static std::mutex mutex;
   static std::set<fs::path> seen;
@@ -71,7 +69,7 @@ bool isFirst(const fs::path& folder) {
 }  // namespace
 
 fs::path temporaryName(const fs::path& folder, const fs::path& target, int attempt) {
-  constexpr std::size_t kLongestStem = 200;  // 255 bytes are all a name may have
+  constexpr std::size_t kLongestStem = 200;  // a file name has at most 255 bytes
   const std::string stem = target.filename().native().substr(0, kLongestStem);
   const std::string& space = processSpace();
   return folder / fmt::format(".{}.{}-{}{}{}.tmp", stem, ::getpid(), attempt, space.empty() ? "" : ".", space);
@@ -80,7 +78,7 @@ fs::path temporaryName(const fs::path& folder, const fs::path& target, int attem
 void removeAbandonedFilesOnce(const fs::path& folder) noexcept {
   try {
     if (isFirst(fs::absolute(folder))) removeAbandonedFiles(folder);
-  } catch (const std::exception&) {  // out of memory: the next run removes them
+  } catch (const std::exception&) {  // out of memory: the next run removes the files
   }
 }
 

@@ -5,13 +5,13 @@
 
 namespace poinsot::core {
 
-/// Returns the hidden name, in `folder`, of a file that is not complete: .NAME.PID-ATTEMPT.SPACE.tmp. The process
-/// that has the number PID is writing it; SPACE says among which processes the number counts.
+/// Returns the hidden name of a temporary file in `folder`: .NAME.PID-ATTEMPT.SPACE.tmp. NAME is the target's file
+/// name, PID the process that writes the file, and SPACE the PID namespace (processSpace()).
 std::filesystem::path temporaryName(const std::filesystem::path& folder, const std::filesystem::path& target,
                                     int attempt);
 
-/// Removes the files of a folder that have such names and whose processes have ended, the first time that this
-/// process asks. Another machine or container has another SPACE, so its files stay.
+/// Removes the temporary files in `folder` whose processes have ended. Only the first call for a folder has an
+/// effect. Files from other machines or containers stay.
 void removeAbandonedFilesOnce(const std::filesystem::path& folder) noexcept;
 
 }  // namespace poinsot::core

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Holds the number of the kernel's start. Made when the lock is held already, removed when nothing else is left.
+/// Name of the file that holds kernelStart(). It is created after the folder is locked, and removed last.
 constexpr const char* kClaim = ".poinsot-claim";
 
 bool lock(const FileHandle& folder) { return ::flock(folder.get(), LOCK_EX | LOCK_NB) == 0; }
@@ -35,8 +35,8 @@ FileHandle openFolder(const fs::path& path) {
   return FileHandle(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
 }
 
-/// Begins the name of a folder that is about to be made or removed. It may have no claim, so no folder of other
-/// programs should be named so; the name without the dot is one that they may choose.
+/// Prefix of a folder that is about to be made or removed. Such a folder may have no claim file, so the prefix
+/// starts with a dot: other programs are unlikely to use the name.
 constexpr std::string_view kHidden = ".poinsot-";
 constexpr std::string_view kRandom = "XXXXXX";
 
@@ -46,7 +46,7 @@ bool isHidden(std::string_view name) {
 
 bool isNamedAsOurs(const std::string& name) { return isHidden(name) || isHidden('.' + name); }
 
-/// Renames a folder unless the name is taken. Some network file systems cannot do both at once.
+/// Renames a folder unless `to` exists. Without RENAME_NOREPLACE, as on some network file systems, checks first.
 bool renameToFree(const fs::path& from, const fs::path& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
   struct stat taken {};
@@ -54,7 +54,6 @@ bool renameToFree(const fs::path& from, const fs::path& to) {
          std::rename(from.c_str(), to.c_str()) == 0;
 }
 
-/// Gives a folder another name beside it, if that is free. Returns the name that it has then.
 fs::path renamed(const fs::path& folder, const std::string& name) {
   fs::path other = folder.parent_path() / name;
   return renameToFree(folder, other) ? other : folder;
@@ -78,7 +77,6 @@ std::string claimIn(const FileHandle& folder) {
   return size > 0 ? std::string(text.data(), static_cast<std::size_t>(size)) : "";
 }
 
-/// Whether the name still stands for it. Once locked, nobody else removes it.
 bool isStillAt(const fs::path& path, const FileHandle& folder) {
   struct stat here {
   }, there{};
@@ -86,14 +84,14 @@ bool isStillAt(const fs::path& path, const FileHandle& folder) {
          here.st_ino == there.st_ino;
 }
 
-/// Whether nobody else holds a folder of this user's. It is locked then, so nobody else removes it.
+/// Tries to lock a folder of this user. Returns true if it is locked now, so that no other process removes it.
 bool isFree(const fs::path& path, const FileHandle& folder) {
   struct stat facts {};
   return folder && ::fstat(folder.get(), &facts) == 0 && isOurs(facts, S_IFDIR | 0700) && lock(folder) &&
          isStillAt(path, folder);
 }
 
-/// Links within are removed, not followed. @returns whether nothing but the claim is left.
+/// Removes everything but the claim file, without following links. Returns whether all was removed.
 bool removeContent(const fs::path& folder) {
   std::error_code failure;
   bool all = true;
@@ -106,7 +104,7 @@ bool removeContent(const fs::path& folder) {
   return all && !failure;
 }
 
-/// Whether there is nothing in a folder but, at most, a claim that was not written.
+/// Returns whether the folder contains nothing, or only an empty claim file.
 bool isHollow(const fs::path& folder) {
   std::error_code failure;
   for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure)) {
@@ -119,7 +117,7 @@ bool isHollow(const fs::path& folder) {
 void removeIfAbandoned(const fs::path& path, const std::string& kernel) {
   const FileHandle folder = openFolder(path);
   if (!isFree(path, folder)) return;
-  // The handle is used, so that nothing is found elsewhere.
+  // The open handle leads to this folder even if its path is replaced meanwhile.
   const fs::path within = fs::path("/proc/self/fd") / std::to_string(folder.get());
   const bool isClaimed = claimIn(folder) == kernel;
   if (!isClaimed && !(isHidden(path.filename().native()) && isHollow(within))) return;
@@ -128,14 +126,15 @@ void removeIfAbandoned(const fs::path& path, const std::string& kernel) {
   if (::unlinkat(folder.get(), kClaim, 0) == 0 || errno == ENOENT) ::rmdir(last.c_str());
 }
 
-/// Locks and marks a new folder. Returns nothing if another process took it for abandoned before.
+/// Locks a new folder and writes its claim file. Returns nullopt if another process already treats the folder as
+/// abandoned.
 std::optional<FileHandle> claim(const fs::path& folder) {
   FileHandle handle = openFolder(folder);
   if (!handle) return errno == ENOENT ? std::nullopt : std::optional(FileHandle());
   if (!lock(handle)) return errno == EWOULDBLOCK ? std::nullopt : std::optional(FileHandle());
   const FileHandle file(::openat(handle.get(), kClaim, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
   if (!file && errno == ENOENT) return std::nullopt;
-  // If this fails, nobody takes the folder from a process that lives, but after a kill it may stay.
+  // If this write fails, the lock still protects the folder, but after a kill the folder may stay for good.
   const std::string& kernel = kernelStart();
   if (file) writeAll(file.get(), {reinterpret_cast<const std::uint8_t*>(kernel.data()), kernel.size()});
   return handle;
@@ -172,7 +171,7 @@ void removeAbandonedFolders(const fs::path& place) noexcept {
     std::error_code ignored;
     for (fs::directory_iterator entry(place, ignored), end; !ignored && entry != end; entry.increment(ignored))
       if (isNamedAsOurs(entry->path().filename())) removeIfAbandoned(entry->path(), kernel);
-  } catch (const std::exception&) {  // out of memory: the next start removes them
+  } catch (const std::exception&) {  // out of memory: the next start removes the folders
   }
 }
 

@@ -7,27 +7,28 @@
 
 namespace poinsot::core {
 
-/// A temporary folder, and the lock that says that a process still has it.
+/// Temporary folder, with the lock that marks it as in use by a running process.
 struct ClaimedFolder {
-  std::filesystem::path path;  ///< empty if none could be made
-  FileHandle claim;            ///< empty where the file system cannot lock: nobody takes it for abandoned
+  std::filesystem::path path;
+  FileHandle claim;  ///< empty if the file system cannot lock; the folder then never counts as abandoned
 };
 
-/// Makes a folder poinsot-?????? in `place`, marked as this process's until the claim is closed here and in every
-/// fork, or they end. Until it is marked it is named .poinsot-??????. Returns no path, and errno, if it cannot.
+/// Makes and locks a folder poinsot-?????? in `place`. The lock lasts until the claim is closed in this process
+/// and all its forks, or they end. The folder is named .poinsot-?????? until it is locked.
+/// @returns an empty path, with errno set, if the folder cannot be made
 ClaimedFolder makeClaimedFolder(const std::filesystem::path& place);
 
-/// Removes a folder of this process's, under the name .poinsot-??????, so that a kill at any moment leaves
-/// a folder that removeAbandonedFolders() recognises.
+/// Renames a folder of this process to .poinsot-?????? and removes it. If the process is killed meanwhile,
+/// removeAbandonedFolders() recognises what is left.
 void removeClaimedFolder(const std::filesystem::path& folder);
 
-/// Removes the folders named poinsot-?????? or .poinsot-?????? in `place` whose processes ended without removing
-/// them (SIGKILL).
+/// Removes folders named poinsot-?????? or .poinsot-?????? in `place` whose processes ended without removing them
+/// (SIGKILL).
 ///
-/// A process that lives holds a lock, which the kernel releases when it ends; process numbers mean nothing where
-/// containers share /tmp. A folder is removed only if it is no link, belongs to this user and to no other (0700),
-/// and was claimed under the running kernel, because locks may not reach another machine, or is empty and has the
-/// hidden name. If anything goes wrong, it is left to the next start.
+/// A running process holds a lock, which the kernel releases when the process ends. PIDs do not serve, because
+/// containers may share /tmp. A folder is removed only if it is not a link, has mode 0700 and belongs to this
+/// user. It must also have been claimed under the running kernel, because locks may not reach another machine, or
+/// be empty and named .poinsot-??????. After an error the folder is left to the next start.
 void removeAbandonedFolders(const std::filesystem::path& place) noexcept;
 
 }  // namespace poinsot::core

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Refuses flags under which a caller and the library would lay out the same type differently. Nothing else would
-// notice: such a program links and computes wrong numbers. Every public header includes this one.
+// Rejects compiler flags under which a caller and the library would lay out the same type differently. Such a
+// program would link and compute wrong numbers. Every public header includes this file.
 #include <cstddef>
 #include <version>
 
@@ -18,14 +18,13 @@
 #if defined(_GLIBCXX_USE_CXX11_ABI) && !_GLIBCXX_USE_CXX11_ABI
 #error "poinsot: _GLIBCXX_USE_CXX11_ABI=0 selects another std::string than the library's; omit it"
 #endif
-// Matrices of public types are stored by columns.
 #ifdef EIGEN_DEFAULT_TO_ROW_MAJOR
 #error "poinsot: EIGEN_DEFAULT_TO_ROW_MAJOR changes the order of a matrix's entries; omit it"
 #endif
 
 namespace poinsot::core {
 
-/// Holds a public type to the layout that it has in the library.
+/// Checks at compile time that a public type has the size and alignment, in bytes, that it has in the library:
 ///   static_assert(core::laidOut<RigidBodyState, 120>());
 template <class T, std::size_t kSize, std::size_t kAlignment = alignof(double)>
 constexpr bool laidOut() {

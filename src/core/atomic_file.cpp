@@ -26,7 +26,6 @@ namespace {
                   path, code);
 }
 
-/// Repeats a call that a signal interrupted; 0 or an errno.
 template <class Call>
 int untilDone(Call call) {
   while (call() < 0)
@@ -43,8 +42,7 @@ void syncPath(const std::filesystem::path& path, int flags, std::string_view doi
   if (descriptor < 0) fail(path, doing, errno);
   int code = syncDescriptor(descriptor);
   if (::close(descriptor) < 0 && code == 0 && errno != EINTR) code = errno;
-  // Some network and user-space file systems cannot sync a folder and say so by EINVAL; they order renames
-  // themselves.
+  // Some network and user-space file systems return EINVAL because they cannot sync folders; they order renames.
   if (code == EINVAL && (flags & O_DIRECTORY) != 0) code = 0;
   if (code != 0) fail(path, doing, code);
 }
@@ -96,7 +94,7 @@ int writeAll(int descriptor, std::span<const std::uint8_t> bytes) noexcept {
 
 AtomicFile::AtomicFile(std::filesystem::path target, const std::filesystem::path& temporaryFolder)
     : target_(std::move(target)) {
-  // A rename must not cross file systems.
+  // A rename works only within one file system.
   const auto folder = temporaryFolder.empty() ? folderOf(target_) : temporaryFolder;
   removeAbandonedFilesOnce(folder);
   constexpr int kAttempts = 1000;
@@ -163,7 +161,7 @@ std::int64_t AtomicFile::size() const {
 }
 
 void AtomicFile::close() {
-  // On Linux the descriptor is gone even when close fails, so there is no second try; after EINTR nothing is lost.
+  // On Linux, close() releases the descriptor even if it fails, so there is no retry. After EINTR nothing is lost.
   const int descriptor = std::exchange(descriptor_, -1);
   if (::close(descriptor) < 0 && errno != EINTR) fail(target_, "cannot be closed", errno);
 }

@@ -11,22 +11,22 @@
 
 namespace poinsot::core {
 
-/// How much of "written" holds when commit() returns.
+/// Durability of a file when commit() returns.
 enum class Durability {
   kSynced,   ///< survives a loss of power: file and folder are synced
-  kRenamed,  ///< survives the end of the process; the caller syncs later with syncFile and syncFolder
+  kRenamed,  ///< survives the end of the process; sync later with syncFile() and syncFolderOf()
 };
 
-/// A file that appears under its name only when complete: written under a temporary name on the same file system,
-/// synced, renamed. Without commit() nothing is left behind and what was there before stays. What a process that
-/// was killed left is removed by the next one that makes a file in the same folder.
+/// File that appears under its name only when complete. It is written under a temporary name on the same file
+/// system, synced, and renamed by commit(). Without commit(), the temporary file is removed and an older target
+/// stays. If a process is killed, the next process that makes a file in the same folder removes its leftovers.
 class AtomicFile {
  public:
-  /// Creates the temporary file, in `temporaryFolder` (on the target's file system) where that is given: there
-  /// others find what a killed process leaves.
-  /// @throws core::Error(kIo) with the target's path and the system's reason; so do all members below.
+  /// Creates the temporary file.
+  /// @param temporaryFolder  folder to use, on the target's file system; default: the target's own folder
+  /// @throws core::Error(kIo) with the target's path and the system's reason, as do the members below
   explicit AtomicFile(std::filesystem::path target, const std::filesystem::path& temporaryFolder = {});
-  /// Takes over a complete file that has another name on the target's file system. It is removed without commit().
+  /// Takes over a complete file on the target's file system. Without commit(), the destructor removes the file.
   static AtomicFile of(std::filesystem::path complete, std::filesystem::path target);
   ~AtomicFile();
   AtomicFile(AtomicFile&& other) noexcept;
@@ -38,29 +38,28 @@ class AtomicFile {
   /// Returns up to `count` bytes; fewer at the end of the file.
   std::string readAt(std::int64_t offset, std::size_t count) const;
   std::int64_t size() const;
-  /// Replaces the target. At most once; nothing may be written afterwards. If it throws, what was there before is
-  /// there again.
+  /// Replaces the target. Call once, and write nothing afterwards. After an exception, the old target is still
+  /// there.
   void commit(Durability durability = Durability::kSynced);
 
   const std::filesystem::path& target() const { return target_; }
   const std::filesystem::path& temporary() const { return temporary_; }
-  /// Open for reading and writing until commit().
+  /// Returns a descriptor that is open for reading and writing until commit().
   int descriptor() const { return descriptor_; }
 
  private:
   friend class FileBatch;
   AtomicFile(std::filesystem::path target, std::filesystem::path temporary, int descriptor);
-  /// Syncs and closes the file, which keeps its temporary name.
+  /// Closes the file under its temporary name, after syncing it if kSynced.
   void finish(Durability durability);
-  /// Gives the finished file its name.
   void rename();
-  /// Likewise, and what had the name has the temporary one then. Returns false, with nothing changed, where the
-  /// file system cannot.
+  /// Swaps the names of the finished file and the target. Returns false, with nothing changed, if the file system
+  /// cannot swap names.
   bool exchange() noexcept;
   void close();
 
   std::filesystem::path target_;
-  std::filesystem::path temporary_;  // empty once renamed
+  std::filesystem::path temporary_;  // empty after the rename
   int descriptor_ = -1;
 };
 
@@ -69,26 +68,27 @@ void writeFileAtomically(const std::filesystem::path& target, std::span<const st
 
 void writeFileAtomically(const std::filesystem::path& target, std::string_view text);
 
-/// Adds text at the end of a file, which is made if it is missing, and syncs it and its name. What was added of it
-/// is removed again if not all could be. @throws core::Error(kIo).
+/// Appends text to a file, which is created if it is missing, and syncs the file. After a failure, truncates the
+/// file to its earlier size, or removes a new file. @throws core::Error(kIo).
 void appendToFile(const std::filesystem::path& target, std::string_view text);
 
-/// @throws core::Error(kIo) with the folder if no file can be made in it.
+/// Checks that files can be made in a folder. @throws core::Error(kIo) with the folder if not.
 void expectWritableFolder(const std::filesystem::path& folder);
 
-/// Makes a file's content durable. @throws core::Error(kIo).
+/// Syncs the content of a file to the disk. @throws core::Error(kIo).
 void syncFile(const std::filesystem::path& file);
 
-/// Makes the names in the folder of `file` durable. @throws core::Error(kIo).
+/// Syncs the folder of `file`, so that new names in it survive a loss of power. @throws core::Error(kIo).
 void syncFolderOf(const std::filesystem::path& file);
 
-/// Makes a folder, with those above it, where it is missing, and syncs their names. @throws core::Error(kIo).
+/// Creates a folder and its missing parents, and syncs their names. @throws core::Error(kIo).
 void makeFolders(const std::filesystem::path& folder);
 
-/// The folder of a path, "." for a bare name.
+/// Returns the parent folder of a path; "." for a bare name.
 std::filesystem::path folderOf(const std::filesystem::path& file);
 
-/// Writes all bytes, resuming after short writes and signals; 0 or an errno. For callbacks that must not throw.
+/// Writes all bytes, resuming after short writes and signals. Suits callbacks that must not throw.
+/// @returns 0 or an errno
 int writeAll(int descriptor, std::span<const std::uint8_t> bytes) noexcept;
 
 }  // namespace poinsot::core

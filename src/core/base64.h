@@ -6,7 +6,7 @@
 
 namespace poinsot::core {
 
-/// Bytes in base 64 (RFC 4648, with padding).
+/// Returns the bytes in Base64 (RFC 4648, with padding).
 std::string base64(std::string_view bytes);
 
 }  // namespace poinsot::core

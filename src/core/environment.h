@@ -6,7 +6,7 @@
 
 namespace poinsot::core {
 
-/// Removes each variable of this process's environment whose name `isKept` refuses.
+/// Removes every environment variable of this process for whose name `isKept` returns false.
 /// @pre no other thread reads the environment.
 void clearEnvironment(const std::function<bool(std::string_view name)>& isKept);
 

@@ -10,29 +10,29 @@
 
 namespace poinsot::core {
 
-/// What failed, in the caller's terms; the command line maps each kind to one exit code.
+/// Category of an error. The command line maps each kind to one exit code.
 enum class ErrorKind {
-  kUsage,     ///< the command line (exit 2)
-  kScene,     ///< the scene file or a file it names (exit 2)
-  kLimit,     ///< a printed limit was exceeded (exit 2)
-  kPhysics,   ///< a quantity that does not exist for this body or start (exit 2)
-  kGraphics,  ///< OpenGL, back ends (exit 3)
-  kEncode,    ///< the video encoder (exit 3)
-  kIo,        ///< files named on the command line, output (exit 4)
+  kUsage,     ///< invalid command line (exit 2)
+  kScene,     ///< invalid scene file, or invalid file that it names (exit 2)
+  kLimit,     ///< exceeded limit (exit 2)
+  kPhysics,   ///< a quantity that does not exist for this body or initial motion (exit 2)
+  kGraphics,  ///< failure of OpenGL or a back end (exit 3)
+  kEncode,    ///< failure of the video encoder (exit 3)
+  kIo,        ///< failure to read a file named on the command line, or to write output (exit 4)
 };
 
-/// A place in a file; line and column count from 1, 0 is unknown.
+/// Place in a file. Line and column count from 1; 0 means unknown.
 struct SourceLocation {
   std::string file;
   int line = 0;
   int column = 0;
 };
 
-/// "file:line:column", leaving out what is unknown.
+/// Returns "file:line:column" without the unknown parts.
 std::string toString(const SourceLocation& where);
 
-/// What goes from layer to layer when bad input, or something outside the program, makes it fail. A broken
-/// contract inside the program is std::logic_error instead (expect.h).
+/// Exception for bad input and for failures outside the program. Its what() is the message, after the place if
+/// that is known. A broken contract inside the program throws std::logic_error instead (expect.h).
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message, std::optional<SourceLocation> where = std::nullopt);
@@ -47,7 +47,6 @@ class Error : public std::runtime_error {
   std::optional<SourceLocation> where_;
 };
 
-/// Make an error of a kind, to be thrown.
 Error usageError(const std::string& message);
 Error sceneError(const std::string& message);
 Error limitError(const std::string& message);
@@ -56,10 +55,10 @@ Error graphicsError(const std::string& message);
 Error encodeError(const std::string& message);
 Error ioError(const std::string& message);
 
-/// Returns the system's words for an errno: "No space left on device".
+/// Returns the system's message for an errno, such as "No space left on device".
 std::string systemReason(int code);
 
-/// The reader of standard output is gone: nothing is left to do, and nothing to say.
+/// Exception thrown when the reader of standard output has gone: nothing is left to do or to report.
 class BrokenPipe : public std::exception {};
 
 }  // namespace poinsot::core

@@ -9,7 +9,7 @@
 namespace poinsot::core {
 
 void brokenContract(const char* condition, const char* file, int line) {
-  // The path of the build machine is no business of the message.
+  // Removes the build machine's path, which does not belong in a message.
   const std::string_view path(file);
   const auto src = path.rfind("/src/");
   const std::string_view shown = src == std::string_view::npos ? path : path.substr(src + 1);

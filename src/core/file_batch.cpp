@@ -28,14 +28,13 @@ using std::filesystem::path;
                   file, code);
 }
 
-/// Returns the kind of file that a name stands for; 0 for nothing.
 mode_t kindOf(const path& file) {
   struct stat status {};
   return ::lstat(file.c_str(), &status) == 0 ? status.st_mode & S_IFMT : 0;
 }
 
-/// A name for an old file, in a folder of the same file system.
-/// @param ending  kept by later runs if it is not that of a temporary file
+/// Returns an unused name for an old file, in a folder on the same file system.
+/// @param ending  ".tmp" lets later runs remove the file; other endings keep it
 path freeName(const path& folder, const path& file, const char* ending = ".tmp") {
   constexpr int kAttempts = 1000;
   for (int attempt = 0; attempt < kAttempts; ++attempt)
@@ -55,7 +54,7 @@ AtomicFile written(const path& target, std::span<const std::uint8_t> bytes, cons
 
 }  // namespace
 
-/// The names that were changed so far. All go back unless keep() is called.
+/// Log of the names changed so far. The destructor restores all names unless keep() is called.
 class FileBatch::Changes {
  public:
   explicit Changes(std::size_t most) { changes_.reserve(most); }
@@ -64,7 +63,7 @@ class FileBatch::Changes {
 
   ~Changes() { takeBack(); }
 
-  /// Gives all names back. Returns what to tell of those where that fails; empty if none does.
+  /// Restores all names. Returns a message on the names that could not be restored; empty if there are none.
   std::string takeBack() {
     std::string lost;
     for (; !changes_.empty(); changes_.pop_back())
@@ -74,7 +73,6 @@ class FileBatch::Changes {
     return lost;
   }
 
-  /// Moves the file that has this name, if any, out of the way, into `folder`.
   void putAside(const path& name, const path& folder) {
     const mode_t kind = kindOf(name);
     if (kind == 0) return;
@@ -84,9 +82,9 @@ class FileBatch::Changes {
 
   void putAside(const AtomicFile& file) { putAside(file.target(), folderOf(file.temporary())); }
 
-  /// Gives a file the name of its target, without an instant in which that stands for nothing: the old one has a
-  /// second name before, or the two change names. Where a file system can do neither, a file alone is renamed,
-  /// which only cannot be taken back, and one of several has its old one moved.
+  /// Renames a file to its target so that the target's name always exists: the old file first gets a second link,
+  /// or the two names are swapped. If the file system supports neither, a single file is renamed without a way
+  /// back; in a batch, the old file is first moved to a hidden name.
   void replace(AtomicFile& file) {
     const mode_t kind = kindOf(file.target());
     if (kind == S_IFDIR) fail(file.target(), EISDIR);
@@ -98,7 +96,7 @@ class FileBatch::Changes {
         changes_.clear();
         return file.rename();
       }
-      // For an instant this is the only place of the file, so no later run removes it.
+      // For an instant the old file has no other name, so its ending keeps later runs from removing it.
       change.aside = freeName(folderOf(change.name), change.name, ".old");
       move(change);
     }
@@ -107,7 +105,7 @@ class FileBatch::Changes {
   }
 
   void keep() {
-    // If this fails, a hidden file stays, and all that was promised is there.
+    // A failure here leaves only a hidden file behind; all promised files are in place.
     for (const Change& change : changes_)
       if (change.moved || change.linked) ::unlink(change.aside.c_str());
     changes_.clear();
@@ -115,13 +113,13 @@ class FileBatch::Changes {
 
  private:
   struct Change {
-    path name, aside;      ///< `aside` is where the old file is, if there was one
-    bool moved = false;    ///< the old file is there only
-    bool linked = false;   ///< the old file is there too
-    bool renamed = false;  ///< the name stands for the new file
+    path name, aside;      ///< `aside` is the hidden name of the old file, if there was one
+    bool moved = false;    ///< the old file has only the hidden name
+    bool linked = false;   ///< the old file has the hidden name, too
+    bool renamed = false;  ///< `name` is now the new file
   };
 
-  // All memory is taken before a name changes, so that nothing can fail between a change and its record.
+  // Allocates all memory before a name changes, so that nothing can fail between a change and its record.
   Change& begin(const path& name, const path& folder) {
     POINSOT_EXPECT(changes_.size() < changes_.capacity());
     return changes_.emplace_back(Change{name, freeName(folder, name)});
@@ -134,7 +132,6 @@ class FileBatch::Changes {
     return change.linked = change.renamed = true;
   }
 
-  /// Returns false if an old file keeps its hidden name.
   static bool takeBack(const Change& change) {
     if (change.moved || (change.linked && change.renamed))
       return std::rename(change.aside.c_str(), change.name.c_str()) == 0;
@@ -150,7 +147,7 @@ class FileBatch::Changes {
   std::vector<Change> changes_;
 };
 
-// At once, so that the descriptors of many files are not open together.
+// Closes each file at once, so that a large batch does not hold many open descriptors.
 AtomicFile FileBatch::finished(AtomicFile file) {
   file.finish(Durability::kSynced);
   folders_.insert(folderOf(file.target()));
@@ -205,7 +202,7 @@ const path& FileBatch::contentOf(const path& target) const {
 }
 
 void FileBatch::publish(Group& group, Changes& changes) {
-  // An old file waits where the next run clears up what a killed one leaves, if that is on its file system.
+  // Puts an old file where the next run removes leftovers of killed runs, if that is on the same file system.
   const auto asideOf = [&](const path& file) {
     return folderOf(folderOf(file) == folderOf(group.main.target()) ? group.main.temporary() : file);
   };
@@ -219,7 +216,7 @@ void FileBatch::publish(Changes& changes) {
   for (const path& file : removed_) changes.putAside(file, folderOf(file));
   for (Group& group : groups_) publish(group, changes);
   for (const path& folder : folders_) syncFolderOf(folder / ".");
-  // Text that was added to a file that others may write to cannot be taken back later, so it comes last.
+  // Other processes may write to this file, so the appended text cannot be taken back later and comes last.
   if (!appended_.empty()) appendToFile(appended_, appendedText_);
 }
 

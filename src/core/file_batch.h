@@ -13,39 +13,39 @@
 
 namespace poinsot::core {
 
-/// Files that appear together or not at all: all are written and synced before the first takes its name.
+/// Files that appear together or not at all: all are written and synced before the first is renamed.
 ///
-/// A file that rests on another, as captions on their film or labels on their picture, is added beside it. The old
-/// one is put aside before the main file is replaced, and the new one comes after, so a run that is killed in
+/// A companion depends on a main file, such as the captions of a film or the labels of a picture. The old
+/// companion is put aside before the main file is replaced, and the new one follows. A run that is killed in
 /// between leaves a film without captions, never a film with the captions of another.
 class FileBatch {
  public:
-  /// Adds a file, which is synced and closed. @throws core::Error(kIo), as do the members below.
+  /// Adds a file, and syncs and closes it. @throws core::Error(kIo), as do the members below.
   void add(AtomicFile file);
-  /// Adds all of another batch.
+  /// Moves all files of another batch into this one. The other batch must not append to a file.
   void add(FileBatch&& others);
-  /// Adds a file that rests on the last one of add(). @pre there is one.
+  /// Adds a companion of the last file of add(). @pre there is one.
   void addBeside(AtomicFile file);
-  /// The file will be gone, if it is there, with the last one of add() in its place. @pre there is one.
+  /// Removes `file`, if it exists, when the last file of add() is renamed. @pre there is one.
   void removeBeside(std::filesystem::path file);
   void write(const std::filesystem::path& target, std::span<const std::uint8_t> bytes);
   void write(const std::filesystem::path& target, std::string_view text);
-  /// @param temporaryFolder  as of AtomicFile
   void writeBeside(const std::filesystem::path& target, std::span<const std::uint8_t> bytes,
                    const std::filesystem::path& temporaryFolder = {});
   void writeBeside(const std::filesystem::path& target, std::string_view text,
                    const std::filesystem::path& temporaryFolder = {});
-  /// The file will be gone, if it is there.
+  /// Removes `file` on commit(), if it exists.
   void remove(std::filesystem::path file);
-  /// Adds text at the end of a file, which is made if it is missing. @pre no other file is appended to.
+  /// Appends text to a file on commit(); creates the file if it is missing. @pre no other file is appended to.
   void append(const std::filesystem::path& target, std::string_view text);
 
-  /// Where the content of a file of add() is until commit(); the target itself if it is none of these.
+  /// Returns the path of a file's content before commit(): the temporary file for a file of add(), otherwise
+  /// `target`.
   const std::filesystem::path& contentOf(const std::filesystem::path& target) const;
 
-  /// Gives all files their names. If it throws, every name stands for what it did before. Without it, no name has
-  /// changed and no temporary file is left. A batch has one commit: another throws std::logic_error.
-  /// @throws core::Error(kIo) with the path that failed.
+  /// Renames all files to their targets. If an exception is thrown, every name is as before. Without commit(), no
+  /// name changes and no temporary file is left. A second call throws std::logic_error.
+  /// @throws core::Error(kIo) with the path that failed
   void commit();
 
   bool empty() const { return groups_.empty() && removed_.empty() && appended_.empty(); }
@@ -56,13 +56,13 @@ class FileBatch {
     std::vector<AtomicFile> beside;
     std::vector<std::filesystem::path> removed;
   };
-  class Changes;  // The names that commit() has changed so far.
+  class Changes;
   AtomicFile finished(AtomicFile file);
   void publish(Changes& changes);
   static void publish(Group& group, Changes& changes);
 
   std::vector<Group> groups_;
-  std::set<std::filesystem::path> folders_;  // of the files
+  std::set<std::filesystem::path> folders_;  // folders to sync
   std::vector<std::filesystem::path> removed_;
   std::filesystem::path appended_;
   std::string appendedText_;

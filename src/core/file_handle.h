@@ -9,7 +9,7 @@
 
 namespace poinsot::core {
 
-/// Sole owner of a file descriptor; -1 is none.
+/// Sole owner of a file descriptor; -1 means none.
 class FileHandle {
  public:
   explicit FileHandle(int fd = -1) : fd_(fd) {}

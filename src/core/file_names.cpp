@@ -10,8 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether the file system takes a folder's name in other letters for the same folder. Where it is missing, the
-/// nearest one above it is asked.
+/// Returns whether the file system ignores the case of a folder's name. For a missing folder, tests the nearest
+/// existing parent.
 bool ignoresCase(fs::path folder) {
   std::error_code ignored;
   while (!fs::exists(folder, ignored) || folder.filename().empty()) {
@@ -30,7 +30,7 @@ std::string FileNames::of(const fs::path& file) {
   const fs::path whole = fs::absolute(file);
   const auto [folder, isNew] = folders_.try_emplace(whole.parent_path());
   if (isNew) {
-    std::error_code failure;  // then the path as it is; checks of the file say what is wrong with it
+    std::error_code failure;  // leaves the path as given; later checks of the file report the reason
     const fs::path canonical = fs::weakly_canonical(folder->first, failure);
     folder->second.canonical = failure ? folder->first : canonical;
     folder->second.ignoresCase = ignoresCase(folder->second.canonical);

@@ -9,9 +9,9 @@
 
 namespace poinsot::core {
 
-/// Gives every file one name, however its path is spelled, so that names can be compared where files cannot: they
-/// may be missing still. Links among the folders are followed, and capitals become small letters where the file
-/// system takes both for the same. The last part is not followed, as an output replaces a link, not its target.
+/// Maps each path to one canonical name, so that paths can be compared even if the files do not exist yet.
+/// Resolves links among the folders, and lowers capitals if the file system ignores case. A link in the last
+/// component is not resolved, because an output replaces the link and not its target.
 class FileNames {
  public:
   std::string of(const std::filesystem::path& file);

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> filesIn(const fs::path& folder, bool links) {
   std::vector<fs::path> files;
-  std::error_code ignored;  // no folder has no files
+  std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored)) {
     const bool isLink = entry.is_symlink(ignored);
     if (links ? isLink : !isLink && entry.is_regular_file(ignored)) files.push_back(entry.path());

@@ -6,18 +6,17 @@
 
 #include "core/abi.h"
 
-/// Lets the caller of a long computation end it.
 namespace poinsot::core {
 
-/// Calls the InterruptionCheck of this thread, if there is one and 50 ms have passed since its last call. Costs
-/// some 30 ns, so a loop may call it in every pass.
-/// @throws whatever the check throws.
+/// Calls the InterruptionCheck of this thread, if there is one and its last call was at least 50 ms ago. Takes
+/// about 30 ns, so a loop may call this function in every pass.
+/// @throws the exception of the check
 void checkInterruption();
 
-/// Holds the check of the thread that makes it; the check before comes back when this one ends.
+/// Scope that sets the interruption check of the current thread; the destructor restores the previous check.
 class InterruptionCheck {
  public:
-  /// @param check  throws if the computation has to end.
+  /// @param check  throws to end the computation
   explicit InterruptionCheck(std::function<void()> check);
   ~InterruptionCheck();
   InterruptionCheck(const InterruptionCheck&) = delete;

@@ -5,16 +5,15 @@
 
 #include "core/abi.h"
 
-/// Identifies what process numbers and locks are valid for. Both texts are read once, so that they are known in
-/// a sandbox, too, if they were asked for before.
+/// Identifiers of the scope in which PIDs and locks are valid. Both are read only once, so that a sandboxed
+/// process still has them if it read them before.
 namespace poinsot::core {
 
-/// Returns a text that differs from one start of a kernel to the next, and is the same in all its containers.
-/// Empty without /proc.
+/// Returns the boot ID of the kernel, which all its containers share. Empty without /proc.
 const std::string& kernelStart();
 
-/// Returns twelve hexadecimal digits: in two processes they are equal if both see the same process numbers, those
-/// of one container or machine since its start. Empty without /proc.
+/// Returns twelve hexadecimal digits that identify the boot and the PID namespace, so that two processes with the
+/// same digits see the same PIDs. Empty without /proc.
 const std::string& processSpace();
 
 }  // namespace poinsot::core

@@ -9,7 +9,7 @@
 namespace poinsot::core {
 namespace {
 
-/// RRGGBB for 0 to 255. The colour map "magma" of Smith and van der Walt (2015), in the public domain (CC0).
+/// Colour map "magma" of Smith and van der Walt (2015), public domain (CC0): entries 0 to 255 as RRGGBB.
 constexpr std::string_view kMagma =
     "00000401000501010601010802010902020b02020d03030f03031204041405041606051806051a07061c08071e090720"
     "0a08220b09240c09260d0a290e0b2b100b2d110c2f120d31130d34140e36150e38160f3b180f3d19103f1a10421c1044"

@@ -6,8 +6,9 @@
 
 namespace poinsot::core {
 
-/// The colour map "magma": even to the eye, in grey and for every eye, from black over red to pale yellow. sRGB of
-/// its entry `index`, 0 to 255.
+/// Returns an entry of the colour map "magma", from black over red to pale yellow, as sRGB. Equal steps look
+/// equal, also in grey and to colour-blind viewers.
+/// @param index  0 to 255
 std::array<std::uint8_t, 3> magma(std::size_t index);
 
 }  // namespace poinsot::core

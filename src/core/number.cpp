@@ -8,17 +8,17 @@
 namespace poinsot::core {
 
 std::optional<double> parseNumber(std::string_view text) {
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);  // from_chars takes no plus
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);  // from_chars rejects '+'
   double value = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (end != text.data() + text.size() || status == std::errc::invalid_argument) return std::nullopt;
-  // from_chars does not say which way a number is out of range; strtod does. The locale is always "C" here.
+  // std::strtod shows in which direction a number is out of range. The locale is always "C".
   return status == std::errc() ? value : std::strtod(std::string(text).c_str(), nullptr);
 }
 
 void appendNumber(std::string& text, double value) {
-  std::array<char, 32> digits;              // the longest has 24: -2.2250738585072014e-308
-  const double unsignedZero = value + 0.0;  // -0 says nothing that a reader could use
+  std::array<char, 32> digits;              // at most 24 are used: -2.2250738585072014e-308
+  const double unsignedZero = value + 0.0;  // turns -0 into 0, because the sign is of no use to a reader
   const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), unsignedZero);
   text.append(digits.data(), written.ptr);
 }

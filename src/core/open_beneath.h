@@ -5,18 +5,18 @@
 
 #include "core/file_handle.h"
 
-/// Opening files that somebody else names, and nothing outside a folder.
 namespace poinsot::core {
 
-/// How a path is followed. The kernel's own way (openat2, since Linux 5.6) knows nothing of what a sandbox or an
-/// old kernel forbids; then folder by folder does the same.
+/// Method of resolving a path. kByTheKernel uses openat2 (Linux 5.6 or later). If an old kernel or a sandbox
+/// forbids that call, it falls back to kFolderByFolder, which has the same result.
 enum class Following { kByTheKernel, kFolderByFolder };
 
-/// A regular file at `relative`, in `folder` or below it, for reading. No symbolic link is followed, also none
-/// that takes a folder's place while the file is opened; what is no regular file is looked at but never opened, so
-/// that a pipe's writer and a device notice nothing. Empty where there is none such, and errno says why: ELOOP for
-/// a symbolic link, EXDEV for a path that leads out, EISDIR, EINVAL for what is neither a file nor a folder.
-/// @param folder  empty: the current one; links on the way to it are followed, as it is named by the user
+/// Opens the regular file `relative`, in or below `folder`, for reading. Follows no symbolic link, not even one
+/// that replaces a folder meanwhile. Checks the kind of file before opening it, so that pipes and devices notice
+/// nothing.
+/// @param folder  the current folder if empty; links on the way to it are followed, because the user names it
+/// @returns an empty handle, with errno set, on failure: ELOOP for a symbolic link, EXDEV for a path that leads
+/// out of the folder, EISDIR for a folder, EINVAL for a pipe or device
 FileHandle openBeneath(const std::filesystem::path& folder, const std::filesystem::path& relative,
                        Following following = Following::kByTheKernel);
 

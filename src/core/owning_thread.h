@@ -13,8 +13,8 @@
 
 namespace poinsot::core {
 
-/// A value that is made, used and destroyed on one thread, as an OpenGL context must be. Others hand that thread
-/// work, which is done in the order it comes; what was not begun when this is destroyed is not done.
+/// Value that is made, used and destroyed on one thread, as an OpenGL context must be. Other threads queue work
+/// for that thread, which runs in order. Work that has not begun when this object is destroyed is dropped.
 template <class Value>
 class OwningThread {
  public:
@@ -23,13 +23,14 @@ class OwningThread {
   OwningThread(const OwningThread&) = delete;
   OwningThread& operator=(const OwningThread&) = delete;
 
-  /// Does the work and waits for it. @returns what it returns @throws what it throws
+  /// Runs `work` on the owning thread and waits for its result. @throws the exception of `work`
   template <class Work>
   std::invoke_result_t<Work, Value&> with(Work work) {
     return begin(std::move(work)).get();
   }
 
-  /// Lets the work be done. It must own what it uses: the caller need not wait for the result.
+  /// Queues `work` for the owning thread and returns its future. The work must own what it uses, because the
+  /// caller need not wait.
   template <class Work>
   std::future<std::invoke_result_t<Work, Value&>> begin(Work work) {
     std::packaged_task<std::invoke_result_t<Work, Value&>(Value&)> task(std::move(work));
@@ -60,7 +61,7 @@ class OwningThread {
   std::mutex mutex_;
   std::condition_variable_any waiting_;
   std::deque<Job> jobs_;
-  std::jthread thread_;  // last: it uses the others
+  std::jthread thread_;  // last, because it uses the members above
 };
 
 }  // namespace poinsot::core

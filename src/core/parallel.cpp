@@ -13,10 +13,9 @@
 namespace poinsot::core {
 namespace {
 
-/// Ends the work of a helper whose caller was interrupted.
+/// Exception that ends the work of a helper thread whose caller was interrupted.
 class Abandoned : public std::exception {};
 
-/// Waits for all; the caller's check is heard meanwhile.
 void awaitAll(const std::vector<std::future<void>>& helpers) {
   constexpr std::chrono::milliseconds kPatience{50};
   for (const std::future<void>& helper : helpers)
@@ -38,7 +37,7 @@ void forEachIndex(std::size_t count, int jobs, const std::function<void(std::siz
     const InterruptionCheck check([&] {
       if (abandoned) throw Abandoned();
     });
-    // An index is taken only before a failure, and then worked on: all below it were taken as well.
+    // Indices are taken in order and always completed, so every index below a failed one has been worked on.
     for (std::size_t i; !failed && (i = next++) < count;) {
       try {
         work(i);
@@ -48,7 +47,7 @@ void forEachIndex(std::size_t count, int jobs, const std::function<void(std::siz
       }
     }
   };
-  std::vector<std::future<void>> helpers;  // their end waits for them
+  std::vector<std::future<void>> helpers;  // the destructors wait for the threads
   try {
     while (helpers.size() < most) helpers.push_back(std::async(std::launch::async, run));
     awaitAll(helpers);

@@ -6,10 +6,9 @@
 
 namespace poinsot::core {
 
-/// Calls work(0), ..., work(count - 1), on `jobs` threads at most. Once one has thrown no other is begun, and of
-/// those that threw the one with the lowest index is thrown on, whatever the number of threads. The caller's
-/// core::InterruptionCheck is called meanwhile, and ends all of them where the work calls
-/// core::checkInterruption().
+/// Calls work(0), ..., work(count - 1) on at most `jobs` threads. After an exception no further call begins, and
+/// the exception of the lowest index is rethrown, regardless of the number of threads. Meanwhile the caller's
+/// core::InterruptionCheck is polled; an interruption also ends calls that use core::checkInterruption().
 void forEachIndex(std::size_t count, int jobs, const std::function<void(std::size_t)>& work);
 
 }  // namespace poinsot::core

@@ -8,9 +8,8 @@
 namespace poinsot::core {
 namespace {
 
-/// A path, good as long as the working folder is the same.
+/// Returns the path by which the program was called. A relative path is valid until the working folder changes.
 const char* programAsCalled() {
-  // The kernel's word, before main().
   const auto* name = reinterpret_cast<const char*>(getauxval(AT_EXECFN));  // NOLINT(performance-no-int-to-ptr)
   return name ? name : "";
 }

@@ -5,7 +5,8 @@
 
 namespace poinsot::core {
 
-/// This program's file, absolute. Where /proc is not mounted, by how it was called; empty if that leads nowhere.
+/// Returns the absolute path of this program's file. Without /proc, resolves the path by which the program was
+/// called; empty if that fails.
 std::filesystem::path programPath();
 
 }  // namespace poinsot::core

@@ -10,8 +10,8 @@
 
 namespace poinsot::core {
 
-/// A positive fraction in lowest terms: a frame rate such as 30/1 or 30000/1001.
-/// Film time is k * den / num, exact; nothing accumulates from frame to frame.
+/// Positive fraction in lowest terms, such as a frame rate of 30/1 or 30000/1001 per second. The time of a frame,
+/// k * den / num, is exact, so errors do not accumulate from frame to frame.
 struct Rational {
   std::int64_t num = 0;
   std::int64_t den = 1;
@@ -20,11 +20,10 @@ struct Rational {
   friend bool operator==(const Rational&, const Rational&) = default;
 };
 
-/// "30/1" or "30000/1001".
 std::string toString(const Rational& r);
 
-/// Reads "30", "30000/1001" or a short decimal such as "29.97" (= 2997/100); nothing else, no sign, no blanks.
-/// Empty when it is none of these, zero, or has a part above 10^9.
+/// Parses "30", "30000/1001" or a short decimal such as "29.97" (2997/100), without sign or blanks.
+/// @returns nullopt for other text, for zero, and if a part exceeds 10^9
 std::optional<Rational> parseRational(std::string_view text);
 
 }  // namespace poinsot::core

@@ -15,13 +15,12 @@
 namespace poinsot::core {
 namespace {
 
-/// Its caller knows the name.
 [[noreturn]] void failByErrno(ErrorKind kind) {
   const int code = errno;
   throw FileError(kind, systemReason(code), {}, code);
 }
 
-/// Its size as the file says.
+/// Returns the size of a regular file in bytes; throws for other kinds of files.
 std::size_t expectRegular(const FileHandle& file, ErrorKind kind) {
   struct stat status {};
   if (!file || ::fstat(file.get(), &status) != 0) failByErrno(kind);
@@ -58,7 +57,7 @@ std::string bytesOf(const FileHandle& file, std::size_t mostBytes, ErrorKind kin
 std::string allBytesOf(const FileHandle& file, std::size_t mostBytes, ErrorKind kind) {
   if (const std::size_t said = expectRegular(file, kind); said > mostBytes) refuseSize(said, mostBytes);
   std::string bytes = bytesOf(file, mostBytes, kind);
-  if (bytes.size() > mostBytes) refuseSize(bytes.size(), mostBytes);  // it grew, or is one of the kernel's
+  if (bytes.size() > mostBytes) refuseSize(bytes.size(), mostBytes);  // the file grew, or is in /proc
   return bytes;
 }
 

@@ -13,10 +13,9 @@
 
 namespace poinsot::core {
 
-/// What two equal things have in common and no two others are known to.
 using Digest = std::array<std::uint8_t, 32>;
 
-/// SHA-256 (FIPS 180-4) of bytes that come piece by piece.
+/// SHA-256 hash (FIPS 180-4) of bytes that are added piece by piece.
 class Sha256 {
  public:
   Sha256();
@@ -25,17 +24,17 @@ class Sha256 {
 
   void add(std::span<const std::byte> bytes);
   void add(std::string_view text);
-  /// Of all that was added. Call once.
+  /// Returns the digest of all added bytes. Call once.
   Digest finish();
 
  private:
-  struct Context;  // keeps OpenSSL's headers out of this one
+  struct Context;  // keeps OpenSSL's headers out of this header
   std::unique_ptr<Context> context_;
 };
 
 Digest sha256(std::string_view text);
 
-/// 64 lower-case hexadecimal digits, as sha256sum prints them.
+/// Returns 64 lower-case hexadecimal digits, as sha256sum prints them.
 std::string toHex(const Digest& digest);
 
 }  // namespace poinsot::core

@@ -6,8 +6,8 @@
 namespace poinsot::core {
 namespace {
 
-/// "libX.so.1 cannot be opened: REASON", with what to install only where a file is missing: installing helps no
-/// library that is there (no memory, another architecture). @param reason  of dlerror()
+/// Returns "libX.so.1 cannot be opened: REASON". Names the package to install only if a file is missing, because
+/// installing does not help otherwise (no memory, another architecture). @param reason  from dlerror()
 std::string whyNotOpened(const std::string& soname, const std::string& package, std::string reason) {
   if (reason.starts_with(soname + ": ")) reason.erase(0, soname.size() + 2);
   const bool missing = reason.find("No such file") != std::string::npos;
@@ -24,7 +24,7 @@ SharedLibrary::SharedLibrary(const char* soname, const char* package, ErrorKind 
 
 bool SharedLibrary::isOpen(const char* soname) {
   void* const handle = dlopen(soname, RTLD_NOLOAD | RTLD_LAZY);
-  if (handle) dlclose(handle);  // gives back what this dlopen counted
+  if (handle) dlclose(handle);  // drops the reference that this dlopen added
   return handle != nullptr;
 }
 

@@ -7,29 +7,29 @@
 
 namespace poinsot::core {
 
-/// A library opened at run time: one binary runs where any of its back ends exists, and a process that draws no
-/// film does not bind what films are made with. It is never closed: Mesa, LLVM and OpenMP keep thread-local state
-/// and exit handlers.
+/// Shared library opened at run time, so that one binary runs with any of its back ends, and a process that makes
+/// no film does not load the film libraries. The library is never closed, because Mesa, LLVM and OpenMP keep
+/// thread-local state and exit handlers.
 class SharedLibrary {
  public:
-  /// @param soname, package  live as long as the program: string literals.
-  /// @param kind  of errors, here and below.
-  /// @throws Error with the loader's reason and, where the library is missing, the package to install.
+  /// @param soname, package  string literals; they must live as long as the program
+  /// @param kind  kind of errors thrown here and by load()
+  /// @throws Error with the loader's reason and, if the library is missing, the package to install
   SharedLibrary(const char* soname, const char* package, ErrorKind kind);
-  /// Whether something in the process has opened the library; opens nothing.
+  /// Returns whether the process has already loaded the library; does not load it.
   static bool isOpen(const char* soname);
 
   SharedLibrary(const SharedLibrary&) = delete;
   SharedLibrary& operator=(const SharedLibrary&) = delete;
 
-  /// Of the library itself or of one that it needs. @throws Error where there is no such function.
+  /// Looks up a function in the library and in those it needs. @throws Error if there is no such function.
   template <typename Function>
   void load(Function*& function, const char* name) const {
     find(function, name);
     if (!function) throw Error(kind_, std::string(soname_) + " has no function " + name);
   }
 
-  /// Null where there is no such function.
+  /// Looks up a function; sets null if there is no such function.
   template <typename Function>
   void find(Function*& function, const char* name) const {
     function = reinterpret_cast<Function*>(address(name));

@@ -10,12 +10,11 @@
 namespace poinsot::core {
 namespace {
 
-/// Whether it can be shown as it is: a script, too, is printed to terminals. No line ends, in here-documents.
+/// Returns whether a word can be shown unchanged: it is one line, and safe on a terminal.
 bool isShown(std::string_view word) {
   return word.find_first_of("\n\t") == std::string_view::npos && printableLines(word) == word;
 }
 
-/// Means nothing but itself to a shell, wherever in a word it stands.
 bool isPlain(char c) {
   const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
   return letter || std::string_view("_./:=@%+,-").find(c) != std::string_view::npos;
@@ -27,11 +26,12 @@ std::string inSingleQuotes(std::string_view word) {
   return text + "'";
 }
 
-/// $'...', in which bytes have numbers. Of three digits, so that one that follows is not taken for a part of it.
+/// Quotes a word as $'...', with bytes as octal numbers. Always three digits, so that a following digit stays
+/// separate.
 std::string inNumberedQuotes(std::string_view word) {
   std::string text = "$'";
   for (const char c : word)
-    if (c < 0x20 || c == 0x7f)  // also what is not ASCII
+    if (c < 0x20 || c == 0x7f)  // includes bytes that are not ASCII: they are negative
       text += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
     else
       text += c == '\'' || c == '\\' ? std::string{'\\', c} : std::string(1, c);

@@ -7,12 +7,10 @@
 
 namespace poinsot::core {
 
-/// A word as bash reads it back: bare where that is safe, else in quotes. What a terminal would obey
-/// is written as numbers, so that the result can be shown, and is always one line, in a here-document and behind a
-/// # too.
+/// Quotes a word for bash if necessary. Characters that a terminal would interpret become octal numbers, so that
+/// the result is one line and safe to print, also in a here-document or after a #.
 std::string shellWord(std::string_view word);
 
-/// Words with spaces between them.
 std::string shellWords(const std::vector<std::string>& words);
 
 }  // namespace poinsot::core

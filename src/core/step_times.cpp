@@ -15,8 +15,8 @@ struct StepFacts {
   clockid_t clock;
 };
 
-// llvmpipe may draw in threads of its own. A state costs less than the 500 ns that it takes to ask for CPU time,
-// and a path has thousands: they go by the wall, which is read in 25 ns.
+// Process CPU time covers llvmpipe's own threads. States go by the wall clock, which is read in 25 ns: reading CPU
+// time takes 500 ns, more than a state costs, and a path has thousands of states.
 constexpr std::array<StepFacts, kSteps> kFacts{{{"simulate", CLOCK_MONOTONIC},
                                                 {"compose", CLOCK_THREAD_CPUTIME_ID},
                                                 {"draw", CLOCK_PROCESS_CPUTIME_ID},
@@ -60,8 +60,8 @@ double StepTimes::sum_s(Step first, Step last) const {
   return sum;
 }
 
-// A step in pieces, such as the states of a path inside its composition, is one span: from where the first began,
-// as long as they took together. So it lies within the step around it.
+// Pieces of a step, such as the states of a path inside its composition, become one span. The span begins with the
+// first piece and lasts as long as all pieces together, so that it stays within the enclosing step.
 void StepLedger::add(Span span) {
   if (!traces_) return;
   if (!spans_.empty() && spans_.back().name == span.name && spans_.back().frame == span.frame)
@@ -82,7 +82,7 @@ StepScope::StepScope(StepLedger* ledger, Step step) : ledger_(ledger), step_(ste
 StepScope::~StepScope() {
   if (ledger_ == nullptr) return;
   const double spent_s = now_s(factsOf(step_).clock) - begin_s_;
-  // A step within may have gone by the wall, and have waited for a CPU meanwhile.
+  // A nested step may use the wall clock and have waited for a CPU, so that the difference is negative.
   ledger_->add(step_, std::max(spent_s - inner_s_, 0.0));
   if (outer_ != nullptr) outer_->inner_s_ += spent_s;
   ledger_->innermost_ = outer_;
@@ -90,7 +90,7 @@ StepScope::~StepScope() {
   try {
     ledger_->add({nameOf(step_), begin_ns_, monotonic_ns(), ledger_->frame_});
   } catch (const std::bad_alloc&) {
-    // A trace without it is better than no end.
+    // An incomplete trace is better than an exception from a destructor.
   }
 }
 

@@ -12,61 +12,58 @@
 
 namespace poinsot::core {
 
-/// What a frame's time is spent on, in the order in which a frame goes through them.
+/// Step of making a frame whose time is measured; frames go through the steps in this order.
 enum class Step {
-  kSimulate,  ///< states of the motion
-  kCompose,   ///< the draw list of them
-  kDraw,      ///< outlines and the passes over solids
-  kResolve,   ///< the composite pass
-  kRead,      ///< pixels from the back end
-  kText,      ///< type, areas and strokes
-  kConvert,   ///< RGB to the encoder's pixels
-  kEncode,    ///< the encoder, or PNG compression, or a figure
-  kWrite,     ///< files
+  kSimulate,
+  kCompose,  ///< builds the draw list
+  kDraw,     ///< draws outlines, and the passes over solids
+  kResolve,  ///< draws the composite pass
+  kRead,     ///< reads pixels back from OpenGL
+  kText,     ///< draws type, areas and strokes
+  kConvert,  ///< converts RGB to the encoder's pixels
+  kEncode,   ///< encodes video, PNG or a figure
+  kWrite,
 };
 inline constexpr std::size_t kSteps = 9;
 
-/// "simulate"
 const char* nameOf(Step step);
 
-/// Seconds by step.
+/// Seconds spent in each step.
 class StepTimes {
  public:
   double& operator[](Step step) { return seconds_[static_cast<std::size_t>(step)]; }
   double operator[](Step step) const { return seconds_[static_cast<std::size_t>(step)]; }
   StepTimes& operator+=(const StepTimes& other);
   StepTimes& operator-=(const StepTimes& other);
-  /// Of these and those between them.
+  /// Returns the sum over the steps from `first` to `last`, both included.
   double sum_s(Step first = Step::kSimulate, Step last = Step::kWrite) const;
 
  private:
   std::array<double, kSteps> seconds_{};
 };
 
-/// CPU seconds of this process so far, all its threads together.
+/// Returns the CPU seconds of this process so far, over all its threads.
 double processCpu_s();
-/// CLOCK_MONOTONIC: the same in all processes.
+/// Returns the time of CLOCK_MONOTONIC, which all processes share.
 std::int64_t monotonic_ns();
 
-/// A stretch of time on that clock, for a trace.
+/// Interval on the clock of monotonic_ns(), for a trace.
 struct Span {
   std::string name;
   std::int64_t begin_ns = 0, end_ns = 0;
-  std::optional<std::int64_t> frame = {};  ///< of which it is; none of a segment's end
+  std::optional<std::int64_t> frame = {};  ///< frame number; nullopt at the end of a segment
 };
 
-/// What steps have cost, each without the steps inside it; while a trace is wanted also when they were. Of one
-/// thread.
+/// Ledger of the time that one thread spends in each step, without nested steps. With trace(), also keeps spans.
 class StepLedger {
  public:
   const StepTimes& times() const { return times_; }
   void add(Step step, double seconds) { times_[step] += seconds; }
 
-  /// From now on spans are kept. Who asks for them takes them often: they need memory.
+  /// Records spans from now on. Call takeSpans() often, because spans need memory.
   void trace() { traces_ = true; }
-  /// What the next spans are of.
   void setFrame(std::optional<std::int64_t> frame) { frame_ = frame; }
-  /// A span of no step. Nothing unless traced.
+  /// Records a span; does nothing without trace().
   void add(Span span);
   std::vector<Span> takeSpans();
 
@@ -80,8 +77,8 @@ class StepLedger {
   std::vector<Span> spans_;
 };
 
-/// Enters the time until its end into a ledger; without a ledger it does nothing. A step inside another is taken
-/// off that one.
+/// Scope whose duration is added to a step of a ledger. Time in a nested scope counts for the nested step only.
+/// Without a ledger (null), does nothing.
 class StepScope {
  public:
   StepScope(StepLedger* ledger, Step step);
@@ -93,7 +90,7 @@ class StepScope {
   StepLedger* ledger_;
   Step step_;
   StepScope* outer_ = nullptr;
-  double inner_s_ = 0;  // of the steps inside
+  double inner_s_ = 0;  // time of nested steps
   double begin_s_ = 0;
   std::int64_t begin_ns_ = 0;
 };

@@ -55,7 +55,7 @@ TemporaryFolder::~TemporaryFolder() {
   try {
     removeClaimedFolder(folder_.path);
   } catch (const std::bad_alloc&) {
-    // It is under TMPDIR, where the system clears up.
+    // The folder stays in TMPDIR, which the system cleans up.
   }
 }
 

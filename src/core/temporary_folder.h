@@ -7,13 +7,13 @@
 
 namespace poinsot::core {
 
-/// A folder of its own, gone with all that is in it when this object is. After a SIGKILL it is gone when the next
-/// one is made in the same place (abandoned_folders.h).
+/// Temporary folder that is removed, with its contents, on destruction. After a SIGKILL, the next TemporaryFolder
+/// in the same place removes it (abandoned_folders.h).
 class TemporaryFolder {
  public:
-  /// Under TMPDIR. @throws core::Error(kIo) if there is no room for it.
+  /// Makes a folder under TMPDIR. @throws core::Error(kIo) if that fails.
   TemporaryFolder();
-  /// In memory, for files of which it takes many and no room; under TMPDIR where that cannot be.
+  /// Makes a folder in memory (/dev/shm), for many small files. Falls back to TMPDIR.
   static TemporaryFolder inMemory();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;

@@ -10,8 +10,8 @@ namespace poinsot::core {
 namespace {
 
 constexpr int kLongestShown = 200;
-constexpr std::size_t kTellingPart = 3;   // letters that make a part of a word enough to tell it
-constexpr std::size_t kTellingBegin = 5;  // and its beginning, whatever follows
+constexpr std::size_t kTellingPart = 3;   // fewest letters that identify a candidate that contains them
+constexpr std::size_t kTellingBegin = 5;  // fewest letters that identify a candidate by its beginning
 
 std::size_t commonBegin(std::string_view a, std::string_view b) {
   return static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin());
@@ -23,11 +23,11 @@ bool unsafe(char32_t c) {
       (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x206f) || c == 0x200e || c == 0x200f || c == 0x061c;
   const bool separator = c == 0x2028 || c == 0x2029;
   const bool unseen = c == 0xfeff || (c >= 0xfff9 && c <= 0xfffb) || (c >= 0xe0000 && c <= 0xe007f) ||
-                      (c & 0xfffe) == 0xfffe;  // the last two of each plane are no characters
+                      (c & 0xfffe) == 0xfffe;  // the last two of each plane are noncharacters
   return control || bidi || separator || unseen;
 }
 
-/// Of one character or, where there is none, one byte at the front of `text`, which it takes away.
+/// Moves one character, or one byte that is not UTF-8, from `text` to the end of `shown`, escaped if unsafe.
 void appendShown(std::string_view& text, std::string& shown) {
   const CodePoint c = firstCodePoint(text);
   const std::size_t length = std::max<std::size_t>(c.length, 1);
@@ -56,12 +56,12 @@ CodePoint firstCodePoint(std::string_view text) {
   }
   constexpr char32_t kSmallest[] = {0, 0, 0x80, 0x800, 0x10000};
   const bool surrogate = value >= 0xd800 && value <= 0xdfff;
-  if (value < kSmallest[length] || value > 0x10ffff || surrogate) return {};  // overlong or no character
+  if (value < kSmallest[length] || value > 0x10ffff || surrogate) return {};
   return {value, length};
 }
 
 int editDistance(std::string_view a, std::string_view b) {
-  // Optimal string alignment: three rows, as a swap of neighbours looks two rows back.
+  // Computes the optimal string alignment, with three rows, because a swap of neighbours looks two rows back.
   std::vector<int> twoBack(b.size() + 1), previous(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) previous[j] = static_cast<int>(j);
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -90,10 +90,10 @@ std::optional<std::string> closest(std::string_view word, const std::vector<std:
     }
   }
   if (best || word.size() < kTellingPart) return best;
-  // "omega" for "omega_body", "moments" for "principal_moments".
+  // Finds "omega_body" for "omega", and "principal_moments" for "moments".
   for (const std::string& candidate : candidates)
     if (candidate.find(word) != std::string::npos) return candidate;
-  // "gravitation" for "gravity".
+  // Finds "gravity" for "gravitation".
   for (const std::string& candidate : candidates)
     if (commonBegin(word, candidate) >= kTellingBegin) return candidate;
   return best;
@@ -131,7 +131,7 @@ std::string printable(std::string_view untrusted) {
 std::string printableLines(std::string_view untrusted) {
   std::string shown;
   while (!untrusted.empty()) {
-    // Nearly all of it is plain: taken together.
+    // Copies runs of plain characters at once, because nearly all text is plain.
     const auto plain = [](char c) { return (c >= ' ' && c < 0x7f) || c == '\n' || c == '\t'; };
     const auto end = std::ranges::find_if_not(untrusted, plain);
     shown.append(untrusted.begin(), end);

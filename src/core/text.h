@@ -9,26 +9,26 @@
 
 namespace poinsot::core {
 
-/// One character of UTF-8 and how many bytes it took.
+/// Character of a UTF-8 text, and the number of bytes that it takes.
 struct CodePoint {
   char32_t value = 0;
-  std::size_t length = 0;  ///< 0 when the bytes are not UTF-8
+  std::size_t length = 0;  ///< 0 if the bytes are not UTF-8
 };
 
-/// The first character of `text`, which must not be empty. Overlong forms and surrogates are not UTF-8.
+/// Decodes the first character of `text`, which must not be empty. Overlong forms and surrogates are not UTF-8.
 CodePoint firstCodePoint(std::string_view text);
 
-/// Number of single-character edits (insert, delete, replace, swap of neighbours) from a to b.
+/// Returns the number of single-character edits (insert, delete, replace, swap of neighbours) from `a` to `b`.
 int editDistance(std::string_view a, std::string_view b);
 
-/// The candidate nearest to `word` if it is near enough to be what was meant (at most a third of its letters
-/// differ, or two of five and more, and not all), else the first that contains it; for "did you mean".
+/// Returns the candidate for "did you mean": the nearest to `word`, if at most max(n / 3, 1) of the word's n
+/// letters differ (2 from n = 5 on), and not all. Otherwise returns the first that contains `word` or shares its
+/// first five letters.
 std::optional<std::string> closest(std::string_view word, const std::vector<std::string>& candidates);
 
-/// Returns the text without the blanks at its ends: spaces, tabs, and the carriage return of a line from Windows.
+/// Returns the text without spaces, tabs and carriage returns (of Windows lines) at its ends.
 std::string_view trimmed(std::string_view text);
 
-/// Returns the words with the separator between them. @param words  a range of strings or string views
 template <class Words>
 std::string joined(const Words& words, std::string_view separator) {
   std::string text;
@@ -44,23 +44,23 @@ std::string joined(const Words& words, std::string_view separator) {
 /// Returns the text with its ASCII capitals as small letters.
 std::string lowered(std::string_view text);
 
-/// Returns "; endings are in small letters: a.mp4" if only capitals keep the ending of the file name from being
-/// one of `endings`; else an empty string. Append it to the message that refuses the name.
+/// Returns "; endings are in small letters: a.mp4" if the ending of a file name is in `endings` except for
+/// capitals; otherwise an empty string. Append the result to the message that rejects the name.
 /// @param endings  with the dot
 std::string smallLettersHint(std::string_view name, const std::vector<std::string>& endings);
 
-/// Untrusted text made safe for a terminal, a log or a message: control characters, DEL, C1, bidi controls,
-/// characters that are not seen, line separators and invalid UTF-8 become \xNN or \u{N}; cut at 200 characters
+/// Escapes untrusted text for a terminal, a log or a message. Control characters, DEL, C1, bidi controls,
+/// invisible characters, line separators and invalid UTF-8 become \xNN or \u{N}. Cuts the text at 200 characters,
 /// with an ellipsis.
 std::string printable(std::string_view untrusted);
 
-/// The same of text of several lines: line ends and tabs stay, and it is not cut.
+/// Escapes like printable(), but keeps line ends and tabs, and does not cut the text.
 std::string printableLines(std::string_view untrusted);
 
-/// Returns the text as it stands between the tags of XML and HTML: & < and > are escaped.
+/// Escapes & < and > for text between the tags of XML and HTML.
 std::string xmlText(std::string_view text);
 
-/// The same for the value of an attribute: quotation marks, too.
+/// Escapes & < > and double quotes for the value of an XML or HTML attribute.
 std::string xmlAttribute(std::string_view text);
 
 }  // namespace poinsot::core

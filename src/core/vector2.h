@@ -7,9 +7,9 @@
 
 namespace poinsot::core {
 
-/// Two numbers in one layout under all flags; Eigen::Vector2d converts to it and from it. Containers do not
-/// convert: a std::span<const Vector2> takes a std::vector<Vector2>, not a std::vector<Eigen::Vector2d>, which a
-/// compiler may align.
+/// Vector of two numbers with the same layout under all compiler flags. Converts to and from Eigen::Vector2d, but
+/// containers do not convert: a std::span<const Vector2> takes a std::vector<Vector2>, not a
+/// std::vector<Eigen::Vector2d>, whose elements a compiler may align.
 using Vector2 = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
 
 static_assert(laidOut<Vector2, 16>());

@@ -6,11 +6,11 @@
 
 namespace poinsot::core {
 
-/// Whether a text is what a pattern means: `*` stands for any run of characters, also for none, and `\*` for a
-/// star; every other character, brackets included, for itself.
+/// Returns whether a text matches a pattern. `*` matches any run of characters, also an empty one; `\*` matches a
+/// star and `\\` a backslash. Every other character, brackets included, matches itself.
 bool matchesWildcard(std::string_view pattern, std::string_view text);
 
-/// The pattern that means this text only.
+/// Returns a pattern that matches only this text.
 std::string wildcardOf(std::string_view text);
 
 }  // namespace poinsot::core

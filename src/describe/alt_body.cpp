@@ -8,7 +8,7 @@
 namespace poinsot::describe {
 namespace {
 
-constexpr std::size_t kMostPartsNamed = 4;  // more is a list nobody listens to
+constexpr std::size_t kMostPartsNamed = 4;  // a longer list is tiresome when read aloud
 
 template <typename Vector>
 std::string byWords(const Vector& lengths_m) {
@@ -25,7 +25,6 @@ std::string high(const char* noun, double radius_m, double height_m) {
   return fmt::format("{} and height {}", round(noun, radius_m), lengthWords(height_m));
 }
 
-/// A noun with its article and its lengths.
 struct SolidWords {
   std::string operator()(const physics::Box& s) const { return "a box of " + byWords(s.edges_m); }
   std::string operator()(const physics::HollowBox& s) const { return "a hollow box of " + byWords(s.edges_m); }
@@ -91,7 +90,7 @@ std::string partsWords(const std::vector<scene::Part>& parts) {
   return fmt::format("made of {}", listWords(nouns));
 }
 
-/// "1.2 kg m² about e1 and e2 and 3 kg m² about e3"
+/// Returns words such as "1.2 kg m² about e1 and e2 and 3 kg m² about e3"; equal moments are named together.
 std::string momentsWords(const physics::PrincipalMoments& moments) {
   std::vector<std::string> words;
   for (int axis = 0; axis < 3; ++axis) {

@@ -19,13 +19,11 @@ namespace {
 using physics::PolhodeRegime;
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kLeastTilt_rad = 1e-9;  // below, axis and L are one line in any picture
-constexpr int kLongestClosure = 100;     // swings of the herpolhode: more is no closed curve to the eye
-constexpr double kClosure_rad = 1e-9;    // as in `info`
+constexpr double kLeastTilt_rad = 1e-9;  // below this angle, the axis and L look like one line
+constexpr int kLongestClosure = 100;     // swings of the herpolhode; after more, the eye sees no closed curve
+constexpr double kClosure_rad = 1e-9;    // same tolerance as in `info`
 
 std::string spinWords(const scene::Scene& scene) { return turningWords(scene.motion.omega_B.norm()); }
-
-// ---- Free motion
 
 std::string whereLPoints(const scene::Scene& scene) {
   if (scene.motion.orientation_WB) return "";
@@ -42,7 +40,7 @@ std::string constancyOfL(const scene::Scene& scene) {
       falls ? " about that point" : "", numberWords(L), whereLPoints(scene));
 }
 
-/// Says also that a spin about the middle axis does not last: no real start is exact.
+/// Adds that a spin about the middle axis does not last, because no real start is exact.
 std::string steadySentence(const scene::Scene& scene) {
   const std::string text =
       fmt::format("It spins steadily at {}: ω keeps its size and its direction.", spinWords(scene));
@@ -76,7 +74,7 @@ int axisOfRank(const scene::Scene& scene, std::size_t rank) {
   return scene.body.axes.moments().ascendingAxes()[rank];
 }
 
-/// The axis that the polhode goes round.
+/// Returns the axis that the polhode goes round, such as "e3, the axis of largest moment".
 std::string circledAxis(const scene::Scene& scene, PolhodeRegime regime) {
   const bool smallest = regime == PolhodeRegime::kAboutSmallest;
   return fmt::format("{}, the axis of {} moment", axisName(axisOfRank(scene, smallest ? 0 : 2)),
@@ -142,8 +140,6 @@ Sentences freeSentences(const scene::Scene& scene) {
   return sentences;
 }
 
-// ---- Driven motion
-
 std::string nutationWords(const physics::Nutation& nutation) {
   const std::string least = angleWords(nutation.leastTilt_rad), most = angleWords(nutation.mostTilt_rad);
   if (least == most) return fmt::format("keeps an angle of {} with the vertical", least);
@@ -170,7 +166,7 @@ std::string axisOfLargest(const physics::PrincipalMoments& moments) {
   return fmt::format("{}, the axis of largest moment", axisName(axis[2]));
 }
 
-/// Where loss of energy at constant L ends.
+/// Describes the loss of energy and, if nothing else acts, the steady spin in which the motion ends.
 std::string dissipationSentence(const scene::Scene& scene, bool alone) {
   const auto& moments = scene.body.axes.moments();
   std::string text = "It loses energy inside, but not angular momentum";
@@ -181,13 +177,13 @@ std::string dissipationSentence(const scene::Scene& scene, bool alone) {
                      numberWords(L), axisOfLargest(moments), turningWords(L / moments.values().maxCoeff()));
 }
 
-/// What drag of one rate about all axes leaves.
 std::string dragSentence(const Eigen::Vector3d& rate_P) {
   if (rate_P.minCoeff() < rate_P.maxCoeff()) return "Drag slows it down, about some axes more than about others.";
   return fmt::format("Drag slows it down, in {} to 1/e of its spin.", timeWords(1 / rate_P[0]));
 }
 
-/// Steps that give a torque in one set of axes have zeros in the other.
+/// Reports whether any step has a torque. Torques given in body axes are zero in the history of the space axes,
+/// and the other way round.
 bool acts(const physics::TorqueHistory& history) {
   return std::ranges::any_of(history.torque, [](const Eigen::Vector3d& torque) { return !torque.isZero(0); });
 }
@@ -216,8 +212,6 @@ Sentences drivenSentences(const scene::Scene& scene) {
   if (forcing.dissipation > 0) sentences.push_back(dissipationSentence(scene, rest.none()));
   return sentences;
 }
-
-// ---- Flight
 
 Sentences flightSentences(const scene::Flight& flight) {
   const std::string speed = fmt::format("{} m/s", numberWords(flight.velocity_W.norm()));

@@ -15,9 +15,7 @@
 namespace poinsot::describe {
 namespace {
 
-// ---- Colours by the names that people give them
-
-/// In degrees round the circle of hues of sRGB, from red.
+/// Returns the hue in degrees round the sRGB colour circle, with red at 0.
 double hueOf(double r, double g, double b, double chroma) {
   const double most = std::max({r, g, b});
   if (most == r) return 60 * ((g - b) / chroma + (g < b ? 6 : 0));
@@ -47,9 +45,7 @@ const char* colorName(const draw::Color& color) {
   return chroma < 0.2 * most || most < 0.15 ? greyName(most) : hueName(hueOf(r, g, b, chroma));
 }
 
-// ---- What is drawn
-
-/// What one colour means: its things, in the words for those that a view shows.
+/// Things that are drawn in one colour, listed in words.
 struct Family {
   draw::Color color;
   std::string things;
@@ -131,7 +127,7 @@ Sentences colorSentences(const scene::Scene& scene) {
   return sentences;
 }
 
-/// What has no family's colour, or one that the scene chose.
+/// Lists the drawn things without a family's colour, and those for which the scene chose a colour.
 std::string otherWords(const scene::Scene& scene) {
   static const std::vector<Thing> things{
       {"an arrow for the torque", [](const scene::Show& s) { return s.figures.torque.visible; }},
@@ -149,8 +145,6 @@ std::string otherWords(const scene::Scene& scene) {
   for (const scene::NamedAngle& angle : scene.angles) add("an angle", angle.name);
   return listWords(words);
 }
-
-// ---- Views
 
 const char* observerWords(scene::CameraFrame frame) {
   switch (frame) {
@@ -170,7 +164,8 @@ std::string headingWords(const scene::View& view) {
   return title + ": " + below;
 }
 
-/// ", with the path of its centre of mass, ..." of a thrown body that moves along.
+/// Returns ", with the path of its centre of mass, ..." for a thrown body that moves through the view. Empty if
+/// the picture moves with the body.
 std::string flightWords(const scene::Scene& scene, const scene::View& view) {
   if (!scene::movesAlong(scene.motion, view.camera, view.show)) return "";
   std::vector<std::string> things{"the path of its centre of mass"};
@@ -196,7 +191,6 @@ Sentences viewSentences(const scene::Scene& scene) {
   return sentences;
 }
 
-/// "omega 1, omega 2 and theta"
 std::string quantityWords(const scene::Scene& scene, const std::vector<int>& quantities) {
   std::string words;
   for (std::size_t i = 0; i < quantities.size(); ++i) {
@@ -234,7 +228,7 @@ std::string exaggerationSentence(double factor) {
       numberWords(factor));
 }
 
-/// "at 0.7 of the true pace", "20 times slower than in truth"
+/// Returns words for the ratio of motion time to film time, such as "at 0.7 of the true pace".
 std::string paceWords(double pace) {
   if (pace == 1) return "at the true pace";
   if (pace > 1) return fmt::format("{} times faster than in truth", numberWords(pace));

@@ -9,7 +9,7 @@ namespace poinsot::describe {
 
 namespace {
 
-constexpr double kZeroBelow = 1e-12;  // of the scale: a few thousand roundings of a double
+constexpr double kZeroBelow = 1e-12;  // relative to `scale`; a few thousand times the rounding error of a double
 
 std::string raised(int exponent) {
   constexpr const char* kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -18,7 +18,6 @@ std::string raised(int exponent) {
   return text;
 }
 
-/// Three digits, without zeros at the end.
 std::string threeDigits(double value) { return fmt::format("{:.3g}", value); }
 
 }  // namespace

@@ -6,41 +6,38 @@
 
 #include "scene/scene.h"
 
-/// The sentences of altText().
+/// Sentences of which altText() consists, and words for values with units.
 namespace poinsot::describe {
 
 using Sentences = std::vector<std::string>;
 
-/// The names of the principal axes, "e1" to "e3".
+/// Returns the name of a principal axis, "e1" to "e3" for 0 to 2.
 std::string axisName(int axis);
 
-/// Describes the body: shape, size, mass, moments.
 Sentences bodySentences(const scene::Scene& scene);
-/// Describes the motion: what acts on the body, its rates and periods, what is conserved.
 Sentences motionSentences(const scene::Scene& scene);
-/// Describes the picture: what is drawn, in which colour, from where; the film's length and pace.
 Sentences pictureSentences(const scene::Scene& scene);
 
-/// To three digits: "0.0123", "12800", "8.01 × 10³⁷"; "0" for anything so small that it is rounding beside
-/// `scale`.
+/// Returns a number with three digits: "0.0123", "12800", "8.01 × 10³⁷".
+/// @param scale  magnitude beside which a value up to 1e-12 times as large is rounding error and becomes "0"
 std::string numberWords(double value, double scale = 0);
 
-/// With the unit that suits it: "12 ms", "8.4 s", "312 days". Infinite: "an infinite time".
+/// Returns a time in the unit that suits it: "12 ms", "8.4 s", "312 days"; "an infinite time" for infinity.
 std::string timeWords(double time_s);
 
-/// "17 cm", "12800 m".
+/// Returns a length in centimetres below 1 m, otherwise in metres: "17 cm", "12800 m".
 std::string lengthWords(double length_m);
 
-/// "25.3°"
+/// Returns an angle in degrees, such as "25.3°".
 std::string angleWords(double angle_rad);
 
-/// "3.78 rad/s"
 std::string rateWords(double rate);
 
-/// "3.78 rad/s, one turn in 1.66 s", or so many turns a second.
+/// Returns a rate in rad/s with the time of a turn, "3.78 rad/s, one turn in 1.66 s", or with turns a second if a
+/// turn takes less than 0.5 s.
 std::string turningWords(double rate);
 
-/// "a", "a and b", "a, b and c"
+/// Returns a list in words: "a", "a and b", "a, b and c".
 std::string listWords(const std::vector<std::string>& words);
 
 }  // namespace poinsot::describe

@@ -7,7 +7,6 @@
 namespace poinsot::describe {
 namespace {
 
-/// "Title: subtitle." in plain Unicode.
 Sentences heading(const scene::Scene& scene) {
   std::string text = text::setTex(scene.show.title).plainText;
   const std::string below = text::setTex(scene.show.subtitle).plainText;

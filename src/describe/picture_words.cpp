@@ -14,7 +14,6 @@
 namespace poinsot::describe {
 namespace {
 
-/// "omega 1 from 0.01 rad/s to 0.05 rad/s"
 std::string rangeWords(const stage::SweepLabels& labels) {
   const auto plain = [](const std::string& tex) { return text::setTex(tex).plainText; };
   return fmt::format("{} from {} to {}", plain(labels.name), plain(labels.values.front()),

@@ -7,13 +7,13 @@
 
 namespace poinsot::describe {
 
-/// What the files of a scene's pictures say of themselves, UTF-8 without TeX: the same for every instant.
+/// Metadata of a scene's picture files, UTF-8 without TeX, the same at every instant.
 struct PictureWords {
-  std::string title;        ///< the picture's, or the scene's name
-  std::string description;  ///< altText(): for those who do not see it
+  std::string title;        ///< title of the picture; the scene's name if the title is empty
+  std::string description;  ///< alternative text for readers who do not see the picture; see altText()
 };
 
-/// @throws core::Error(kPhysics) as altText() and stage::StabilityMap.
+/// @throws core::Error(kPhysics) if altText() or stage::StabilityMap throws
 PictureWords pictureWords(const request::RequestedScene& requested);
 
 }  // namespace poinsot::describe

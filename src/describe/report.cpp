@@ -23,19 +23,19 @@ using Json = nlohmann::ordered_json;
 template <typename T>
 constexpr bool kIsList = std::is_same_v<T, std::vector<double>> || std::is_same_v<T, Eigen::Vector3d>;
 
-/// A zero has no sign here.
+/// Formats a number with `digits` significant digits; negative zero loses its sign.
 std::string numberText(double value, int digits) { return fmt::format("{:.{}g}", value == 0 ? 0 : value, digits); }
 
-/// Whether the fact's numbers are components along axes: the frame stands at the end of its key. A quaternion's
-/// are of one length, too.
+/// Reports whether the fact's numbers are components along axes. Such keys end in the letter of the frame.
+/// Quaternions count too, because their components share one length.
 bool isOfComponents(const Fact& fact) {
   return fact.key.ends_with("_B") || fact.key.ends_with("_W") || fact.key == "orientation";
 }
 
-/// The same without the components that are the rounding of the others: what a rotation leaves of a zero.
+/// Replaces components that are rounding errors of the largest one by 0, such as a zero after a rotation.
 template <typename T>
 T withoutRounding(T components) {
-  constexpr double kRounding = 0x1p-50;  // four units in the last place of the largest
+  constexpr double kRounding = 0x1p-50;  // four units in the last place of the largest component
   const double least = kRounding * components.cwiseAbs().maxCoeff();
   return components.unaryExpr([&](double c) { return std::abs(c) <= least ? 0.0 : c; });
 }
@@ -62,7 +62,7 @@ std::string listText(const List& values, int digits) {
   return text + ")";
 }
 
-/// Rows of columns that are as wide as they need be.
+/// Returns a matrix as three lines with right-aligned columns.
 std::vector<std::string> rows(const Eigen::Matrix3d& m, int digits) {
   std::vector<std::string> lines(3);
   for (int column = 0; column < 3; ++column) {
@@ -75,7 +75,6 @@ std::vector<std::string> rows(const Eigen::Matrix3d& m, int digits) {
   return lines;
 }
 
-/// What stands in the second column, a line each.
 std::vector<std::string> valueLines(const FactValue& value, int digits) {
   return std::visit(
       [digits](const auto& v) -> std::vector<std::string> {
@@ -102,7 +101,6 @@ std::string inDegrees(const Fact& fact, int digits) {
   return fmt::format(" ({} deg)", numberText(*angle * 180 / std::numbers::pi, digits));
 }
 
-/// What stands in the table of one fact.
 struct Row {
   std::string_view label, from;
   std::vector<std::string> lines;
@@ -144,7 +142,7 @@ Json valueJson(const FactValue& value) {
         if constexpr (std::is_same_v<T, double>) return finite(v);
         if constexpr (kIsList<T>) return listJson(v.data(), static_cast<std::size_t>(v.size()));
         if constexpr (std::is_same_v<T, Eigen::Matrix3d>) {
-          const Eigen::Matrix3d columns = v.transpose();  // Eigen stores columns, JSON wants rows
+          const Eigen::Matrix3d columns = v.transpose();  // Eigen stores columns, JSON needs rows
           return {listJson(columns.data(), 3), listJson(columns.data() + 3, 3), listJson(columns.data() + 6, 3)};
         }
         if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, int> || std::is_same_v<T, std::string>)

@@ -11,18 +11,17 @@
 
 namespace poinsot::describe {
 
-/// A number, a vector or list of them, a matrix, a count, yes or no, or a word.
 using FactValue =
     std::variant<double, Eigen::Vector3d, std::vector<double>, Eigen::Matrix3d, int, bool, std::string>;
 
-/// One thing to know of a scene. Values in SI units and radians.
+/// A quantity of a scene with its value. Values are in SI units and radians.
 struct Fact {
-  std::string key;    ///< in JSON: snake_case, stable
-  std::string label;  ///< for people
+  std::string key;    ///< name in JSON; snake_case, stable
+  std::string label;  ///< name in the table
   FactValue value;
   std::string unit;          ///< empty for bare numbers and words
-  std::string from;          ///< equation of the lecture, or what else it comes from
-  std::string inWords = {};  ///< for people, in place of a value that is a word for programs
+  std::string from;          ///< equation of the lecture, or another source
+  std::string inWords = {};  ///< text for the table, if the value is an identifier for programs
 };
 
 struct Section {
@@ -40,23 +39,23 @@ struct Report {
   std::vector<Section> sections;
 };
 
-constexpr int kUsualDigits = 6;  ///< what a lecture needs; the JSON has them all
-constexpr int kAllDigits = 17;   ///< that tell any double from any other
+constexpr int kUsualDigits = 6;  ///< significant digits of the table; JSON has full precision
+constexpr int kAllDigits = 17;   ///< significant digits that distinguish all doubles
 
-/// A fact's value with its unit, for people; of a matrix a line for each row. Numbers as in reportTable().
+/// Returns a fact's value with its unit as text, formatted as in reportTable(). A matrix has one line per row.
 std::vector<std::string> factLines(const Fact& fact, int digits = kUsualDigits);
 
-/// A table of three columns: quantity, value with its unit, where it comes from. Angles stand also in degrees; a
-/// component that is the rounding of its vector's is 0.
+/// Returns a table of three columns: quantity, value with unit, source. Angles appear also in degrees. Components
+/// that are rounding errors of the largest one in their vector are printed as 0.
 /// @pre digits from 1 to kAllDigits: significant ones, zeros at the end left out
 std::string reportTable(const Report& report, int digits = kUsualDigits);
 
-/// One object: scene, each key with its value in full precision (infinite: null), units by key, from by key.
-/// Bare numbers, words and truth values have no unit.
+/// Returns a JSON object: the scene's name, each key with its value in full precision (infinity as null), the
+/// units by key and the sources by key. Bare numbers, words and booleans have no unit.
 std::string reportJson(const Report& report);
 
-/// What one would work out by hand about a scene: every number from the physics layer.
-/// @throws core::Error(kPhysics) for a motion that has no solution.
+/// Returns the facts about a scene that one would work out by hand, all computed by the physics library.
+/// @throws core::Error(kPhysics) for a motion that has no solution
 Report sceneReport(const scene::Scene& scene);
 
 }  // namespace poinsot::describe

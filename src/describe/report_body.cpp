@@ -5,7 +5,7 @@
 namespace poinsot::describe {
 namespace {
 
-/// Returns the equations of the tensor; with products of inertia also their sign, because tables print either.
+/// Returns the tensor's equations and, if there are products of inertia, their sign, on which tables differ.
 std::string tensorSource(const Eigen::Matrix3d& inertia_B, const char* equations) {
   const bool products = !inertia_B.isDiagonal(1e-12);
   return std::string(equations) + (products ? "; off the diagonal -(sum of m x y)" : "");

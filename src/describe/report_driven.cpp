@@ -30,7 +30,8 @@ void addNutation(Section& section, const physics::Nutation& nutation) {
   section.add("precession_per_nutation", "  precession in a period", nutation.precession_rad, "rad", "");
 }
 
-/// Where energy loss at constant L ends: spin about the axis of largest moment. A steady spin loses nothing.
+/// Adds the state in which energy loss at constant L ends: a spin about the axis of largest moment. A steady spin
+/// loses no energy.
 void addFinalState(Section& section, const physics::PrincipalMoments& moments, const Eigen::Vector3d& omega_P) {
   const double largest = moments.values().maxCoeff(), L = moments.values().cwiseProduct(omega_P).norm();
   const double start = 0.5 * omega_P.dot(moments.values().cwiseProduct(omega_P)), end = 0.5 * L * (L / largest);
@@ -53,7 +54,7 @@ void addIntegration(Section& section, const physics::DrivenMotionReport& report)
     section.add("energy_drift", "drift of the total energy", *report.energyDrift, "", "relative, over the run");
 }
 
-/// Facts about the end of the film that is farther from time 0, where the start is given.
+/// Adds the accuracy at that end of the film which is farther from motion time 0, where the start is given.
 void addCondition(Section& section, const scene::Scene& scene, const ReportSpan& span) {
   const bool first = std::abs(span.from_s) > std::abs(span.to_s);
   const std::string end = first ? "the first frame" : "the end";

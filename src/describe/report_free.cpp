@@ -16,8 +16,8 @@ namespace {
 
 using physics::PrecessionCones;
 
-constexpr int kMostRadialPeriods = 1000;    // radial periods
-constexpr double kClosureTolerance = 1e-9;  // rad: a hundredth of a pixel on a circle of a million
+constexpr int kMostRadialPeriods = 1000;
+constexpr double kClosureTolerance = 1e-9;  // rad; 0.001 pixels on a circle with a radius of a million pixels
 
 bool turnsFreely(const scene::Scene& scene) {
   return scene.motion.forcing.none() && !scene.motion.omega_B.isZero(0);
@@ -70,7 +70,6 @@ void addEllipsoids(Section& section, const scene::Scene& scene) {
               "Binet");
 }
 
-/// Facts about the axis of middle moment, which a symmetric top does not have.
 void addMiddleAxis(Section& section, const physics::FlipTimes& flips) {
   section.add("flip_interval", flips.turnsOver ? "time from flip to flip 2K/lambda" : "half a period 2K/lambda",
               flips.interval_s, "s", "omega_mid changes sign");
@@ -97,7 +96,7 @@ void addPolhode(Section& section, const scene::Scene& scene) {
   if (!symmetric) addMiddleAxis(section, flips);
 }
 
-/// A symmetric top's herpolhode: a circle, closed after one turn of omega about L.
+/// Adds a symmetric top's herpolhode, a circle that closes after one turn of omega about L.
 void addCircle(Section& section, const PrecessionCones& cones) {
   section.add("herpolhode_closes", "the herpolhode closes", true, "", "a circle");
   section.add("closure_turns", "  in turns about L", 1, "", "");
@@ -121,8 +120,9 @@ void addHerpolhode(Section& section, const scene::Scene& scene) {
   section.add("closure_time", "  that is", closure->radialPeriods * curve.radialPeriod(), "s", "");
 }
 
-/// True of a top within 2 % of the Earth's (C - A)/A and 1 % of its spin, whatever the unit of its moments. Rigid
-/// models of the Earth differ by 1 % (0.0033 and 1/306), a turn a solar day from one a sidereal day by 0.3 %.
+/// Reports whether a top is within 2 % of the Earth's (C - A)/A and 1 % of its spin, in any unit of the moments.
+/// Rigid models of the Earth differ by 1 % (0.0033 and 1/306); one turn a solar day and one a sidereal day differ
+/// by 0.3 %.
 bool isEarth(const PrecessionCones& cones) {
   constexpr double kEllipticity = 0.0032845, kSpin = 7.292115e-5;  // (C - A)/A and rad/s; IERS Conventions (2010)
   const double ellipticity = cones.bodyRate / cones.spinRate;      // eq 29
@@ -137,7 +137,7 @@ void addChandler(Section& section, const PrecessionCones& cones) {
               "sidereal d", "86 164.09 s each; the Earth turns once in one");
 }
 
-/// A steady spin rolls no cone.
+/// Returns "outside" or "inside", or "none" for a steady spin, in which no cone rolls.
 std::string senseWord(const PrecessionCones& cones) {
   const physics::RollingSense sense = cones.steady() ? physics::RollingSense::kNone : cones.sense;
   if (sense == physics::RollingSense::kOutside) return "outside";

@@ -7,7 +7,8 @@
 namespace poinsot::describe {
 namespace {
 
-/// Facts are in the unit that their dimension's list of usual ones begins with. Null where none was chosen.
+/// Returns the user's unit for the dimension of a fact; null if the user chose none. A fact's own unit is the
+/// first in its dimension's list of usual units.
 const request::UnitChoice::value_type* choiceFor(const Fact& fact, const request::UnitChoice& units) {
   const auto found = std::ranges::find_if(units, [&](const auto& choice) {
     const std::string_view usual = scene::usualUnits(choice.first);

@@ -6,7 +6,7 @@
 
 namespace poinsot::describe {
 
-/// The report for people who think in other units.
+/// Converts a report's values to the units that a user chose.
 Report inUnits(Report report, const request::UnitChoice& units);
 
 }  // namespace poinsot::describe

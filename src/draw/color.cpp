@@ -12,7 +12,6 @@ double decode(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055)
 
 double encode(double c) { return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055; }
 
-/// Linear light of every value.
 template <std::size_t count>
 std::array<float, count> makeDecodeTable() {
   std::array<float, count> table{};
@@ -21,7 +20,7 @@ std::array<float, count> makeDecodeTable() {
   return table;
 }
 
-// Linear light at which the nearest 8-bit value changes from v to v + 1.
+// Returns the linear light at which the nearest 8-bit value changes from v to v + 1.
 std::array<float, 255> makeThresholds() {
   std::array<float, 255> table{};
   for (std::size_t v = 0; v < table.size(); ++v)
@@ -29,7 +28,7 @@ std::array<float, 255> makeThresholds() {
   return table;
 }
 
-// Where to begin looking among the thresholds, for equal parts of [0, 1): at most two steps are left to take.
+// Size of a table of first thresholds to compare, for equal parts of [0, 1). At most two steps remain from there.
 constexpr std::size_t kStarts = 4096;
 
 std::array<std::uint8_t, kStarts> makeStarts(const std::array<float, 255>& thresholds) {

@@ -8,20 +8,20 @@
 
 namespace poinsot::draw {
 
-/// Linear-light red, green, blue in [0, 1].
+/// Colour as linear-light red, green and blue in [0, 1].
 using Color = glm::vec3;
 
-/// Linear light of one 8-bit sRGB value (IEC 61966-2-1).
+/// Returns the linear light of an 8-bit sRGB value (IEC 61966-2-1).
 float linearFromSrgb8(std::uint8_t value);
 
-/// Nearest 8-bit sRGB value of a linear light, clamped to [0, 1].
+/// Returns the nearest 8-bit sRGB value of a linear light, clamped to [0, 1].
 std::uint8_t srgb8FromLinear(float linear);
 
-/// The same of 16 bits: 257 times an 8-bit value is the same light.
+/// Returns the linear light of a 16-bit sRGB value. 257 times an 8-bit value is the same light.
 float linearFromSrgb16(std::uint16_t value);
 std::uint16_t srgb16FromLinear(float linear);
 
-/// By the type of the sample.
+/// Converts 8-bit or 16-bit samples, depending on the type.
 template <typename Sample>
 float linearFromSrgb(Sample value) {
   static_assert(std::is_same_v<Sample, std::uint8_t> || std::is_same_v<Sample, std::uint16_t>);
@@ -39,7 +39,7 @@ Sample srgbFromLinear(float linear) {
     return srgb16FromLinear(linear);
 }
 
-/// Linear light of an sRGB colour written 0xRRGGBB.
+/// Returns the linear light of an sRGB colour written 0xRRGGBB.
 Color fromSrgb(std::uint32_t hex);
 
 }  // namespace poinsot::draw

@@ -15,11 +15,11 @@
 #include "draw/camera.h"
 #include "draw/color.h"
 
-/// What is in a picture, as plain values: no GL, no physics, no files. Lengths are along the picture's axes V,
+/// Content of a picture as plain values: no GL, no physics, no files. Lengths are along the picture's axes V,
 /// widths of lines and sizes of type in pixels, colours in linear light.
 namespace poinsot::draw {
 
-/// How a solid answers light. `gloss` 0 is chalk, 1 a hard highlight.
+/// Response of a solid to light. A `gloss` of 0 is chalk, 1 a hard highlight.
 struct Material {
   Color color{0.5f};
   float gloss = 0.35f;
@@ -32,11 +32,12 @@ struct Graticule {
   Color color{0};
   float width_px = 1.4f;
   float opacity = 1.0f;
-  float farOpacity = 0.35f;  ///< on the sheet away from the viewer (translucent ellipsoids)
+  float farOpacity = 0.35f;  ///< opacity on the far wall of a translucent ellipsoid
 };
 
-/// A solid ellipsoid; the columns of `semiAxes_V` are its three semi-axis vectors. With `marking_px` > 0 it bears
-/// rings about the third axis and four meridians, the one through the first axis heavy.
+/// Solid ellipsoid; the columns of `semiAxes_V` are its three semi-axis vectors. If `marking_px` > 0, it bears
+/// lines of that width: rings about the third axis and four meridians, of which the one through the first axis is
+/// heavy.
 struct Ellipsoid {
   glm::vec3 centre_V{0};
   glm::mat3 semiAxes_V{1};
@@ -45,7 +46,7 @@ struct Ellipsoid {
   float marking_px = 0;
 };
 
-/// A solid of revolution between two discs: cylinder, cone (one radius 0), truncated cone.
+/// Solid of revolution between two discs: a cylinder, a cone (one radius 0) or a truncated cone.
 struct Frustum {
   glm::vec3 from_V{0};
   glm::vec3 to_V{0, 0, 1};
@@ -54,25 +55,26 @@ struct Frustum {
   Material material;
 };
 
-/// A solid box; the columns of `halfAxes_V` are half its edges.
+/// Solid box; the columns of `halfAxes_V` are half its edges.
 struct Box {
   glm::vec3 centre_V{0};
   glm::mat3 halfAxes_V{1};
   Material material;
 };
 
-/// The surface of a body in axes of its own, M: closed, without cracks, each triangle counter-clockwise seen from
-/// outside. Neighbours share their vertices' indices. Lengths in any unit: Mesh::axes_V brings them to V.
+/// Surface of a body in mesh axes M: closed, without cracks, each triangle counter-clockwise seen from outside.
+/// Neighbouring triangles share the indices of their vertices. Lengths have any unit; Mesh::axes_V converts them
+/// to V.
 struct TriangleMesh {
   std::vector<glm::vec3> vertices_M;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// A solid with the surface `mesh`, at origin_V + axes_V x_M: the columns of `axes_V` are the M axes, scaled to V
-/// and right-handed. Edges whose faces meet at more than `crease_rad` (in M) are sharp: flat normals on either
-/// side and, with `edge_px` > 0, a line of that width in `edgeColor`. The others are shaded smoothly. No mesh
-/// (null) draws nothing. As every solid, one that is not wholly in front of the camera is left out. Share one
-/// TriangleMesh from picture to picture: what is made of it is kept while its address is the same.
+/// Solid with the surface `mesh`, at origin_V + axes_V x_M. The columns of `axes_V` are the M axes, scaled to V
+/// and right-handed. Edges whose faces meet at more than `crease_rad` (in M) are sharp: they have flat normals on
+/// either side and, if `edge_px` > 0, a line of that width in `edgeColor`. Other edges are shaded smoothly. A null
+/// mesh draws nothing; a solid that is not wholly in front of the camera is left out. Share one TriangleMesh
+/// between pictures, because data made from it is cached by its address.
 struct Mesh {
   std::shared_ptr<const TriangleMesh> mesh;
   glm::vec3 origin_V{0};
@@ -83,8 +85,9 @@ struct Mesh {
   float edge_px = 0;
 };
 
-/// A smooth line through points. With `radius_V` > 0 it is a round tube of that radius, shaded; else a flat line
-/// of constant width. `lift_V` moves it towards the viewer, so that a line on a surface is seen in front of it.
+/// Smooth line through points. If `radius_V` > 0, it is a shaded round tube of that radius, otherwise a flat line
+/// of constant width. `lift_V` moves it towards the viewer, so that a line on a surface appears in front of the
+/// surface.
 struct Curve {
   std::vector<glm::vec3> points_V;
   bool closed = false;
@@ -96,8 +99,8 @@ struct Curve {
 
 // ---- sheets: translucent, composed per pixel in the right order ---------------------------------------------
 
-/// A hollow ellipsoid of tinted glass, `rimOpacity` at its rim. Flat-on the sheet near the eye may be thinner than
-/// the far one, so that what is inside keeps its hue.
+/// Hollow ellipsoid of tinted glass, with `rimOpacity` at its rim. Seen flat-on, the near wall may be thinner than
+/// the far wall, so that what is inside keeps its hue.
 struct GlassEllipsoid {
   glm::vec3 centre_V{0};
   glm::mat3 semiAxes_V{1};
@@ -108,9 +111,9 @@ struct GlassEllipsoid {
   std::optional<Graticule> graticule;
 };
 
-/// A circular cone of tinted glass: the surface alone, open at its base, with a firm line around that. Opacities
-/// as those of a GlassEllipsoid: `nearOpacity` where the outside looks at the eye, `farOpacity` where the inside
-/// does. One that is not wholly in front of the camera is left out.
+/// Circular cone of tinted glass: the surface alone, open at its base, with a solid line around the base.
+/// `nearOpacity` applies where the outside faces the eye, `farOpacity` where the inside does. A cone that is not
+/// wholly in front of the camera is left out.
 struct GlassCone {
   glm::vec3 apex_V{0};
   glm::vec3 axis_V{0, 0, 1};   ///< from the apex into the cone; any length
@@ -125,8 +128,8 @@ struct GlassCone {
   float lineWidth_px = 2;
 };
 
-/// A flat convex sheet, at most 16 corners in order around it, in one plane; with a border line just inside. One
-/// that is not wholly in front of the camera is left out.
+/// Flat convex sheet with 3 to 16 corners, in order around it and in one plane, and a border line just inside. A
+/// polygon that is not wholly in front of the camera is left out.
 struct GlassPolygon {
   std::vector<glm::vec3> corners_V;
   Color color{1};
@@ -136,7 +139,7 @@ struct GlassPolygon {
   float lineWidth_px = 1.5f;
 };
 
-/// A rectangle with a square grid; `u_V` and `v_V` are perpendicular half-edges.
+/// Rectangle with a square grid; `u_V` and `v_V` are perpendicular half-edges.
 struct GridPlane {
   glm::vec3 centre_V{0};
   glm::vec3 u_V{1, 0, 0};
@@ -147,8 +150,8 @@ struct GridPlane {
   Color lineColor{0};
   float lineOpacity = 0.5f;
   float lineWidth_px = 1.5f;
-  // A soft dark spot under what rests on the plane: at r radii from its centre opacity · (2^(-2 r²) - kShadowEnd),
-  // where that is more than nothing; beyond, a picture of 8 bits would not show it.
+  // Soft dark spot under a body on the plane. At r radii from its centre it has the opacity shadowOpacity · (2^(-2
+  // r²) - kShadowEnd), if positive. Beyond r = kShadowReach an 8-bit picture would not show it.
   static constexpr float kShadowEnd = 1.0f / 512, kShadowReach = 2.1213204f;  // sqrt(4.5)
   glm::vec3 shadowCentre_V{0};
   float shadowRadius_V = 0;
@@ -157,22 +160,22 @@ struct GridPlane {
 
 // ---- text: always in front -----------------------------------------------------------------------------------
 
-/// One line of type. `tex` is the small TeX subset of text/math_setter.h. `baseline_px` is the left end of the
+/// One line of type. `tex` uses the small TeX subset of text/math_setter.h. `baseline_px` is the left end of the
 /// baseline from the picture's top left corner, y down.
 struct Text {
   std::string tex;
   glm::vec2 baseline_px{0};
   float size_px = 32;
   Color color{0};
-  float opacity = 1;          ///< of glyphs and halo
-  std::optional<Color> halo;  ///< a rim around the glyphs that keeps them legible over lines
+  float opacity = 1;          ///< opacity of glyphs and halo
+  std::optional<Color> halo;  ///< colour of a rim around the glyphs that keeps them legible over lines
   float halo_px = 0;
 };
 
 struct DrawList {
   Camera camera;
   Color background{1};
-  glm::vec3 lightDirection_C{-0.5f, 0.72f, 0.48f};  ///< towards the light, in camera axes: it travels with the eye
+  glm::vec3 lightDirection_C{-0.5f, 0.72f, 0.48f};  ///< towards the light, which travels with the camera
   std::vector<Ellipsoid> ellipsoids;
   std::vector<Frustum> frustums;
   std::vector<Box> boxes;

@@ -8,10 +8,10 @@
 
 namespace poinsot::draw {
 
-// ---- flat things: over the panels, in the order of the list; pixels from the top left corner, y down
-// -------------
+// ---- flat things: over the panels, in list order; pixels from the top left corner, y down -----------------
 
-/// A line of constant width with round joins; `dash_px` on, as much off, 0 is unbroken.
+/// Line of constant width with round joins. Dashes of length `dash_px` alternate with gaps of the same length; 0
+/// is unbroken.
 struct Stroke {
   std::vector<glm::vec2> points_px;
   bool closed = false;
@@ -21,27 +21,28 @@ struct Stroke {
   float opacity = 1;
 };
 
-/// A filled polygon.
 struct Area {
   std::vector<glm::vec2> points_px;
   Color color{0};
   float opacity = 1;
 };
 
-/// A view in space, somewhere in the picture. @pre the list's camera is made for the panel's size.
+/// View in space, with its top left corner at `origin_px` of the picture. The texts of the list are placed from
+/// this corner. @pre the list's camera is made for the panel's size.
 struct Panel {
-  glm::ivec2 origin_px{0};  ///< its top left corner
-  DrawList list;            ///< its texts are placed from the panel's corner
+  glm::ivec2 origin_px{0};
+  DrawList list;
 };
 
-/// A whole picture, as plain values: what every output medium reads.
+/// Whole picture as plain values, which every output medium reads. Areas lie over the panels, strokes over the
+/// areas, texts over everything.
 struct Picture {
   glm::ivec2 size_px{1, 1};
   Color background{1};
-  std::vector<Panel> panels;  ///< do not overlap
+  std::vector<Panel> panels;  ///< panels must not overlap
   std::vector<Area> areas;
-  std::vector<Stroke> strokes;  ///< over the areas
-  std::vector<Text> texts;      ///< over all
+  std::vector<Stroke> strokes;
+  std::vector<Text> texts;
 };
 
 }  // namespace poinsot::draw

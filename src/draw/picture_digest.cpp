@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each struct is taken apart by a structured binding, which does not compile once a field was added and forgotten.
+// Structured bindings unpack each struct, so that a new field which is not digested does not compile.
 #include "draw/picture_digest.h"
 
 #include <bit>
@@ -14,7 +14,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the digest is of little-endian bytes");
 
-// Whose bytes are its value: no padding, nothing that points.
+// Types whose bytes are their value: no padding and no pointers.
 template <class T>
 concept Plain = (std::is_arithmetic_v<T> && !std::same_as<T, bool>) || std::same_as<T, glm::vec2> ||
                 std::same_as<T, glm::vec3> || std::same_as<T, glm::ivec2> || std::same_as<T, glm::mat3> ||

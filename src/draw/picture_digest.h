@@ -9,8 +9,9 @@
 
 namespace poinsot::draw {
 
-/// Digests of pictures: one for two pictures that agree in every value, bit for bit. What is drawn is a function
-/// of the picture, so of the same digest the same pixels come.
+/// Computes digests of pictures. Pictures that agree in every value, bit for bit, have the same digest. Drawing is
+/// a function of the picture, so equal digests mean equal pixels. Digests of meshes are cached while the meshes
+/// exist.
 class PictureDigester {
  public:
   core::Digest operator()(const Picture& picture);
@@ -22,8 +23,7 @@ class PictureDigester {
     std::weak_ptr<const TriangleMesh> mesh;
     core::Digest digest;
   };
-  std::map<const TriangleMesh*, Known>
-      meshes_;  // as long as they live, as they are shared from picture to picture
+  std::map<const TriangleMesh*, Known> meshes_;
 };
 
 }  // namespace poinsot::draw

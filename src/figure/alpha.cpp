@@ -10,11 +10,12 @@
 namespace poinsot::figure {
 namespace {
 
-/// Alpha and ink, in encoded values, for a pixel that light mixed of `ink` and paper by alpha a:
+/// Fit of alpha and ink, in encoded values, to a pixel in which light mixes `ink` and paper by alpha a:
 ///   wanted = encoding of (a ink + (1 - a) paper)
-///   a'   = sum (paper - wanted)(paper - ink) / sum (paper - ink)^2     over the three channels: nearest with that
-///   ink ink' = paper + (wanted - paper) / a'                               exact, and about that ink
-/// Where ink' would be no colour, a' is as much larger as it must be.
+///   a'   = sum (paper - wanted)(paper - ink) / sum (paper - ink)^2   over the three channels
+///   ink' = paper + (wanted - paper) / a'
+/// With `ink`, a' comes nearest to the wanted colour; with ink', which is close to `ink`, a' gives it exactly. If
+/// ink' is no colour, a' is increased until ink' is one.
 template <typename Sample>
 class AlphaFit {
  public:
@@ -34,8 +35,8 @@ class AlphaFit {
   static constexpr double kMost = image::BasicImage<Sample>::kMost;
 
   struct Channel {
-    double paper, ink, wanted;  ///< 0 to kMost
-    /// The least alpha with which some ink does it.
+    double paper, ink, wanted;  ///< each from 0 to kMost
+    /// Returns the least alpha at which an ink exists that gives the wanted value.
     double leastAlpha() const {
       const double room = wanted > paper ? kMost - paper : paper;
       return room > 0 ? std::abs(wanted - paper) / room : 0;
@@ -63,7 +64,7 @@ class AlphaFit {
       square += (c.paper - c.ink) * (c.paper - c.ink);
       least = std::max(least, c.leastAlpha());
     }
-    if (square == 0) return pixel;  // ink of the paper's own colour
+    if (square == 0) return pixel;  // the ink has the paper's own colour
     const double alpha = std::ceil(kMost * std::clamp(along / square, least, 1.0)) / kMost;
     Pixel fit{0, 0, 0, static_cast<Sample>(std::lround(kMost * alpha))};
     for (std::size_t i = 0; alpha > 0 && i < 3; ++i) {
@@ -74,7 +75,7 @@ class AlphaFit {
   }
 
   draw::Color paper_;
-  Pixel last_{};  // flat areas ask for the same again and again
+  Pixel last_{};  // cached, because flat areas repeat one pixel
   Pixel fit_{};
 };
 

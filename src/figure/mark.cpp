@@ -14,10 +14,10 @@ namespace poinsot::figure {
 namespace {
 
 constexpr std::string_view kProgram = "poinsot ";
-constexpr std::size_t kMostBytes = std::size_t{1}
-                                   << 30;  // 8192x8192 pixels, uncompressed and in base 64, are less
+/// Largest file that is read. An image of 8192x8192 pixels needs less, uncompressed and in base 64.
+constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
-// FNV-1a, 64 bit: told apart are versions of one file, not what somebody made to look alike.
+// FNV-1a, 64 bit. The hash detects edits of a file, not files that are made to look alike.
 // Source: Fowler, Noll, Vo, Eastlake, "The FNV Non-Cryptographic Hash Algorithm", IETF draft, section 5.
 std::uint64_t hashOf(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325;
@@ -36,14 +36,14 @@ std::optional<std::string_view> restOf(std::string_view text, const CommentMark&
   return text.substr(0, end).ends_with(" " + hashText(rest)) ? std::optional(rest) : std::nullopt;
 }
 
-/// The object of that number, up to its end.
 std::string_view objectOf(std::string_view pdf, int number) {
   const auto begin = pdf.rfind(fmt::format("\n{} 0 obj", number));
   if (begin == pdf.npos) return {};
   return pdf.substr(begin, pdf.find("endobj", begin) - begin);
 }
 
-/// Of the document itself: a document that includes a figure may hold the figure's, too.
+/// Returns whether this program wrote the PDF itself. A document that includes one of its figures may also hold
+/// the figure's metadata, so only the last /Info counts.
 bool isOwnPdf(std::string_view pdf) {
   constexpr std::string_view kInfo = "/Info ";
   const auto at = pdf.rfind(kInfo);

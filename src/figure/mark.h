@@ -8,14 +8,14 @@
 
 #include "core/abi.h"
 
-/// How a figure, a page or a file of subtitles says that this program wrote it, so that another run may replace it
-/// and nothing else is lost.
+/// Marks that show that this program wrote a figure, a page or a file of subtitles. Another run may replace a
+/// marked file without the loss of anybody's work.
 namespace poinsot::figure {
 
-/// "poinsot 0.1.0".
+/// Returns the name and version of the program, "poinsot 0.1.0".
 std::string creator();
 
-/// The comment that the mark of a kind of text stands in.
+/// Comment syntax around the mark in one kind of text file.
 struct CommentMark {
   std::string_view before, after;
 };
@@ -24,16 +24,15 @@ inline constexpr CommentMark kHtmlMark{"<!DOCTYPE html>\n<!-- ", " -->\n"};
 inline constexpr CommentMark kTexMark{"% ", "\n"};
 inline constexpr CommentMark kVttMark{"WEBVTT\n\nNOTE ", "\n\n"};
 
-/// `rest` behind a comment that says "poinsot 0.1.0 HASH". The hash is of `rest`: people edit SVG and LaTeX, and
-/// what they edited is theirs.
+/// Returns `rest` after a comment "poinsot 0.1.0 HASH". The hash of `rest` detects edits: people edit SVG and
+/// LaTeX, and this program must not replace an edited file.
 std::string marked(const CommentMark& mark, std::string_view rest);
 
-/// Returns the text behind the mark; nothing where there is no such mark, the text was changed, or the file cannot
-/// be read.
+/// Returns the text after the mark; nullopt if the file has no such mark, has been edited, or cannot be read.
 std::optional<std::string> markedRest(const std::filesystem::path& file, const CommentMark& mark);
 
-/// Whether the file is a PDF, SVG or TeX file that this program wrote and, of those that are text, nobody changed.
-/// False for a file that cannot be read; never throws for content.
+/// Returns whether the file is a PDF, SVG or TeX file that this program wrote and, for SVG and TeX, nobody edited.
+/// Returns false if the file cannot be read; never throws for content.
 bool isOwnFigure(const std::filesystem::path& path);
 
 }  // namespace poinsot::figure

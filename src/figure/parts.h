@@ -8,21 +8,22 @@
 
 namespace poinsot::figure {
 
-/// The picture without flat curves, areas, strokes and type: what only an image can hold.
+/// Returns the picture without flat curves, areas, strokes and type: the part that only an image can hold.
 draw::Picture surfacesOf(const draw::Picture& picture);
 
-/// The picture without its type, that of panels included; halos stay, so that there is room for it.
+/// Returns the picture without its type, also in panels. Halos stay, so that the type has room.
 draw::Picture withoutType(const draw::Picture& picture);
 
-/// The flat curves of one panel, to be painted in order over its surfaces and cut off at its edges.
+/// Flat curves of one panel, with points from the panel's corner. They are painted in order over the panel's
+/// surfaces and clipped at its edges.
 struct PanelCurves {
   glm::ivec2 origin_px{0};
   glm::ivec2 size_px{0};
-  std::vector<SeenLine> lines;  ///< from the panel's corner
+  std::vector<SeenLine> lines;
 };
 std::vector<PanelCurves> curvesOf(const draw::Picture& picture);
 
-/// All texts as they are read, titles first, placed from the picture's corner. None lies over another.
+/// Returns all texts in reading order, titles first, placed from the picture's corner. No text lies over another.
 std::vector<draw::Text> labelsOf(const draw::Picture& picture);
 
 }  // namespace poinsot::figure

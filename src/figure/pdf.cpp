@@ -40,7 +40,7 @@ cairo_status_t append(void* to, const unsigned char* data, unsigned size) noexce
   return CAIRO_STATUS_NO_MEMORY;
 }
 
-/// Pixels as cairo keeps them: one native 32-bit number each, alpha multiplied in and on top.
+/// Image in cairo's format: one native 32-bit number a pixel, with alpha premultiplied and in the top byte.
 class CairoImage {
  public:
   explicit CairoImage(const image::Image& image)
@@ -70,12 +70,11 @@ class CairoImage {
   SurfacePtr surface_;
 };
 
-/// An embedded font as cairo has it, of the thread that asks.
+/// Returns cairo's face of an embedded font, for the calling thread only.
 FontPtr cairoFont(text::Typeface face) {
   return {cairo_ft_font_face_create_for_ft_face(text::Font::of(face).face(), 0), &cairo_font_face_destroy};
 }
 
-/// Sets font and size, unhinted, unrounded.
 void useFont(cairo_t* context, cairo_font_face_t* font, double size) {
   const std::unique_ptr<cairo_font_options_t, decltype(&cairo_font_options_destroy)> exact(
       cairo_font_options_create(), &cairo_font_options_destroy);
@@ -86,7 +85,6 @@ void useFont(cairo_t* context, cairo_font_face_t* font, double size) {
   cairo_set_font_size(context, size);
 }
 
-/// Paints a picture on a page; the unit of its context is the picture's pixel.
 class Page {
  public:
   Page(cairo_t* context, const Figure& figure)
@@ -151,7 +149,7 @@ class Page {
   template <typename Points>
   void outline(const Points& points, bool closed) {
     for (const auto& p : points) cairo_line_to(context_, static_cast<double>(p.x), static_cast<double>(p.y));
-    // A single point has no length; cairo draws its round dot where a line leads back to it.
+    // A single point has no length. cairo draws its round dot only if a line leads back to the point.
     if (points.size() == 1)
       cairo_line_to(context_, static_cast<double>(points[0].x), static_cast<double>(points[0].y));
     if (closed) cairo_close_path(context_);
@@ -175,7 +173,7 @@ class Page {
     return (known != fonts_.end() ? known : fonts_.emplace(face, cairoFont(face)).first)->second.get();
   }
 
-  // Glyphs of one font and size, each with the characters it stands for.
+  // Shows glyphs of one font and size, each with the characters that the glyph stands for.
   void show(std::span<const text::PlacedGlyph> run, const draw::Text& text) {
     std::vector<cairo_glyph_t> glyphs;
     std::vector<cairo_text_cluster_t> clusters;
@@ -217,8 +215,8 @@ class Page {
   std::map<text::Typeface, FontPtr> fonts_;
 };
 
-/// cairo dates a PDF by the clock and the time zone when no date is set, and none cannot be set: one of fixed
-/// length is, and overwritten with blanks, which keeps every offset of the file.
+/// Placeholder date. cairo writes the current time if no date is set, and has no way to omit the date. So a date
+/// of fixed length is set and later overwritten with blanks, which keeps every offset of the file.
 constexpr const char* kAnyDate = "1970-01-01T00:00:00Z";
 
 void eraseDate(Bytes& pdf) {
@@ -228,7 +226,7 @@ void eraseDate(Bytes& pdf) {
   if (end != pdf.end()) std::fill(begin, end + 1, ' ');
 }
 
-/// Without memory for a font cairo 1.16 leaves off in the middle of a file, and says that all is well.
+/// Throws if the PDF has no end. Without memory for a font, cairo 1.16 stops within a file but reports success.
 void checkEnd(const Bytes& pdf) {
   constexpr std::string_view kEnd = "%%EOF\n";
   if (pdf.size() < kEnd.size() || !std::equal(kEnd.rbegin(), kEnd.rend(), pdf.rbegin()))
@@ -254,7 +252,7 @@ Bytes pdfOf(const Figure& figure) {
                                                                scale * figure.picture.size_px.y),
                            &cairo_surface_destroy);
   check(cairo_surface_status(surface.get()));
-  // What every viewer and press reads; and it keeps the metadata plain to see (mark.cpp).
+  // Every viewer and press reads PDF 1.4. Its metadata stay uncompressed, so that mark.cpp can read them.
   cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
   setMetadata(surface.get(), figure.options);
   const ContextPtr context(cairo_create(surface.get()), &cairo_destroy);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Glyphs are outlines, set by <use>, and over them lies the same text invisible, to be selected, searched and read
-// aloud. An embedded web font would be one thing instead of two, but librsvg, Inkscape and Cairo ignore
-// @font-face, so that a label would be set in whatever font is there.
+// Glyphs are outlines, placed by <use>. The same text lies over them invisibly, so that it can be selected,
+// searched and read aloud. An embedded web font would serve both purposes, but librsvg, Inkscape and Cairo ignore
+// @font-face and would set a label in any font that they find.
 #include <fmt/format.h>
 
 #include <set>
@@ -33,14 +33,13 @@ std::string base64(const Bytes& bytes) {
   return text;
 }
 
-/// Text between tags or in an attribute. Control characters, which no XML may hold, become spaces.
+/// Escapes text between tags or in an attribute. Control characters, which XML forbids, become spaces.
 std::string escaped(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20 && c != '\n') c = ' ';
   return core::xmlAttribute(text);
 }
 
-/// At most three decimals, none that say nothing.
 std::string number(double v) {
   std::string text = fmt::format("{:.3f}", v);
   text.erase(text.find_last_not_of('0') + 1);
@@ -54,17 +53,17 @@ std::string pathData(const Points& points, bool closed) {
   for (const auto& p : points)
     data += fmt::format("{}{} {}", data.empty() ? 'M' : 'L', number(static_cast<double>(p.x)),
                         number(static_cast<double>(p.y)));
-  if (points.size() == 1) data += "h0";  // a dot, by its round ends
+  if (points.size() == 1) data += "h0";  // a dot, made by the round ends
   return data + (closed ? "Z" : "");
 }
 
-/// "fill="#123456" fill-opacity="0.5"", the second only where it says something.
+/// Returns attributes such as `fill="#123456" fill-opacity="0.5"`. The opacity is left out for opaque ink.
 std::string paintedBy(const char* what, const Ink& ink) {
   const std::string color = fmt::format(" {}=\"{}\"", what, hexOf(ink));
   return ink.alpha < 1 ? color + fmt::format(" {}-opacity=\"{}\"", what, number(ink.alpha)) : color;
 }
 
-/// A glyph's outline as path data, in the font's units, y down; nothing for a space.
+/// Outline of a glyph as path data, in the font's units, y down; empty for a space.
 class PathWriter final : public text::OutlineSink {
  public:
   void moveTo(text::Point to) override {
@@ -96,7 +95,6 @@ class PathWriter final : public text::OutlineSink {
   text::Point start_;
 };
 
-/// A glyph and its font.
 using FontGlyph = std::pair<text::Typeface, text::GlyphId>;
 
 std::string pathOf(const FontGlyph& glyph) {
@@ -105,8 +103,8 @@ std::string pathOf(const FontGlyph& glyph) {
   return path.data();
 }
 
-/// Names by font and by the font's own glyph number, so that the same name is the same outline in every figure of
-/// a page.
+/// Returns a name made of the font and the glyph's number in the font, so that in all figures of a page the same
+/// name is the same outline.
 std::string nameOf(const FontGlyph& glyph) {
   constexpr const char* kFonts[] = {"lmmath", "lmroman", "lmbold"};
   return fmt::format("{}-{}", kFonts[static_cast<int>(glyph.first)], glyph.second);
@@ -199,7 +197,7 @@ class SvgDocument {
         number(1000 * run.width_em), escaped(run.plainText));
   }
 
-  // In thousandths of the label's em. Scripts are drawn smaller, and so would be their halo.
+  // Adds glyphs, in thousandths of the label's em. Scripts shrink with their halo, so their stroke is widened.
   void addGlyphs(const text::GlyphRun& run, const std::string& paint, double strokeWidth) {
     body_ += fmt::format("<g aria-hidden=\"true\" stroke-linejoin=\"round\"{}>\n", paint);
     const auto stroke = [&](double scale) {

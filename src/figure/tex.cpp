@@ -18,7 +18,7 @@
 namespace poinsot::figure {
 namespace {
 
-/// LaTeX's commands for a mark on a letter, in running text and in formulas; empty where there is none.
+/// LaTeX's commands for a mark on a letter, in running text and in formulas; empty if there is none.
 struct Accent {
   char32_t mark;
   std::string_view text;
@@ -36,7 +36,7 @@ const Accent* accentOf(char32_t mark) {
   return found == std::end(kAccents) ? nullptr : found;
 }
 
-/// The command that draws this character and nothing else.
+/// Returns the command that draws only this character; null if there is none.
 const text::Command* commandFor(char32_t character) {
   const auto all = text::commands();
   const auto found = std::ranges::find_if(all, [&](const text::Command& c) {
@@ -46,7 +46,7 @@ const text::Command* commandFor(char32_t character) {
   return found == all.end() ? nullptr : &*found;
 }
 
-/// For \degree, which is an error outside \unit if the document loads siunitx.
+/// Replacement for \degree, which is an error outside \unit if the document loads siunitx.
 constexpr std::string_view kDegree = "{\\ensuremath{^{\\circ}}}";
 
 std::string latexOfCharacter(char32_t character) {
@@ -55,7 +55,7 @@ std::string latexOfCharacter(char32_t character) {
   // With babel, " is a command in German and many other languages, ~ in Spanish and Estonian.
   if (character == U'"') return "{\\char34}";
   if (character == U'~') return "\\nobreakspace{}";
-  // Signs of mathematics, which the old text fonts have other characters for.
+  // Signs of mathematics: the old text fonts have other characters in their places.
   if (character == U'<' || character == U'>' || character == U'|') return fmt::format("\\ensuremath{{{}}}", bytes);
   if (character < 0x80) return bytes;
   if (character == U'−') return "\\ensuremath{-}";
@@ -69,7 +69,6 @@ bool haveAccents(std::u32string_view marks) {
   return std::ranges::all_of(marks, [](char32_t mark) { return accentOf(mark) != nullptr; });
 }
 
-/// `base` under `marks`, which all have an accent.
 std::string accented(std::string base, std::u32string_view marks, bool inMath) {
   for (const char32_t mark : marks) {
     const Accent& accent = *accentOf(mark);
@@ -85,15 +84,15 @@ std::string accented(std::string base, std::u32string_view marks, bool inMath) {
   return base;
 }
 
-/// A letter to be put under marks: i and j lose their dots.
+/// Returns a letter to be put under marks. Under a mark above, i and j lose their dots.
 std::string baseUnder(std::u32string_view marks, char32_t letter, bool inMath) {
   const bool dotted = letter == U'i' || letter == U'j';
   if (!dotted || text::placeOf(marks.front()) != text::MarkPlace::kAbove) return latexOfCharacter(letter);
   return fmt::format("\\{}{}", static_cast<char>(letter), inMath ? "math" : "");
 }
 
-/// A letter with the marks typed after it. In running text the letters up to U+017F stay, which LaTeX has in every
-/// encoding; the others are spelled with accents, and so are all in formulas.
+/// Returns a letter with the marks typed after it. Running text keeps letters up to U+017F, which LaTeX has in
+/// every encoding. All other letters, and all letters in formulas, are spelled with accents.
 std::string latexOfLetter(std::u32string_view typed, bool inMath) {
   const std::u32string known = text::composed(typed, [&](char32_t c) { return !inMath && c < 0x180; });
   if (known.size() == 1) return latexOfCharacter(known.front());
@@ -104,7 +103,7 @@ std::string latexOfLetter(std::u32string_view typed, bool inMath) {
   return accented(baseUnder(marks, parts.front(), inMath), marks, inMath);
 }
 
-/// Writes a label's TeX again as LaTeX. The label is one that sets.
+/// Converter of a label's TeX to LaTeX. The label must be one that text::setTex() accepts.
 class LatexWriter {
  public:
   explicit LatexWriter(std::string_view tex) {
@@ -128,7 +127,7 @@ class LatexWriter {
   }
 
  private:
-  /// The index of a root: where it begins in what is written, in how many braces, and whether it holds another.
+  /// Index of a root: its start in the output, its depth in braces, and whether it holds another index.
   struct Index {
     std::size_t begin;
     std::size_t depth;
@@ -157,7 +156,6 @@ class LatexWriter {
     if (name == "sqrt") addIndex();
   }
 
-  /// Letters, or one other character.
   std::string takeName() {
     const std::size_t begin = at_++;
     while (isLetter(tex_[begin]) && isLetter(peek())) ++at_;
@@ -194,7 +192,7 @@ class LatexWriter {
     textFollows_ = false;
   }
 
-  /// LaTeX ends an index at the first "]" that is not in braces.
+  /// Encloses an index that holds another in braces, because LaTeX ends an index at the first "]" outside braces.
   void closeIndex() {
     if (indices_.back().nested) {
       latex_.insert(indices_.back().begin, 1, '{');
@@ -208,8 +206,8 @@ class LatexWriter {
   std::u32string tex_;
   std::size_t at_ = 0;
   std::string latex_;
-  std::vector<bool> inMath_ = {false};  // of the groups that are open
-  bool textFollows_ = false;            // in the braces of \text
+  std::vector<bool> inMath_ = {false};
+  bool textFollows_ = false;  // the next brace opens the argument of \text
   std::vector<Index> indices_;
 };
 
@@ -218,7 +216,7 @@ struct Definition {
   const char* meaning;
 };
 
-// Greek letters that look like Latin ones have no command in LaTeX.
+// LaTeX has no commands for Greek letters that look like Latin ones.
 constexpr Definition kDefinitions[] = {
     {"varkappa", "\\kappa"},    {"omicron", "o"},        {"Alpha", "\\mathrm{A}"}, {"Beta", "\\mathrm{B}"},
     {"Epsilon", "\\mathrm{E}"}, {"Zeta", "\\mathrm{Z}"}, {"Eta", "\\mathrm{H}"},   {"Iota", "\\mathrm{I}"},
@@ -238,7 +236,7 @@ bool names(std::string_view latex, std::string_view command) {
 }  // namespace
 
 std::string latexOf(std::string_view tex) {
-  text::setTex(tex);  // or it throws
+  text::setTex(tex);  // throws if the label cannot be set
   return LatexWriter(tex).write();
 }
 

@@ -6,14 +6,14 @@
 
 namespace poinsot::figure {
 
-/// A label's TeX as LaTeX with amsmath takes it, whatever babel or siunitx make of a character or a command:
-/// characters beyond ASCII that have a command become that command, letters with marks that LaTeX lacks are
-/// spelled with its accents, those that LaTeX would read as its own (% # & ") are spelled, the others stay.
-/// @throws core::Error(kUsage) where the label itself cannot be set: what passes holds no command but the known
-/// ones, so a label cannot make LaTeX read files or run programs.
+/// Converts a label's TeX to LaTeX with amsmath that does not depend on babel or siunitx. Characters beyond ASCII
+/// become their command if they have one. Letters with marks that LaTeX lacks are spelled with accents, and
+/// characters that LaTeX would interpret (% # & ") are spelled out. Other characters stay.
+/// @throws core::Error(kUsage) if the label itself cannot be set. Only known commands pass, so that a label cannot
+/// make LaTeX read files or run programs.
 std::string latexOf(std::string_view tex);
 
-/// Definitions of the commands in `latex` that LaTeX with amsmath lacks, one a line; empty where there are none.
+/// Returns definitions, one a line, of the commands in `latex` that LaTeX with amsmath lacks. May be empty.
 std::string latexDefinitionsFor(std::string_view latex);
 
 }  // namespace poinsot::figure

@@ -20,8 +20,8 @@ constexpr std::string_view kHead =
 % From another folder: \graphicspath{{{{folder/}}}}. For larger or smaller labels: \newcommand*\poinsotscale{{1.2}}
 )";
 
-/// Makes the signs of ASCII ordinary characters until the group ends, but for TeX's own. Babel makes some of them
-/// commands: " in German, : and ; in French, = in Turkish, which spoil labels and the options of nodes.
+/// Returns TeX that makes ASCII signs ordinary characters until the group ends, except for TeX's own. Babel makes
+/// some signs commands, which spoil labels and the options of nodes: " in German, : and ; in French, = in Turkish.
 std::string ordinarySigns() {
   constexpr std::string_view kSigns[] = {"!\"'()*+,-./", ":;<=>?@[]`|"};
   std::string codes;
@@ -32,7 +32,6 @@ std::string ordinarySigns() {
   return codes + "\\catcode94 7\\catcode95 8\\relax\n";
 }
 
-/// Each line of a text as a comment.
 std::string comment(std::string_view text) {
   std::string lines;
   for (bool more = !text.empty(); more;) {
@@ -53,7 +52,7 @@ std::string colorOf(const Ink& ink) {
 std::string node(const draw::Text& label, const std::string& latex, glm::dvec2 at_bp, const Figure& figure) {
   const Ink ink = inkOver(figure.picture.background, label.color, label.opacity);
   const std::string opacity = ink.alpha < 1 ? fmt::format(", text opacity={:.3f}", ink.alpha) : "";
-  // The font's 10 pt design scaled, as in the picture: small designs are wider, and not every font has all sizes.
+  // Scales the font's 10 pt design, as in the picture: small designs are wider, and some fonts lack some sizes.
   const double scale = figure.pointsPerPixel() * static_cast<double>(label.size_px) / (10 * 72 / 72.27);
   return fmt::format(
       "  \\node[anchor=base west, inner sep=0pt, outer sep=0pt, scale={:.4f}*\\poinsotscale, "

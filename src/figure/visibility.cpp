@@ -10,10 +10,9 @@
 namespace poinsot::figure {
 namespace {
 
-// Points on a surface are seen: they come from floats, whose rounding must not hide them.
+// Relative tolerance that keeps points on a surface visible, although their coordinates are rounded to floats.
 constexpr double kOnSurface = 1e-6;
 
-// The sheets' light as it arrives, the nearest one first.
 void lookThrough(std::vector<SheetHit> hits, Sight& sight) {
   std::ranges::sort(hits, {}, &SheetHit::t);
   for (const SheetHit& hit : hits) {

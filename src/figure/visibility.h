@@ -9,35 +9,34 @@
 
 namespace poinsot::figure {
 
-/// What lies between the eye and a point.
+/// Solids and sheets between the eye and a point.
 struct Sight {
-  bool hidden = false;       ///< an opaque solid is in front; the rest means nothing then
-  std::uint64_t sheets = 0;  ///< changes wherever a sheet begins or ends to be in front
+  bool hidden = false;       ///< an opaque solid is in front; the other fields have no meaning then
+  std::uint64_t sheets = 0;  ///< a bit for each side of a sheet in front; changes where a sheet begins or ends
   double transmittance = 1;  ///< share of the point's light that the sheets in front let through
-  glm::dvec3 veil{0};        ///< linear light that those sheets add; the eye sees veil + transmittance * light
+  glm::dvec3 veil{0};  ///< linear light that the sheets in front add; the eye sees veil + transmittance * light
 };
 
-/// Which points of a draw list the eye sees, and through what: from the values alone, in double precision, no
-/// pixels. Flat curves hide nothing; lines on sheets (graticule, grid) and a sheet's border are left out of the
-/// veil. As in the rendered picture, a solid or sheet that is not wholly in front of the camera is not there.
+/// Visibility of points through the solids and sheets of a draw list, computed from values in double precision,
+/// without pixels. Flat curves hide nothing. The veil has no lines on sheets (graticule, grid) and no borders of
+/// sheets. As in the rendered picture, a solid or sheet that is not wholly in front of the camera is left out.
 class Visibility {
  public:
   explicit Visibility(const draw::DrawList& list);
   ~Visibility();
   Visibility(Visibility&&) noexcept;
 
-  /// @param lift_V how much nearer to the eye, along the view, the point is taken to be (Curve::lift_V).
+  /// @param lift_V  distance along the view by which the point counts as nearer to the eye (Curve::lift_V).
   Sight of(glm::dvec3 point_V, double lift_V = 0) const;
 
  private:
   struct Scene;
-  std::unique_ptr<const Scene> scene_;  // the shapes as the eye has them: of no use to a caller
+  std::unique_ptr<const Scene> scene_;
 };
 
-/// A point's coordinates in camera axes C, in double precision.
 glm::dvec3 toCameraExactly(const draw::Camera& camera, glm::dvec3 point_V);
 
-/// Where a point given in camera axes appears, in pixels as project(). @pre in front of the camera.
+/// Returns the pixel position of a point in camera axes, as project() does. @pre in front of the camera.
 glm::dvec2 projectExactly(const draw::Camera& camera, glm::dvec3 point_C);
 
 }  // namespace poinsot::figure

@@ -20,7 +20,6 @@ double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
   return glm::distance(p, a + share * along);
 }
 
-/// The point between `first` and `last` farthest from their straight connection, and how far.
 std::pair<std::size_t, double> farthest(const Points& points, std::size_t first, std::size_t last) {
   std::pair<std::size_t, double> found{first, 0};
   for (std::size_t i = first + 1; i < last; ++i) {
@@ -30,7 +29,7 @@ std::pair<std::size_t, double> farthest(const Points& points, std::size_t first,
   return found;
 }
 
-/// The line with as few of its points as keep within the tolerance.
+/// Returns the line without points that lie within kOffLine_px of the simplified line.
 /// Source: Douglas and Peucker, Cartographica 10 (1973) 112.
 Points simplified(const Points& points) {
   std::vector<bool> kept(points.size(), false);

@@ -9,17 +9,16 @@
 namespace poinsot::figure {
 namespace {
 
-constexpr std::size_t kChunkPoints =
-    32;  // about as many pixels: within one, two lines are over each other one way
+// Points in a chunk, about one a pixel. Of two lines in so short a chunk, one lies over the other throughout.
+constexpr std::size_t kChunkPoints = 32;
 
-/// Points `first` to `last` of a piece, both included; neighbours share one.
+/// Points `first` to `last` of a piece, both included. Neighbouring chunks share one point.
 struct Chunk {
   std::size_t piece = 0;
   std::size_t first = 0;
   std::size_t last = 0;
 };
 
-/// A closed piece with its first point at the end again.
 Piece unrolled(Piece piece) {
   if (piece.closed) piece.points.push_back(piece.points.front());
   return piece;
@@ -33,7 +32,7 @@ std::vector<Chunk> chunksOf(const std::vector<Piece>& pieces) {
   return chunks;
 }
 
-/// Which chunks are under which others, by looking at every two points of them that lie near.
+/// Pairs of chunks that lie over each other, found by comparing all points that lie near each other.
 class Overlaps {
  public:
   Overlaps(const std::vector<Piece>& pieces, const std::vector<Chunk>& chunks)
@@ -42,7 +41,7 @@ class Overlaps {
       for (std::size_t i = chunks[c].first; i <= chunks[c].last; ++i) compareAndKeep(c, point(c, i));
   }
 
-  /// For each pair (lower, upper) of chunks.
+  /// Returns the pairs (lower, upper) of chunks.
   std::vector<std::pair<std::size_t, std::size_t>> pairs() const {
     std::vector<std::pair<std::size_t, std::size_t>> all;
     for (const auto& [pair, nearness] : nearness_) {
@@ -53,7 +52,7 @@ class Overlaps {
   }
 
  private:
-  static constexpr double kSoft_px = 1;  // the soft edges of two lines
+  static constexpr double kSoft_px = 1;  // width of the soft edges of two lines
   using Cell = std::pair<int, int>;
   struct Kept {
     std::size_t chunk;
@@ -90,10 +89,11 @@ class Overlaps {
   const std::vector<Chunk>& chunks_;
   double cell_px_;
   std::map<Cell, std::vector<Kept>> cells_;
-  std::map<std::pair<std::size_t, std::size_t>, double> nearness_;  // of the second chunk before the first, summed
+  // Sum of the first chunk's depth minus the second's, by pair of chunks.
+  std::map<std::pair<std::size_t, std::size_t>, double> nearness_;
 };
 
-/// Takes chunks whose lower ones are all taken, the next along the curve where possible.
+/// Sorter of chunks, which takes a chunk after all lower ones and follows the curve if possible.
 class Sorter {
  public:
   Sorter(std::size_t count, const std::vector<std::pair<std::size_t, std::size_t>>& pairs)
@@ -121,7 +121,7 @@ class Sorter {
     return ready_.empty() ? leastWaiting() : *ready_.begin();
   }
 
-  // Lines that pass over one another in a ring have no order; one is taken out of turn.
+  // Lines that pass over one another in a ring have no order, so one chunk is taken out of turn.
   std::size_t leastWaiting() const {
     std::size_t best = taken_.size();
     for (std::size_t c = 0; c < taken_.size(); ++c)
@@ -142,7 +142,7 @@ class Sorter {
   std::set<std::size_t> ready_;
 };
 
-/// One stretch of a piece; it begins one point early, so that no gap shows where it was cut.
+/// Returns a stretch of a piece. The stretch begins one point early, so that no gap shows where the piece was cut.
 Piece stretch(const Piece& whole, std::size_t first, std::size_t last) {
   Piece part{{}, false, whole.width_px, whole.color};
   const bool all = first == 0 && last + 1 == whole.points.size();

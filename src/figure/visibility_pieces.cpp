@@ -8,17 +8,17 @@
 namespace poinsot::figure {
 namespace {
 
-constexpr double kStep_px = 1.0;  // what hides less of a line than this is not looked for
-constexpr double kCut_px = 0.1;   // how exactly a cut is found
-constexpr double kOverlap_px =
-    0.3;                        // pieces of different colour overlap: side by side, their soft ends would show
-constexpr int kColorSteps = 2;  // of 8-bit sRGB, that a piece's colour may be off
+constexpr double kStep_px = 1.0;  // step along a line; anything that hides less is missed
+constexpr double kCut_px = 0.1;
+// Overlap of pieces of different colour, because their soft ends would show if they only touched.
+constexpr double kOverlap_px = 0.3;
+constexpr int kColorSteps = 2;  // largest error of a piece's colour, in steps of 8-bit sRGB
 
 struct Sample {
   glm::dvec3 p_V{0};
   PiecePoint at;
   Sight sight;
-  draw::Color seen{0};  ///< what the eye sees of the curve there
+  draw::Color seen{0};  ///< colour that the eye sees of the curve there
 };
 
 using Run = std::vector<Sample>;
@@ -33,14 +33,12 @@ bool alike(const draw::Color& a, const draw::Color& b) {
   return true;
 }
 
-/// Looks at a curve point by point, closely where what is seen changes.
 class Sampler {
  public:
   Sampler(const Visibility& visibility, const draw::Camera& camera, const draw::Curve& curve)
       : visibility_(visibility), camera_(camera), curve_(curve) {}
 
-  /// The parts that are in front of the camera. As the renderer does, a segment with an end that is too near is
-  /// left out whole.
+  /// Returns the parts in front of the camera, without segments whose end is too near, as in the renderer.
   std::vector<Run> runs() {
     const std::size_t n = curve_.points_V.size(), segments = curve_.closed ? n : n - 1;
     std::vector<Run> runs;
@@ -79,7 +77,7 @@ class Sampler {
     }
   }
 
-  // Between the last sample and `next` something changes: the two samples nearest to that place.
+  // Adds the two samples nearest to the change that lies between the last sample and `next`.
   void addChange(Run& run, const Sample& next) const {
     Sample before = run.back(), after = next;
     while (glm::distance(before.at.p_px, after.at.p_px) > kCut_px) {
@@ -114,7 +112,7 @@ void addPieces(const Run& run, double width_px, std::vector<Piece>& pieces) {
   }
 }
 
-// A closed curve has to start somewhere; if it is seen there, that start is no end.
+// Joins the ends of a closed curve that is visible where it starts, because that start is no end.
 void joinEnds(std::vector<Piece>& pieces) {
   Piece &first = pieces.front(), &last = pieces.back();
   if (!alike(first.color, last.color)) return;

@@ -8,13 +8,12 @@
 
 namespace poinsot::figure {
 
-/// A point of a curve in the picture; the depth is what the curve is sorted by, its lift taken off.
+/// Point of a curve in the picture. `depth` is the distance along the view minus the curve's lift.
 struct PiecePoint {
   glm::dvec2 p_px{0};
   double depth = 0;
 };
 
-/// A stretch of a curve that is seen in one colour.
 struct Piece {
   std::vector<PiecePoint> points;
   bool closed = false;
@@ -22,12 +21,12 @@ struct Piece {
   draw::Color color{0};
 };
 
-/// Cuts a flat curve where solids hide it and where its colour changes behind sheets.
+/// Returns the visible pieces of a flat curve, cut where solids hide it and where sheets change its colour.
 std::vector<Piece> visiblePieces(const Visibility& visibility, const draw::Camera& camera,
                                  const draw::Curve& curve);
 
-/// The pieces in an order to be painted in: wherever two of different colour meet, the farther one first. Pieces
-/// that are over one another in one place and under in another are cut.
+/// Sorts pieces for painting: where two of different colour meet, the farther one comes first. Cuts pieces that
+/// are over one another in one place and under in another.
 std::vector<Piece> inPaintingOrder(const std::vector<Piece>& pieces);
 
 }  // namespace poinsot::figure

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The opacities are those of composite.frag, without the lines.
+// Opacities are computed as in composite.frag, without the lines on sheets.
 #include "figure/visibility_sheets.h"
 
 #include <algorithm>
@@ -13,7 +13,8 @@ namespace {
 
 std::uint64_t bit(std::size_t index) { return index < 64 ? std::uint64_t{1} << index : 0; }
 
-// From that flat-on to that of the rim, as the sheet turns away. The normal is a unit vector of either sign.
+// Returns an opacity between `flatOn` and `rim`, as the sheet turns away from the eye. The normal is a unit vector
+// of either sign.
 double opacityOf(glm::dvec3 normal_C, const SightLine& sight, float flatOn, float rim) {
   const double facing = std::abs(glm::dot(normal_C, glm::normalize(sight.direction_C)));
   const double grazing = (1 - facing) * (1 - facing) * (1 - facing);
@@ -72,7 +73,7 @@ class PlaneSheet : public Sheet {
   }
 
  private:
-  // The shadow lies over the sheet's own tint. `fromShadow` may be turned: only its length counts.
+  // Returns the hit with the shadow over the sheet's own tint. Only the length of `fromShadow` counts.
   SheetHit shaded(double t, const glm::dvec3& fromShadow) const {
     const double r = static_cast<double>(plane_.shadowRadius_V), tint = static_cast<double>(plane_.opacity);
     const double q = r > 0 ? glm::dot(fromShadow, fromShadow) / (r * r) : 1e9;
@@ -88,7 +89,7 @@ class PlaneSheet : public Sheet {
   std::size_t mark_;
 };
 
-/// At height h over the apex the radius is slope h.
+/// Cone whose radius at height h over the apex is slope * h.
 class ConeSheet : public Sheet {
  public:
   ConeSheet(const draw::Camera& camera, const draw::GlassCone& cone, std::size_t firstMark)
@@ -108,7 +109,7 @@ class ConeSheet : public Sheet {
   void meet(const SightLine& sight, double t, std::vector<SheetHit>& hits) const override {
     const glm::dvec3 d = sight.direction_C, apex = apex_C_ - sight.origin_C;
     const double t0 = glm::dot(apex, d) / glm::dot(d, d), kk = 1 + slope_ * slope_;
-    const glm::dvec3 o = t0 * d - apex;  // from the point of the line nearest the apex, as for the solids
+    const glm::dvec3 o = t0 * d - apex;  // from the line's point nearest the apex, as for the solids
     const double du = glm::dot(d, axis_C_), ou = glm::dot(o, axis_C_);
     const double a = glm::dot(d, d) - kk * du * du, b = glm::dot(d, o) - kk * du * ou,
                  c = glm::dot(o, o) - kk * ou * ou;

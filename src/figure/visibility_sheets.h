@@ -9,23 +9,21 @@
 
 namespace poinsot::figure {
 
-/// Where a line of sight passes a sheet.
 struct SheetHit {
   double t = 0;
   double opacity = 0;
   draw::Color color{0};    ///< linear light
-  std::uint64_t mark = 0;  ///< one bit for each side of each sheet (of the first 64)
+  std::uint64_t mark = 0;  ///< bit of the sheet's side; 0 after the first 64 sides
 };
 
-/// Something translucent, as the eye has it.
 class Sheet {
  public:
   virtual ~Sheet() = default;
-  /// Adds the places nearer than `t` where the line of sight passes it.
+  /// Adds the places nearer than `t` where the line of sight passes the sheet.
   virtual void meet(const SightLine& sight, double t, std::vector<SheetHit>& hits) const = 0;
 };
 
-/// Every sheet of a list that is wholly in front of the camera.
+/// Returns the sheets of a list that are wholly in front of the camera.
 std::vector<std::unique_ptr<const Sheet>> sheetsOf(const draw::DrawList& list);
 
 }  // namespace poinsot::figure

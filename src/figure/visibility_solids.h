@@ -10,8 +10,8 @@
 
 namespace poinsot::figure {
 
-/// A line of sight: the points origin_C + t * direction_C of camera axes C, where origin_C.z = 0 (the eye, or
-/// beside it with parallel rays) and direction_C.z = -1, so that t is the distance along the view, as depth is.
+/// Line of sight: the points origin_C + t * direction_C in camera axes C. origin_C.z is 0 (the eye, or a point
+/// beside it for parallel rays) and direction_C.z is -1, so that t is the distance along the view, as depth is.
 struct SightLine {
   glm::dvec3 origin_C{0};
   glm::dvec3 direction_C{0, 0, -1};
@@ -19,18 +19,17 @@ struct SightLine {
   glm::dvec3 at(double t) const { return origin_C + t * direction_C; }
 };
 
-/// Something opaque, as the eye has it.
 class Occluder {
  public:
   virtual ~Occluder() = default;
-  /// Whether the line of sight meets it nearer than `t`.
+  /// Returns whether the line of sight meets the solid nearer than `t`.
   virtual bool hides(const SightLine& sight, double t) const = 0;
 };
 
-/// Every opaque solid of a list that is wholly in front of the camera, and its tubes.
+/// Returns the solids of a list that are wholly in front of the camera, and its tubes.
 std::vector<std::unique_ptr<const Occluder>> occludersOf(const draw::DrawList& list);
 
-/// The affine image of the unit sphere: where a line of sight enters and leaves it.
+/// Affine image of the unit sphere, for intersection with a line of sight.
 struct SphereMap {
   glm::dvec3 centre_C{0};
   glm::dmat3 toUnitSphere{1};  ///< inverse of the semi-axis matrix
@@ -43,21 +42,21 @@ struct SphereMap {
     bool meets = false;
   };
   Chord chord(const SightLine& sight) const;
-  /// Unit normal, outwards, at distance t of the line. @pre t is an end of its chord.
+  /// Returns the outward unit normal at distance t along the line. @pre t is an end of its chord.
   glm::dvec3 normal_C(const SightLine& sight, double t) const;
 };
 
-/// Whether an ellipsoid lies wholly beyond the camera's near distance.
+/// Returns whether an ellipsoid lies wholly beyond the camera's near distance.
 bool inFront(const draw::Camera& camera, glm::dvec3 centre_C, const glm::dmat3& semiAxes_C);
 
-/// Directions or matrices of columns from V to C.
+/// Turns a direction, or the columns of a matrix, from picture axes V to camera axes C.
 glm::dvec3 turnToCamera(const draw::Camera& camera, glm::vec3 direction_V);
 glm::dmat3 turnToCamera(const draw::Camera& camera, const glm::mat3& columns_V);
 
-/// Null where the mesh is empty or not wholly in front of the camera.
+/// Returns null if the mesh is empty or not wholly in front of the camera.
 std::unique_ptr<const Occluder> makeMeshOccluder(const draw::Camera& camera, const draw::Mesh& mesh);
 
-/// Null for a flat curve (radius_V = 0) and for one with fewer than two points.
+/// Returns null for a flat curve (radius_V = 0) and for a curve with fewer than two points.
 std::unique_ptr<const Occluder> makeTubeOccluder(const draw::Camera& camera, const draw::Curve& curve);
 
 }  // namespace poinsot::figure

@@ -7,7 +7,7 @@
 
 namespace poinsot::figure {
 
-/// An upright box, from its lowest to its highest corner.
+/// Axis-aligned box, empty until include().
 struct Bounds {
   glm::dvec3 low{1e300};
   glm::dvec3 high{-1e300};
@@ -16,18 +16,17 @@ struct Bounds {
   void include(const Bounds& other);
 };
 
-/// The straight line origin + t direction.
 struct Line {
   glm::dvec3 origin{0};
   glm::dvec3 direction{0};
 };
 
-/// Things in boxes in boxes, so that a line looks only at the few things near it.
+/// Tree of bounding boxes, so that a line is tested only against the few things near it.
 class BoundsTree {
  public:
   explicit BoundsTree(const std::vector<Bounds>& things);
 
-  /// Calls meets(thing) for the things whose box the line enters before `t`, until one answers true.
+  /// Calls meets(i) for each thing i whose box the line enters before `t`, until a call returns true.
   template <typename Meets>
   bool any(const Line& line, double t, const Meets& meets) const {
     std::vector<std::size_t> open;
@@ -44,7 +43,7 @@ class BoundsTree {
   }
 
  private:
-  /// A leaf holds `count` things from order_[first]; an inner node (count 0) two nodes.
+  /// Node of the tree. A leaf holds `count` things from order_[first]; an inner node (count 0) has two children.
   struct Node {
     Bounds bounds;
     std::size_t first = 0, count = 0;

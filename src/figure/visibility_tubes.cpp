@@ -11,7 +11,7 @@
 namespace poinsot::figure {
 namespace {
 
-// A chain of cylinders, balls at their joints. The ends are flat, as they are drawn.
+// Tube as a chain of cylinders with balls at their joints. The ends are flat, as they are drawn.
 class TubeOccluder : public Occluder {
  public:
   TubeOccluder(std::vector<glm::dvec3> points_C, bool closed, double radius, double lift, double near)
@@ -62,7 +62,7 @@ class TubeOccluder : public Occluder {
     return enter > 0 && enter < t && height >= 0 && height <= 1;
   }
 
-  // The ball at the far end of piece k, where another piece follows.
+  // Tests the ball at the far end of piece k, which exists if another piece follows.
   bool meetsJoint(std::size_t k, const SightLine& sight, double t) const {
     if (!closed_ && k + 1 == pieces()) return false;
     const SphereMap::Chord chord = SphereMap(point(k + 1), glm::dmat3(radius_)).chord(sight);

@@ -7,18 +7,17 @@
 
 #include "figure/figure.h"
 
-/// The three media, each as the bytes of its file.
 namespace poinsot::figure {
 
-/// A figure about to be written.
 struct Figure {
   const draw::Picture& picture;
   const image::Image& imagePart;
   const FigureOptions& options;
 
-  double pointsPerPixel() const;  ///< points of 1/72 inch
+  double pointsPerPixel() const;  ///< in points of 1/72 inch
   double dpi() const { return 72 / pointsPerPixel(); }
-  /// Without paper a label has no halo of paper; in the image part it is a hole.
+  /// Returns whether the picture has paper. Without paper, a label has no halo of paper; its halo is a hole in the
+  /// image part.
   bool hasPaper() const { return imagePart.channels == 3; }
 };
 
@@ -27,7 +26,7 @@ using Bytes = std::vector<std::uint8_t>;
 Bytes pdfOf(const Figure& figure);
 std::string svgOf(const Figure& figure);
 
-/// @param imageName of the image part's PNG, beside the file.
+/// @param imageName  name of the image part's PNG, which is beside the TeX file.
 std::string tikzOf(const Figure& figure, const std::string& imageName);
 
 }  // namespace poinsot::figure

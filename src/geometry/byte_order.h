@@ -8,7 +8,7 @@
 
 namespace poinsot::geometry {
 
-/// The number whose bytes, in `order`, begin `bytes`. @pre enough of them.
+/// Returns the number whose bytes, in `order`, begin `bytes`. @pre at least sizeof(T) bytes.
 template <typename T>
 T fromBytes(std::string_view bytes, std::endian order) {
   std::array<char, sizeof(T)> own;

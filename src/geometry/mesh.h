@@ -11,7 +11,7 @@
 
 namespace poinsot::geometry {
 
-/// A place in a file: a line of a text (counted from 1), or a byte of a binary (counted from 0).
+/// Place in a file: a line of a text (counted from 1), or a byte of a binary file (counted from 0).
 struct FilePlace {
   std::uint64_t isLine : 1 = 0;
   std::uint64_t number : 63 = 0;
@@ -20,19 +20,19 @@ struct FilePlace {
 constexpr FilePlace atLine(std::uint64_t number) { return {1, number & (~std::uint64_t{0} >> 1)}; }
 constexpr FilePlace atByte(std::uint64_t number) { return {0, number & (~std::uint64_t{0} >> 1)}; }
 
-/// "line 12" or "byte 684".
+/// Returns "line 12" or "byte 684".
 std::string toString(const FilePlace& place);
 
-/// Triangles in space, each counter-clockwise when seen from outside. Lengths in m, axes M.
+/// Triangles in space, counter-clockwise when seen from outside. Lengths in m, axes M.
 struct Mesh {
   using Triangle = std::array<std::uint32_t, 3>;  ///< indices into `vertices_M`
 
   std::vector<Eigen::Vector3d> vertices_M;
   std::vector<Triangle> triangles;
-  std::vector<FilePlace> places = {};  ///< each triangle's in its file; empty for a mesh that was not read
+  std::vector<FilePlace> places = {};  ///< each triangle's place in its file; empty for a mesh that was not read
 };
 
-/// The least box along the axes that holds a mesh.
+/// Axis-aligned bounding box of a mesh.
 struct Bounds {
   Eigen::Vector3d low_M, high_M;
 
@@ -43,18 +43,18 @@ struct Bounds {
 /// @pre at least one vertex.
 Bounds boundsOf(const Mesh& mesh);
 
-/// The same surface with its inside out.
+/// Returns the same surface turned inside out.
 Mesh flipped(Mesh mesh);
 
-/// Both surfaces, without their places; a cavity is a flipped mesh within another.
+/// Returns both surfaces as one mesh, without their places. A cavity is a flipped mesh within another.
 Mesh joined(Mesh a, const Mesh& b);
 
-/// Every vertex v becomes A v + offset. @pre det A > 0, or outside becomes inside.
+/// Returns the mesh with each vertex v replaced by A v + offset. @pre det A > 0, or outside becomes inside.
 Mesh transformed(Mesh mesh, const Eigen::Matrix3d& A, const Eigen::Vector3d& offset_M = Eigen::Vector3d::Zero());
 
-/// Vertices at exactly the same place become one, in the order of their first; those of no triangle go. Files
-/// repeat a corner for every triangle (STL) or for every normal (PLY), and a surface closes only along shared
-/// ones.
+/// Returns the mesh with vertices at exactly the same place merged into one, in the order of first occurrence, and
+/// without unused vertices. Files repeat a corner for every triangle (STL) or for every normal (PLY), but a
+/// surface closes only along shared vertices.
 /// @pre finite; indices in range.
 Mesh welded(const Mesh& mesh);
 

@@ -21,8 +21,7 @@ std::string ends(const Mesh& mesh, Edge e) {
   return text(mesh.vertices_M[lowerEnd(e)]) + " to " + text(mesh.vertices_M[higherEnd(e)]);
 }
 
-/// Returns " (of the triangle at line 12)" for the words "of the triangle at"; nothing for a mesh that was not
-/// read.
+/// Returns " (of the triangle at line 12)" for the words "of the triangle at"; empty for a mesh that was not read.
 std::string inFile(const Mesh& mesh, const char* words, const std::vector<std::size_t>& triangles) {
   if (mesh.places.empty()) return "";
   std::string places;
@@ -30,7 +29,6 @@ std::string inFile(const Mesh& mesh, const char* words, const std::vector<std::s
   return fmt::format(" ({} {})", words, places);
 }
 
-/// Returns the triangles that run along an edge.
 std::vector<std::size_t> trianglesAlong(const Mesh& mesh, Edge edge) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -61,8 +59,8 @@ Mesh::Triangle sortedCorners(Mesh::Triangle t) {
   return t;
 }
 
-/// Refuses a triangle that is among these twice, facing the same way, unless others that face it cancel it: what
-/// it bounds would count twice.
+/// Rejects a triangle that is among `triangles` twice, facing the same way, because its volume would count twice.
+/// Triangles that face the other way cancel it.
 void expectDistinct(const Mesh& mesh, std::vector<std::size_t> triangles) {
   const auto corners = [&](std::size_t i) { return sortedCorners(mesh.triangles[i]); };
   std::ranges::sort(triangles, {}, [&](std::size_t i) { return std::pair(corners(i), i); });
@@ -76,7 +74,6 @@ void expectDistinct(const Mesh& mesh, std::vector<std::size_t> triangles) {
   }
 }
 
-/// Refuses an edge along which more triangles run one way than the other.
 [[noreturn]] void refuseEdge(const Mesh& mesh, Edge edge, const std::vector<Edge>& edges) {
   const std::vector<std::size_t> along = trianglesAlong(mesh, edge);
   const std::string between = ends(mesh, edge);
@@ -109,7 +106,7 @@ void checkVolume(const Mesh& mesh) {
   if (volume < -kNoVolume * box)
     throw core::sceneError(fmt::format(
         "the mesh is inside out: its volume is {} m³; flip its triangles (swap two corners of each)", volume));
-  if (!(volume > kNoVolume * box))  // not a number where it is exactly 0: there is no centre
+  if (!(volume > kNoVolume * box))  // NaN if the volume is exactly 0, because then no centre exists
     throw core::sceneError(
         "the volume of the mesh is 0: its triangles lie in one plane, or each faces another at the same place; "
         "remove the triangles that face inward, or give the surface a thickness");
@@ -125,7 +122,7 @@ void checkParts(const Mesh& mesh) {
       text(corner), inFile(mesh, "of the triangle at", {*triangle})));
 }
 
-/// Refuses a triangle that the mesh has twice. Only then do two triangles run the same way along all three edges.
+/// Rejects triangles that the mesh has twice. If no directed edge is repeated, there are none.
 void checkDistinct(const Mesh& mesh, const std::vector<Edge>& edges) {
   if (std::ranges::adjacent_find(edges) == edges.end()) return;
   std::vector<std::size_t> all(mesh.triangles.size());

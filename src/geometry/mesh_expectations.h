@@ -4,7 +4,6 @@
 #include "core/expect.h"
 #include "geometry/mesh.h"
 
-// Checks of a mesh that may come from anywhere.
 namespace poinsot::geometry {
 
 inline void expectIndicesInRange(const Mesh& mesh) {

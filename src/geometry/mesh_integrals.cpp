@@ -12,7 +12,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Neumaier's sum: a million triangles lose no digits.
+/// Neumaier's compensated sum, in which a million triangles lose no digits.
 class Sum {
  public:
   void add(double term) {
@@ -26,7 +26,7 @@ class Sum {
   double total_ = 0, rest_ = 0;
 };
 
-/// Moments of the inside about the point that its triangles are given from.
+/// Moments of the inside about the origin of the triangles' coordinates.
 struct Moments {
   Sum volume;                 // ∫dV
   std::array<Sum, 3> first;   // ∫x, ∫y, ∫z
@@ -54,10 +54,9 @@ struct Moments {
 
 struct Frame {
   Vector3d origin_M = Vector3d::Zero();
-  int exponent = 0;  // lengths are divided by 2^this, so that fifth powers neither overflow nor vanish
+  int exponent = 0;  // lengths are divided by 2^exponent, so that fifth powers neither overflow nor underflow
 };
 
-/// The centre and the size of the bounding box.
 Frame frameOf(const Mesh& mesh) {
   const Bounds bounds = boundsOf(mesh);
   Frame frame{bounds.centre_M(), 0};
@@ -73,7 +72,7 @@ Moments momentsAbout(const Mesh& mesh, const Frame& frame) {
   return moments;
 }
 
-/// tr(C) 1 - C of the second moments C per volume, brought from the origin to the centre c (eq 14).
+/// Returns tr(C) 1 - C of the second moments C per volume, moved from the origin to the centre c (eq 14).
 Matrix3d inertiaPerVolume(const Moments& moments, const Vector3d& c) {
   const double V = moments.volume.value();
   Matrix3d I;

@@ -11,17 +11,17 @@
 namespace poinsot::geometry {
 namespace {
 
-constexpr double kRoundingOfDoubles = 1e-9, kRoundingOfFloats = 1e-6;  // parts of the size
+constexpr double kRoundingOfDoubles = 1e-9, kRoundingOfFloats = 1e-6;  // relative to the size of the mesh
 
 struct Corner {
   Eigen::Vector3d place;
   std::uint32_t vertex;
 };
 
-/// Joins corners that lie together. A set is divided at every gap along x, then each part along y, then z, and
-/// again, until no axis divides it. No cell has a border that could part two neighbours, and no chain of
-/// neighbours is drawn together: a part wider than the reach is left as it is. Sorting, not hashing: a file cannot
-/// choose a slow case.
+/// Joins corners that lie together. A set of corners is divided at every gap along x, each part along y, then z,
+/// and again, until no axis divides it. There are no cells whose border could separate two neighbours. A chain of
+/// neighbours is not drawn together: a part wider than the reach does not change. Sorts instead of hashing, so
+/// that a file cannot choose a slow case.
 class Joiner {
  public:
   Joiner(const Mesh& mesh, double reach) : reach_(reach), target_(mesh.vertices_M.size()) {
@@ -35,9 +35,9 @@ class Joiner {
   const std::vector<std::uint32_t>& target() const { return target_; }
 
  private:
-  static constexpr int kMostRounds = 12;  // each axis four times; of honest files two are enough
+  static constexpr int kMostRounds = 12;  // each axis four times; for honest files, two rounds are enough
 
-  /// @param undivided  how many axes in a row, just before this one, left these corners whole.
+  /// @param undivided  number of consecutive axes, up to the one before this, that did not divide these corners.
   void divide(std::span<Corner> corners, int axis, int undivided, int rounds) {
     if (corners.size() < 2) return;
     if (undivided == 3 || rounds == 0) return joinAll(corners);
@@ -84,7 +84,6 @@ std::vector<Corner> cornersOf(const Mesh& mesh, const std::vector<Edge>& edges) 
   return corners;
 }
 
-/// Joins the corners, and leaves out the triangles that collapse by it.
 Mesh joinedAt(const Mesh& mesh, const std::vector<std::uint32_t>& target) {
   Mesh kept{mesh.vertices_M, {}};
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {

@@ -24,7 +24,7 @@ std::string withByte(const FilePlace& place, const std::string& message) {
   return place.isLine ? message : toString(place) + ": " + message;
 }
 
-/// from_chars knows no plus sign; "+-1" is still no number.
+/// Removes a plus sign, which std::from_chars() rejects; "+-1" stays invalid.
 std::string_view withoutPlus(std::string_view word) {
   if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
   return word;

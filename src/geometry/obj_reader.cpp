@@ -8,7 +8,7 @@
 namespace poinsot::geometry {
 namespace {
 
-/// The vertex of a corner "v", "v/vt", "v//vn" or "v/vt/vn", counted from 0. Negative: back from the last.
+/// Returns the vertex of a corner "v", "v/vt", "v//vn" or "v/vt/vn", counted from 0. Negative numbers count back.
 std::int64_t cornerOf(std::string_view word, const FilePlace& place, const MeshBuilder& builder) {
   const std::int64_t number = toWhole(word.substr(0, word.find('/')), place, builder);
   const auto count = static_cast<std::int64_t>(builder.vertexCount());
@@ -23,19 +23,20 @@ std::int64_t cornerOf(std::string_view word, const FilePlace& place, const MeshB
 void readVertex(std::string_view rest, const FilePlace& place, MeshBuilder& builder) {
   Eigen::Vector3d v;
   for (double& coordinate : v) coordinate = toNumber(takeWord(rest), place, builder);
-  builder.addVertex(v, place);  // what follows is a weight or a colour
+  builder.addVertex(v, place);  // a weight or a colour after the position is ignored
 }
 
 void readFace(std::string_view rest, const FilePlace& place, MeshBuilder& builder) {
   std::vector<std::int64_t> corners;
   for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
     corners.push_back(cornerOf(word, place, builder));
-    builder.expectTriangles(corners.size() < 3 ? 0 : corners.size() - 2, place);  // before more corners are kept
+    builder.expectTriangles(corners.size() < 3 ? 0 : corners.size() - 2,
+                            place);  // checked before more corners are stored
   }
   builder.addFace(corners, place);
 }
 
-/// The line with those that it is continued on by a backslash at its end, without its comment.
+/// Returns the line without its comment, joined with the lines that follow a backslash at its end.
 std::string wholeLine(LineReader& lines) {
   std::string whole(lines.line());
   const auto continues = [&] {

@@ -14,25 +14,24 @@ namespace {
 
 constexpr const char* kEnd = "the file ends before the last row that its header counts; export the mesh again";
 
-/// The numbers of the body, one after another, in rows.
+/// Reader of the numbers of the body, one after another, in rows.
 class Values {
  public:
   virtual ~Values() = default;
   virtual void beginRow() {}
-  /// Passes over what is left of the row, with a note.
+  /// Skips the rest of the row, with a note.
   virtual void endRow() {}
-  /// Notes what is left after the last row.
+  /// Adds a note if data are left after the last row.
   virtual void finish() = 0;
   virtual double next(PlyScalar type) = 0;
-  /// Of a whole type.
   virtual std::int64_t nextWhole(PlyScalar type) = 0;
-  virtual FilePlace place() const = 0;  ///< of the last one
+  virtual FilePlace place() const = 0;  ///< place of the last number
 };
 
 bool isBlank(std::string_view line) { return takeWord(line).empty(); }
 
-/// Whether a text has a line for each row, which is how it should be. If it has not, rows go on across line ends,
-/// or several share a line.
+/// Returns whether a text has a line for each row, as it should. Otherwise, rows continue across line ends, or
+/// several rows share a line.
 bool isByLines(LineReader lines, const PlyHeader& header) {
   std::uint64_t rows = 0, filled = 0;
   for (const PlyElement& element : header.elements) rows += element.count;
@@ -73,7 +72,6 @@ class AsciiValues : public Values {
   FilePlace place() const override { return lines_.place(); }
 
  private:
-  /// Goes to the next line that is not blank.
   void nextLine() {
     do {
       if (!lines_.next()) builder_.refuse(place(), kEnd);
@@ -121,7 +119,7 @@ class BinaryValues : public Values {
     }
     return take<double>();
   }
-  /// All of 32 bits or fewer: a double holds each.
+  /// Whole types have at most 32 bits, which a double holds exactly.
   std::int64_t nextWhole(PlyScalar type) override { return static_cast<std::int64_t>(next(type)); }
   void finish() override {
     if (at_ < bytes_.size())
@@ -146,7 +144,6 @@ class BinaryValues : public Values {
   MeshBuilder& builder_;
 };
 
-/// Reads the rows of the elements in their order.
 class BodyReader {
  public:
   BodyReader(Values& values, MeshBuilder& builder) : values_(values), builder_(builder) {}
@@ -171,7 +168,7 @@ class BodyReader {
 
   void readVertices(const PlyElement& element) {
     builder_.expectVertices(element.count, element.place);
-    std::vector<int> axes;  // of each property; -1: of no interest
+    std::vector<int> axes;  // axis of each property; -1 if ignored
     for (const PlyProperty& p : element.properties)
       axes.push_back(p.countType ? -1 : p.name == "x" ? 0 : p.name == "y" ? 1 : p.name == "z" ? 2 : -1);
     for (int axis = 0; axis < 3; ++axis)
@@ -211,7 +208,7 @@ class BodyReader {
   void readFace(const PlyProperty& property) {
     const std::uint64_t count = countOf(property);
     const FilePlace place = values_.place();
-    builder_.expectTriangles(count, place);  // before so many corners are kept
+    builder_.expectTriangles(count, place);  // checked before so many corners are stored
     std::vector<std::int64_t> corners;
     for (std::uint64_t i = 0; i < count; ++i) corners.push_back(values_.nextWhole(property.type));
     builder_.addFace(corners, place);

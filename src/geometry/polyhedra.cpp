@@ -17,16 +17,15 @@ using Eigen::Vector3d;
 
 constexpr double kPhi = std::numbers::phi;
 
-/// (x, y, z) with every choice of signs of what is not 0, each once.
+/// Adds (x, y, z) with every choice of signs of its nonzero coordinates, each point once.
 void addSigns(std::vector<Vector3d>& points, const Vector3d& v) {
   for (int signs = 0; signs < 8; ++signs) {
     const Vector3d flip(signs & 1 ? -1 : 1, signs & 2 ? -1 : 1, signs & 4 ? -1 : 1);
-    const Vector3d point = v.cwiseProduct(flip) + Vector3d::Zero();  // + 0: no -0
+    const Vector3d point = v.cwiseProduct(flip) + Vector3d::Zero();  // + 0 turns -0 into 0
     if (std::ranges::find(points, point) == points.end()) points.push_back(point);
   }
 }
 
-/// (x, y, z), (z, x, y) and (y, z, x) with all signs.
 std::vector<Vector3d> cyclic(const Vector3d& v) {
   std::vector<Vector3d> points;
   addSigns(points, v);
@@ -46,15 +45,16 @@ std::vector<Vector3d> dodecahedronCorners() {
 }
 std::vector<Vector3d> tetrahedronCorners() { return {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}; }
 
-/// The corners farthest along a normal, counter-clockwise about it.
+/// Returns the corners farthest along a normal, counter-clockwise about the normal.
 std::vector<std::uint32_t> faceAlong(const std::vector<Vector3d>& corners, const Vector3d& normal) {
-  constexpr double kSame = 1e-9;  // corners of one face agree to rounding, others are far off
+  constexpr double kSame = 1e-9;  // corners of one face agree to rounding; others are far off
   double farthest = 0;
   for (const Vector3d& corner : corners) farthest = std::max(farthest, corner.dot(normal));
   std::vector<std::uint32_t> face;
   for (std::uint32_t i = 0; i < corners.size(); ++i)
     if (corners[i].dot(normal) > farthest - kSame) face.push_back(i);
-  // Angles from opposite the first corner, which so comes first whatever the rounding.
+  // Angles are measured from opposite the first corner. That corner gets -4, below every angle, so that rounding
+  // cannot move it from the first place.
   const std::uint32_t start = face[0];
   const Vector3d e1 = (corners[start] - normal * (farthest / normal.squaredNorm())).normalized();
   const Vector3d e2 = normal.normalized().cross(e1);
@@ -64,7 +64,7 @@ std::vector<std::uint32_t> faceAlong(const std::vector<Vector3d>& corners, const
   return face;
 }
 
-/// Of corners `edge` apart and the normals of its faces, made to measure.
+/// Returns a polyhedron with edges of edge_m, from corners that are `edge` apart and the normals of its faces.
 Mesh polyhedron(const std::vector<Vector3d>& corners, double edge, const std::vector<Vector3d>& normals,
                 double edge_m) {
   Mesh mesh;
@@ -76,7 +76,7 @@ Mesh polyhedron(const std::vector<Vector3d>& corners, double edge, const std::ve
   return mesh;
 }
 
-/// Each triangle becomes four; new vertices at the middles of the edges, pushed out to the unit sphere.
+/// Splits each triangle into four. New vertices are the middles of edges, moved out to the unit sphere.
 Mesh subdivided(const Mesh& mesh) {
   Mesh result{mesh.vertices_M, {}};
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
@@ -117,7 +117,7 @@ Mesh icosahedronMesh(double edge_m) { return polyhedron(icosahedronCorners(), 2,
 Mesh boxMesh(const Vector3d& edges_m) { return transformed(cubeMesh(1), edges_m.asDiagonal().toDenseMatrix()); }
 
 Mesh ellipsoidMesh(const Vector3d& semiAxes_m, int subdivisions) {
-  POINSOT_EXPECT(0 <= subdivisions && subdivisions <= 8);  // 8: 1.3 million triangles
+  POINSOT_EXPECT(0 <= subdivisions && subdivisions <= 8);  // 8 gives 1.3 million triangles
   Mesh mesh = icosahedronMesh(1);
   for (Vector3d& v : mesh.vertices_M) v.normalize();
   for (int i = 0; i < subdivisions; ++i) mesh = subdivided(mesh);

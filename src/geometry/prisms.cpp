@@ -8,7 +8,7 @@ namespace poinsot::geometry {
 
 namespace {
 
-/// Whether an edge runs counter-clockwise about the first corner, or straight away from it.
+/// Returns whether an edge runs counter-clockwise about the first corner, or straight away from it.
 bool firstSees(std::span<const Vector2> outline_xy, const Vector2& from, const Vector2& to) {
   const Vector2 a = from - outline_xy[0], b = to - outline_xy[0];
   return a[0] * b[1] - a[1] * b[0] >= 0;

@@ -10,11 +10,11 @@
 namespace poinsot::geometry {
 namespace {
 
-// Binary: 80 bytes of anything, the number of triangles, then 50 bytes each: a normal and three corners as floats,
-// and two bytes of anything.
+// Binary STL: 80 bytes of any content, the number of triangles, then 50 bytes for each triangle: a normal and
+// three corners as floats, and two bytes of any content.
 constexpr std::size_t kHeaderBytes = 84, kCountAt = 80, kTriangleBytes = 50, kNormalBytes = 12;
 
-// Blank lines before the first word end somewhere.
+// Bytes that are searched for the first word, which may follow blank lines.
 constexpr std::size_t kLongestStart = 4096;
 
 void addTriangle(MeshBuilder& builder, const FilePlace& place) {
@@ -46,7 +46,7 @@ void readBinary(std::string_view bytes, std::uint32_t count, MeshBuilder& builde
                                           bytes.size() - end, count));
 }
 
-/// The lines of an ASCII file, one after another. Keywords may be in capitals, and "end" may stand by itself.
+/// Reader of an ASCII file, line by line. Keywords may be in capitals, and "end" may be a word of its own.
 class Ascii {
  public:
   explicit Ascii(MeshBuilder& builder) : builder_(builder) {}
@@ -118,7 +118,8 @@ std::string_view firstWord(std::string_view text) {
   return "";
 }
 
-/// Many binary files begin with "solid" too, but their count of triangles has a zero byte.
+/// Returns whether a file is ASCII. Many binary files begin with "solid", too, but their count of triangles has a
+/// zero byte.
 bool isAscii(std::string_view bytes) {
   return core::lowered(firstWord(bytes.substr(0, kLongestStart))) == "solid" &&
          bytes.substr(0, kHeaderBytes).find('\0') == bytes.npos;
@@ -142,7 +143,7 @@ bool isAscii(std::string_view bytes) {
 
 }  // namespace
 
-// A length that fits the count decides before the first word does: a binary file may begin with "solid", too.
+// A length that fits the count decides before the first word, because a binary file may begin with "solid", too.
 void readStl(std::string_view bytes, MeshBuilder& builder) {
   const bool hasHeader = bytes.size() >= kHeaderBytes;
   const auto count = hasHeader ? fromBytes<std::uint32_t>(bytes.substr(kCountAt), std::endian::little) : 0;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// The vertices that one corner of the outline sweeps: a ring, or a single one on the axis.
+/// Vertices that one corner of the outline sweeps: a ring, or a single vertex on the axis.
 struct Ring {
   std::uint32_t first = 0;
   std::uint32_t count = 1;
@@ -30,7 +30,7 @@ Ring addRing(Mesh& mesh, const Vector2& corner_rz, int segments) {
   return ring;
 }
 
-/// The band between two neighbouring corners; of the two triangles of a step one vanishes at the axis.
+/// Adds the band between two neighbouring corners. At the axis, one of the two triangles of a step vanishes.
 void addBand(Mesh& mesh, const Ring& low, const Ring& high, int segments) {
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(segments); ++i) {
     if (low.count > 1) mesh.triangles.push_back({low.at(i), low.at(i + 1), high.at(i + 1)});
@@ -38,7 +38,6 @@ void addBand(Mesh& mesh, const Ring& low, const Ring& high, int segments) {
   }
 }
 
-/// Appends points of a circle about (r, z), both ends included.
 void addArc(std::vector<Vector2>& outline, const Vector2& centre, double radius, double from, double to,
             int steps) {
   for (int i = 0; i <= steps; ++i) {
@@ -47,7 +46,7 @@ void addArc(std::vector<Vector2>& outline, const Vector2& centre, double radius,
   }
 }
 
-/// As many steps over a quarter as the circles have.
+/// Returns the steps of a quarter circle, as fine as those of the full circles.
 int quarter(int segments) { return (segments + 3) / 4; }
 
 }  // namespace
@@ -68,7 +67,7 @@ Mesh torusMesh(double radius_m, double tubeRadius_m, int segments) {
   POINSOT_EXPECT(0 < tubeRadius_m && tubeRadius_m < radius_m);
   std::vector<Vector2> outline;
   addArc(outline, {radius_m, 0}, tubeRadius_m, 0, 2 * kPi, segments);
-  outline.pop_back();  // the start again
+  outline.pop_back();  // the last point repeats the first
   return turnedMesh(outline, segments);
 }
 
@@ -101,7 +100,7 @@ Mesh capsuleMesh(double radius_m, double height_m, int segments) {
   std::vector<Vector2> outline;
   addArc(outline, {0, -half}, radius_m, -kPi / 2, 0, quarter(segments));
   addArc(outline, {0, half}, radius_m, 0, kPi / 2, quarter(segments));
-  outline.front() = {0, -half - radius_m};  // exactly on the axis
+  outline.front() = {0, -half - radius_m};
   outline.back() = {0, half + radius_m};
   return turnedMesh(outline, segments);
 }

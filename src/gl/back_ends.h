@@ -6,61 +6,62 @@
 
 #include "gl/offscreen_context.h"
 
-// Internal to this layer.
 namespace poinsot::gl {
 
 using FunctionLoader = void (*(*)(const char*))();
 
-// Both back ends have this in common: a context's place among those of its thread.
+// Base of both back ends' contexts. It keeps the context's place among the contexts of its thread.
 class NestedContext : public OffscreenContext {
  public:
-  // Remembers what is current on this thread, and leaves nothing current.
+  // Records what is current on this thread, and leaves nothing current.
   NestedContext();
-  // Makes what was current before current again, unless another context has become current since.
+  // Makes the earlier context current again, unless another context has become current since.
   ~NestedContext() override;
 
   bool isCurrent() const final;
-  // Fills this thread's table of functions, too.
+  // Also loads this thread's table of OpenGL functions.
   void makeCurrent() final;
 
  protected:
-  // To be called by the derived destructor before it destroys its context.
+  // Must be called by the derived destructor before it destroys its context.
   void leave();
 
  private:
   struct Place;
 
-  virtual bool bind() = 0;  // false: the library refuses
+  virtual bool bind() = 0;
   virtual void unbind() = 0;
-  virtual bool isBound() const = 0;  // by the library's word
+  virtual bool isBound() const = 0;
   virtual FunctionLoader loader() const = 0;
 
   static Place& settled(Place& place);
   static thread_local std::shared_ptr<Place> latest_;
 
   std::shared_ptr<Place> place_;
-  bool begun_ = false;    // it was current
-  bool restores_ = true;  // at its end
+  bool begun_ = false;
+  bool restores_ = true;  // whether its end makes the earlier context current again
 };
 
-// Makes a new context current, and expects that it draws (drawing_check.h).
-// @throws core::Error(kGraphics) when the context is older than OpenGL 3.3, or does not draw.
+// Makes a new context current and checks that it draws (drawing_check.h).
+// @throws core::Error(kGraphics) if the context is older than OpenGL 3.3 or does not draw.
 void makeReady(NestedContext& context);
 
-// Returns what makes the context current again that is current on this thread by way of that library; null where
-// there is none. Opens no library.
+// Returns a function that restores the EGL (or OSMesa) context that is current on this thread; null if there is
+// none. releasedEglContext() also releases that context. Neither function opens a library.
 //
-// Mesa's EGL and OSMesa note what is current in one place, and OSMesa takes any context that it finds there for
-// one of its own: its word counts only after EGL's context was released.
+// Mesa's EGL and OSMesa record the current context in one place, and OSMesa reports any context found there as its
+// own. So OSMesa's report counts only after EGL's context was released.
 std::function<void()> releasedEglContext();
 std::function<void()> callersOsMesaContext();
 
-// The context that OSMesa takes for current on this thread, of either library; null if OSMesa is not open.
+// Returns the context that OSMesa reports as current on this thread, which may be EGL's; null if OSMesa is not
+// open.
 const void* osMesasWord();
 
-// Each is made in the one file that knows its library. Current on return, and ready.
+// Each of these functions is defined in the one file that knows its library. Contexts are current and ready on
+// return.
+// @throws core::Error(kGraphics) if the library or the context cannot be opened.
 std::unique_ptr<OffscreenContext> openOsMesaContext();
-// @throws core::Error(kGraphics)
 void openOsMesaLibrary();
 std::unique_ptr<OffscreenContext> openEglContext();
 

@@ -52,8 +52,8 @@ const EglFunctions& egl() {
   return functions;
 }
 
-/// The display without surfaces, of which a process has one: contexts of the caller's may be on it too. It ends
-/// with the last of ours, unless it was there before the first.
+/// Surfaceless EGL display. A process has only one, so contexts of the caller may use it too. It is terminated
+/// with our last context, unless it was initialised before our first.
 class SurfacelessDisplay {
  public:
   SurfacelessDisplay() {
@@ -117,7 +117,7 @@ class EglContext final : public NestedContext {
 
  private:
   bool bind() override {
-    unbind();  // EGL takes its context for current while OSMesa has replaced it, and would do nothing
+    unbind();  // else EGL does nothing if OSMesa has replaced this context, which EGL still takes for current
     egl().bindApi(EGL_OPENGL_API);
     const bool bound = egl().makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
     osMesasWord_ = osMesasWord();
@@ -125,14 +125,14 @@ class EglContext final : public NestedContext {
   }
   void unbind() override { egl().makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
   bool isBound() const override {
-    // A context of OSMesa's may be current over this one. If OSMesa was opened later, its word cannot be compared.
+    // An OSMesa context may have replaced this one. If OSMesa was opened later, its report cannot be compared.
     return egl().getCurrentContext() == context_ && (!osMesasWord_ || osMesasWord_ == osMesasWord());
   }
   FunctionLoader loader() const override { return reinterpret_cast<FunctionLoader>(egl().getProcAddress); }
 
   SurfacelessDisplay display_;
   EGLContext context_ = EGL_NO_CONTEXT;
-  const void* osMesasWord_ = nullptr;  // while this one is current
+  const void* osMesasWord_ = nullptr;
 };
 
 }  // namespace

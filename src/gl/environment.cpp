@@ -12,16 +12,16 @@
 namespace poinsot::gl {
 namespace {
 
-/// Variables that Mesa reads, by the starts of their names. The program has cleared them all; the process that a
-/// library is used in may need the rest of its environment.
+/// Prefixes of the environment variables that Mesa reads. The program has removed all of them already; a process
+/// that uses the library may need the rest of its environment.
 constexpr std::string_view kMesas[] = {
-    "DRAW_",                 // vertices: their code path; one of them crashes
-    "EGL_",     "__EGL_",    // which EGL, of which vendor
-    "GALLIUM_", "GALLIVM_",  // driver, CPU features and precision; layers that trace, or draw nothing
+    "DRAW_",                 // vertices: code path (one of them crashes)
+    "EGL_",     "__EGL_",    // EGL library and vendor
+    "GALLIUM_", "GALLIVM_",  // driver, CPU features, precision; layers that trace or draw nothing
     "GLSL_",    "NIR_",      // the shader compiler
     "LIBGL_",                // the driver's folder
     "LP_",                   // llvmpipe: threads, vector width, no rasterisation
-    "MESA_",                 // versions, extensions, shaders replaced, caches
+    "MESA_",                 // versions, extensions, replaced shaders, caches
     "ST_DEBUG",              // the state tracker: wireframe
     "TGSI_",                 // shaders of the older kind
 };
@@ -47,7 +47,7 @@ void pinEnvironment(bool reproducible, int rasterThreads) {
   pin("LIBGL_ALWAYS_SOFTWARE", "true");  // EGL: never a GPU by accident
   pin("EGL_PLATFORM", "surfaceless");
   pin("LP_NUM_THREADS", std::to_string(rasterThreads));
-  // FMA or no FMA is what moves pixels between x86 machines; SSE4.1 has none.
+  // Pixels differ between x86 machines because some use FMA. SSE4.1 has none.
   if (reproducible) pin("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1");
   pinShaderCache(reproducible);
 }

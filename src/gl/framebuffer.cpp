@@ -12,7 +12,8 @@ struct ClientFormat {
   GLenum format, type;
 };
 
-// What glTexImage2D wants beside the internal format; no data is sent, so only its class counts.
+// Returns the format and type that glTexImage2D requires besides the internal format. No data is sent, so only the
+// class of the format counts.
 ClientFormat clientFormat(GLenum internal) {
   switch (internal) {
     case GL_DEPTH_COMPONENT32F:
@@ -25,7 +26,7 @@ ClientFormat clientFormat(GLenum internal) {
 }
 
 void requireComplete(glm::ivec2 size) {
-  // llvmpipe reports too large a texture here, as GL_OUT_OF_MEMORY.
+  // llvmpipe reports a texture that is too large here, as GL_OUT_OF_MEMORY.
   const GLenum error = glGetError();
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (error == GL_NO_ERROR && status == GL_FRAMEBUFFER_COMPLETE) return;

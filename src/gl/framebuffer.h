@@ -8,11 +8,11 @@
 
 namespace poinsot::gl {
 
-/// A framebuffer with textures of its own: colour attachments in the order of `colorFormats` (sized internal
-/// formats) and, unless `depthFormat` is 0, a depth texture. All are read with texelFetch only.
+/// Framebuffer with its own textures: colour attachments in the order of `colorFormats` (sized internal formats)
+/// and, unless `depthFormat` is 0, a depth texture. Shaders read all of them with texelFetch only.
 class Framebuffer {
  public:
-  /// @throws core::Error(kGraphics) when the size or a format cannot be had.
+  /// @throws core::Error(kGraphics) if the size or a format is not available.
   Framebuffer(glm::ivec2 size, const std::vector<GLenum>& colorFormats, GLenum depthFormat);
 
   void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id()); }

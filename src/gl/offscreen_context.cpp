@@ -26,7 +26,7 @@ BackendReport probe(const char* name, std::unique_ptr<OffscreenContext> (*open)(
   }
 }
 
-/// Brings back the caller's own context, of either library.
+/// Releases the caller's own context. Returns a function that makes it current again, or null if there is none.
 std::function<void()> releasedCallersContext() {
   const auto egl = releasedEglContext(), osMesa = callersOsMesaContext();
   if (!egl && !osMesa) return nullptr;
@@ -38,16 +38,17 @@ std::function<void()> releasedCallersContext() {
 
 }  // namespace
 
-/// A context, and what was current on its thread before it: a context of ours, else the caller's.
+/// Context (null after its end), and what was current on its thread before: an earlier poinsot context, otherwise
+/// the caller's context.
 struct NestedContext::Place {
-  NestedContext* context = nullptr;  // null: it has ended
+  NestedContext* context = nullptr;
   std::shared_ptr<Place> earlier;
   std::function<void()> callers;
 };
 
 thread_local std::shared_ptr<NestedContext::Place> NestedContext::latest_;
 
-/// Leaves out earlier contexts that have ended.
+/// Unlinks earlier contexts that have ended.
 NestedContext::Place& NestedContext::settled(Place& place) {
   while (place.earlier && !place.earlier->context) {
     const std::shared_ptr<Place> ended = place.earlier;
@@ -75,7 +76,7 @@ NestedContext::~NestedContext() {
   try {
     if (before.earlier) before.earlier->context->makeCurrent();
     if (before.callers) before.callers();
-  } catch (const Error&) {  // nothing is current then, which the next picture reports
+  } catch (const Error&) {  // nothing is current then, and the next picture reports it
   }
 }
 
@@ -130,7 +131,7 @@ void preload(Backend backend) {
   if (backend == Backend::kEgl) return;
   try {
     openOsMesaLibrary();
-  } catch (const Error&) {  // told where it is wanted
+  } catch (const Error&) {  // openContext() reports it
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of OSMesa's interface that are used here. Mesa 25.1 dropped OSMesa and its header GL/osmesa.h, but the
-// sources build alike before and after: the library is opened at run time, if it is there. Names and values are
-// those of Mesa 22.3.
+// Parts of OSMesa's interface that are used here, with the names and values of Mesa 22.3. Mesa 25.1 dropped OSMesa
+// and its header GL/osmesa.h. The sources build with any version, because the library is opened at run time, if
+// present.
 #pragma once
 
 #include <glad/gl.h>

@@ -29,7 +29,7 @@ std::string_view setting(const char* name) {
   return value ? value : "";
 }
 
-/// Where caches are kept; empty if nowhere. A relative path in the environment is none (XDG base directories).
+/// Returns the folder for caches; empty if there is none. Relative paths are not used (XDG base directories).
 fs::path cacheHome() {
   if (const auto own = setting("POINSOT_CACHE"); !own.empty()) return own.starts_with('/') ? own : fs::path();
   if (const auto xdg = setting("XDG_CACHE_HOME"); xdg.starts_with('/')) return fs::path(xdg) / "poinsot";
@@ -37,19 +37,19 @@ fs::path cacheHome() {
   return {};
 }
 
-/// Family, model and features. Mesa's own key has most of them; LLVM goes by the model, too.
+/// Returns family, model and features of the CPU. Mesa's cache key has most features, but LLVM depends on the
+/// model too.
 std::array<unsigned, 6> processor() {
   std::array<unsigned, 6> facts{};
 #if defined(__x86_64__)
   unsigned unused = 0;
-  // Leaf 1: EBX has the number of the core it runs on, which is not the processor's.
+  // EBX of leaf 1 is left out: it has the number of the current core.
   __get_cpuid(1, &facts[0], &unused, &facts[1], &facts[2]);
   __get_cpuid_count(7, 0, &unused, &facts[3], &facts[4], &facts[5]);
 #endif
   return facts;
 }
 
-/// Two profiles or CPUs never share a folder.
 std::string folderName(bool reproducible) {
   core::Sha256 hash;
   hash.add(reproducible ? "reproducible" : "native");
@@ -58,7 +58,7 @@ std::string folderName(bool reproducible) {
   return "shaders-" + core::toHex(hash.finish()).substr(0, 12);
 }
 
-/// Makes a folder, with those above it, unless that would be in a folder of somebody else's (sudo keeps HOME).
+/// Makes a folder and its parents, unless that would be in a folder of another user (sudo keeps HOME).
 bool make(const fs::path& folder) {
   struct stat facts {};
   if (::stat(folder.c_str(), &facts) == 0) return facts.st_uid == ::geteuid();
@@ -70,14 +70,15 @@ bool isOursAlone(const struct stat& facts) {
   return facts.st_uid == ::geteuid() && (facts.st_mode & (S_IWGRP | S_IWOTH)) == 0;
 }
 
-/// Links count as what they are, unless they are followed.
+/// Reports whether only this user may write to the folder. Symbolic links are no folders, unless `flags` follow
+/// them.
 bool isFolderOfOursAlone(const fs::path& folder, int flags) {
   struct stat facts {};
   return ::fstatat(AT_FDCWD, folder.c_str(), &facts, flags) == 0 && S_ISDIR(facts.st_mode) && isOursAlone(facts) &&
          ::access(folder.c_str(), R_OK | W_OK | X_OK) == 0;
 }
 
-/// Everything beneath it. Entries come and go while other processes use the cache.
+/// Checks everything in the folder. Entries come and go while other processes use the cache.
 bool holdsOurOwnOnly(const fs::path& folder) {
   std::error_code failure;
   fs::recursive_directory_iterator entry(folder, failure);

@@ -5,16 +5,16 @@
 
 namespace poinsot::gl {
 
-/// Returns whether the user turned the cache off, by POINSOT_CACHE=off.
+/// Reports whether the user turned the cache off with POINSOT_CACHE=off.
 bool isShaderCacheOff();
 
-/// The folder in which Mesa keeps the machine code of shaders from one process to the next; made if need be. Empty
-/// where there is none: compiling takes each process 0.5 to 3 s then.
+/// Returns the folder in which Mesa keeps compiled shaders from one process to the next, and makes it if
+/// necessary. Empty if there is none; compiling then takes each process 0.5 to 3 s.
 ///
-/// It is $POINSOT_CACHE/shaders-..., else $XDG_CACHE_HOME/poinsot/..., else $HOME/.cache/poinsot/...; the name
-/// ends in a hash of the profile and of what the CPU can do, since a home folder may be shared by many machines.
-/// Code is run from there: it is not used if anybody else may write to $POINSOT_CACHE (or what stands for it), to
-/// a folder or file beneath, or owns one. POINSOT_CACHE=off: none.
+/// The folder is $POINSOT_CACHE/shaders-..., otherwise $XDG_CACHE_HOME/poinsot/..., otherwise
+/// $HOME/.cache/poinsot/.... Its name ends in a hash of the profile and of the CPU's features, because many
+/// machines may share a home folder. Code is run from the folder, so it is not used if another user owns or may
+/// write to $POINSOT_CACHE (or what replaces it) or anything beneath. POINSOT_CACHE=off means no folder.
 std::filesystem::path shaderCacheFolder(bool reproducible);
 
 }  // namespace poinsot::gl

@@ -12,15 +12,16 @@
 
 namespace poinsot::gl {
 
-/// A linked vertex + fragment program. Uniforms that the compiler removed are ignored when set.
+/// Linked program of a vertex and a fragment shader. set() requires the program to be in use; it ignores uniforms
+/// that the compiler removed.
 class ShaderProgram {
  public:
-  /// The sources are complete but for the #version line. `label` names the program in error messages.
+  /// Compiles and links two sources, which are complete except for the #version line.
+  /// @param label  name of the program in error messages
   /// @throws core::Error(kGraphics) with the compiler's log.
   ShaderProgram(const std::string& label, const std::string& vertexSource, const std::string& fragmentSource);
 
   void use() const { glUseProgram(program_.id()); }
-  // These act on the program, which must be in use.
   void set(const char* name, int value) const;
   void set(const char* name, glm::vec2 value) const;
   void set(const char* name, const std::vector<glm::vec4>& values) const;

@@ -5,8 +5,9 @@
 
 namespace poinsot::gl {
 
-/// To be asked after each call by which the back end sets memory aside. `what` it is for: "a buffer".
-/// @throws core::Error(kGraphics) if it had none, or refused the call otherwise.
+/// Checks that the back end allocated memory. Must be called after each call that allocates.
+/// @param what  what the memory is for, such as "a buffer"
+/// @throws core::Error(kGraphics) if memory ran out or the call failed otherwise.
 void expectStored(const char* what, std::size_t bytes);
 
 }  // namespace poinsot::gl

@@ -8,8 +8,8 @@
 
 namespace poinsot::gl {
 
-/// While it lives, names of this thread are left to their context, which frees them at its end: for owners that
-/// end while another context is current, whose names would be deleted instead.
+/// Scope in which OpenGL names of this thread are not deleted, but left to their context, which frees them at its
+/// end. Used by owners that end while another context is current, because deleting would hit that context's names.
 class AbandonedNames {
  public:
   explicit AbandonedNames(bool abandoned) { abandoned_ = abandoned; }
@@ -24,7 +24,7 @@ class AbandonedNames {
 };
 
 /// Owner of one OpenGL name; 0 is empty. Move-only. When it is destroyed, the name's context must be current, or
-/// names be abandoned.
+/// an AbandonedNames must be active.
 template <typename Traits>
 class UniqueName {
  public:

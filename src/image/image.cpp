@@ -45,7 +45,7 @@ DeepImage deepened(const AnyImage& picture) {
   if (const auto* deep = std::get_if<DeepImage>(&picture)) return *deep;
   const Image& flat = std::get<Image>(picture);
   DeepImage out(flat.size, flat.channels);
-  constexpr int kRepeated = 257;  // 255 becomes 65535
+  constexpr int kRepeated = 257;
   std::transform(flat.pixels.begin(), flat.pixels.end(), out.pixels.begin(),
                  [](std::uint8_t v) { return static_cast<std::uint16_t>(kRepeated * v); });
   return out;

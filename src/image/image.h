@@ -11,14 +11,13 @@
 
 namespace poinsot::image {
 
-/// Width and height of a picture in pixels.
 struct PixelSize {
   int width = 0;
   int height = 0;
   friend bool operator==(const PixelSize&, const PixelSize&) = default;
 };
 
-/// Columns `left` to before `right` of the rows `top` to before `bottom`.
+/// Rectangle of pixels; `right` and `bottom` are exclusive.
 struct PixelRect {
   int left = 0, top = 0, right = 0, bottom = 0;
   bool empty() const { return right <= left || bottom <= top; }
@@ -26,10 +25,10 @@ struct PixelRect {
 };
 inline PixelRect wholeOf(PixelSize size) { return {0, 0, size.width, size.height}; }
 
-/// sRGB pixels, row 0 at the top, 3 (RGB) or 4 (RGBA, straight alpha) channels, rows without padding.
+/// sRGB picture with 3 (RGB) or 4 (RGBA, straight alpha) channels. Row 0 is at the top; rows have no padding.
 template <typename Sample>
 struct BasicImage {
-  /// Of a sample: full light, or opaque. 0 is none.
+  /// Largest value of a sample: full light, or opaque.
   static constexpr Sample kMost = std::numeric_limits<Sample>::max();
 
   PixelSize size;
@@ -37,10 +36,10 @@ struct BasicImage {
   std::vector<Sample> pixels;
 
   BasicImage() = default;
-  /// All samples zero. @pre width, height > 0, channels 3 or 4.
+  /// Makes a picture with all samples zero. @pre width, height > 0, channels 3 or 4.
   BasicImage(PixelSize size, int channels);
 
-  /// First sample of pixel (x, y). @pre inside the picture.
+  /// Returns the first sample of pixel (x, y). @pre inside the picture.
   Sample* at(int x, int y);
   const Sample* at(int x, int y) const;
   std::size_t rowSamples() const {
@@ -52,7 +51,7 @@ struct BasicImage {
 };
 
 using Image = BasicImage<std::uint8_t>;
-/// 16 bits a sample, for gradients that are worked on further.
+/// Picture with 16 bits a sample, for gradients that are processed further.
 using DeepImage = BasicImage<std::uint16_t>;
 using AnyImage = std::variant<Image, DeepImage>;
 

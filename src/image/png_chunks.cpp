@@ -21,7 +21,7 @@ PngChunks::PngChunks(std::span<const std::uint8_t> file) {
 }
 
 std::optional<PngChunk> PngChunks::next() {
-  constexpr std::size_t kHead = 8, kAround = 12;  // length and type; with the checksum
+  constexpr std::size_t kHead = 8, kAround = 12;  // bytes of length and type; the same with the checksum
   if (rest_.empty() || cutOff_) return std::nullopt;
   if (rest_.size() < kAround || bigEndian32(rest_) > rest_.size() - kAround) {
     cutOff_ = true;

@@ -8,26 +8,23 @@
 
 namespace poinsot::image {
 
-/// First eight bytes of every PNG file.
 inline constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
 
-/// Whether `bytes` begin with `text`.
 bool startsWith(std::span<const std::uint8_t> bytes, std::string_view text);
 
-/// One chunk of a PNG file. Its checksum is not examined.
+/// Chunk of a PNG file. Its checksum is not verified.
 struct PngChunk {
-  std::string_view type;  ///< four letters
+  std::string_view type;
   std::span<const std::uint8_t> data;
 };
 
-/// Walks through the chunks of a PNG file in their order, without decoding anything.
+/// Walks through the chunks of a PNG file in order, without decoding them.
 class PngChunks {
  public:
   explicit PngChunks(std::span<const std::uint8_t> file);
-  /// Returns the next chunk; nothing after IEND, at the end, in a file without signature and where a chunk is cut
-  /// off.
+  /// Returns the next chunk; nullopt after IEND, at the end, at a truncated chunk, or in a file without signature.
   std::optional<PngChunk> next();
-  /// Whether the walk stopped at a chunk that is longer than what is left of the file.
+  /// Reports whether the walk stopped at a chunk that is longer than the rest of the file.
   bool isCutOff() const { return cutOff_; }
 
  private:

@@ -2,8 +2,8 @@
 // The only file that includes png.h.
 //
 // libpng reports errors by longjmp, and a jump over a live C++ object is undefined. So each function that calls
-// setjmp (drawHeader, readPixels, ...) and each callback holds trivially destructible locals only; the objects
-// that own memory live in their callers, which see a plain bool.
+// setjmp (writeFile, readPixels, ...) and each callback has trivially destructible locals only. The objects that
+// own memory live in the callers, which see a plain bool.
 #include "image/png_file.h"
 
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ namespace {
 using core::Error;
 using core::ErrorKind;
 
-/// libpng's last words, filled by onError; a plain array, because the jump that follows runs no destructor.
+/// Last message of libpng, set by onError(). A plain array, because the jump that follows runs no destructor.
 struct Complaint {
   std::array<char, 160> text{};
 };
@@ -44,11 +44,8 @@ void onError(png_structp png, png_const_charp message) {
   png_longjmp(png, 1);
 }
 
-void onWarning(png_structp, png_const_charp) {}  // what matters (a wrong checksum) is made an error below
+void onWarning(png_structp, png_const_charp) {}  // ignored; readHeader() makes wrong checksums errors
 
-// ---- writing
-
-/// The libpng write structs and where their bytes go.
 class Writer {
  public:
   Writer() : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, &complaint_, onError, onWarning)) {
@@ -89,10 +86,11 @@ class Writer {
 struct Header {
   png_uint_32 width, height;
   int bits, type;
-  png_uint_32 pixelsPerMetre;  // 0: not said
+  png_uint_32 pixelsPerMetre;
 };
 
-/// All of a file around `data`, its compressed pixels, which libpng's zlib would take several times as long for.
+/// Writes a whole file around `data`, the compressed pixels. libpng's zlib would take several times as long to
+/// compress them.
 bool writeFile(png_structp png, png_infop info, const Header& header, png_textp texts, int textCount,
                std::span<const std::uint8_t> data) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
@@ -115,16 +113,13 @@ bool printableAscii(std::string_view text) {
 png_text textChunk(PngText& text) {
   POINSOT_EXPECT(!text.key.empty() && text.key.size() <= 79 && printableAscii(text.key));
   png_text chunk{};
-  // A plain tEXt is Latin-1; anything beyond ASCII goes into an iTXt, which is UTF-8.
+  // A tEXt chunk is Latin-1. Text beyond ASCII goes into an iTXt chunk, which is UTF-8.
   chunk.compression = printableAscii(text.value) ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
   chunk.key = text.key.data();
   chunk.text = text.value.data();
   return chunk;
 }
 
-// ---- reading
-
-/// Bytes not yet given to libpng.
 using Remaining = std::span<const std::uint8_t>;
 
 void consume(png_structp png, png_bytep to, std::size_t size) {
@@ -161,13 +156,13 @@ class Reader {
   png_infop info_ = nullptr;
 };
 
-/// Everything before the pixels, and the conversion to 8-bit RGB or RGBA.
 bool readHeader(png_structp png, png_infop info) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
-  // Texts are kept, unpacked: their product is what a small file can make this one take besides its pixels.
+  // libpng keeps decompressed texts. The product of these limits is the memory that a small file can take besides
+  // its pixels.
   constexpr png_alloc_size_t kLargestChunk = 1 << 20;
   constexpr png_uint_32 kMostChunks = 64;
-  png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // our limits, with our message, in checkSize
+  png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // checkSize() has our own limits and message
   png_set_chunk_malloc_max(png, kLargestChunk);
   png_set_chunk_cache_max(png, kMostChunks);
   png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
@@ -212,11 +207,9 @@ std::vector<png_bytep> rowsOf(BasicImage<Sample>& picture) {
   return rows;
 }
 
-// ---- files
-
 std::string fileBytes(const std::filesystem::path& path) {
   try {
-    // No PNG within the limits of decodePng is longer than this, so reading less cuts only what is refused anyway.
+    // No PNG within the limits of decodePng() is longer, so reading less only cuts files that are rejected anyway.
     return core::bytesOf(core::openForReading(path), kLargestPngBytes * 2, ErrorKind::kIo);
   } catch (const Error& error) {
     throw core::FileError(ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()), error.message()),
@@ -262,7 +255,7 @@ PngStorage storageOf(png_structp png, png_infop info) {
           png_get_bit_depth(png, info) == 16};
 }
 
-/// libpng 1.6.39, Debian 12's, does not know cICP.
+/// Returns the codes of the cICP chunk, which libpng 1.6.39 (Debian 12) does not support.
 std::optional<std::array<std::uint8_t, 4>> cicpOf(Remaining file) {
   PngChunks chunks(file);
   for (auto chunk = chunks.next(); chunk && chunk->type != "IDAT"; chunk = chunks.next()) {
@@ -274,7 +267,8 @@ std::optional<std::array<std::uint8_t, 4>> cicpOf(Remaining file) {
   return std::nullopt;
 }
 
-/// Colour chunks of a file whose header was read. The profile's bytes belong to the reader.
+/// Returns the colour chunks of a file, except cICP, after its header was read. The reader owns the profile's
+/// bytes.
 PngColorChunks colorChunksOf(png_structp png, png_infop info) {
   PngColorChunks chunks;
   chunks.isSrgb = png_get_valid(png, info, PNG_INFO_sRGB) != 0;
@@ -293,7 +287,6 @@ PngColorChunks colorChunksOf(png_structp png, png_infop info) {
   return chunks;
 }
 
-/// The picture of a reader that has read the header.
 template <typename Sample>
 BasicImage<Sample> decodedPixels(Reader& reader, std::string_view name) {
   check(prepareRows(reader.png(), reader.info(), sizeof(Sample) == 2), reader, name);
@@ -304,7 +297,6 @@ BasicImage<Sample> decodedPixels(Reader& reader, std::string_view name) {
   return picture;
 }
 
-/// Whichever of some chunks comes first in a file; empty if none does.
 std::string firstOfTypes(Remaining file, std::initializer_list<std::string_view> types) {
   PngChunks chunks(file);
   for (auto chunk = chunks.next(); chunk; chunk = chunks.next())
@@ -312,14 +304,15 @@ std::string firstOfTypes(Remaining file, std::initializer_list<std::string_view>
   return "";
 }
 
-/// libpng takes memory for a chunk as it says it is long, 2 GiB at most, before it sees that so much is not there.
+/// Reports whether the last chunk is cut off. libpng would allocate the length that the chunk declares, up to 2
+/// GiB, before it finds the bytes missing.
 bool endsWithinAChunk(Remaining bytes) {
   PngChunks chunks(bytes);
   while (chunks.next()) continue;
-  return chunks.isCutOff();  // where a chunk is missing, libpng says so
+  return chunks.isCutOff();  // libpng itself reports a missing chunk
 }
 
-/// Why the bytes are no PNG file that libpng should be shown; empty where they may be one.
+/// Returns why the bytes must not be given to libpng; empty if they may be a PNG file.
 std::string_view faultOf(Remaining bytes) {
   if (bytes.empty()) return "the file is empty";
   if (startsWith(bytes, "version https://git-lfs.github.com/spec/"))
@@ -368,7 +361,7 @@ PngPicture decodePngAsStored(std::span<const std::uint8_t> bytes, std::string_vi
 }
 
 bool isAnimatedPng(const std::filesystem::path& path) try {
-  constexpr std::uint64_t kHead = 64 << 10;  // nearly always enough to see the first pixels
+  constexpr std::uint64_t kHead = 64 << 10;  // nearly always reaches the first pixels
   const std::string head = core::bytesOf(core::openForReading(path), kHead, ErrorKind::kIo);
   const auto type = firstOfTypes(asBytes(head), {"acTL", "IDAT"});
   if (!type.empty() || head.size() < kHead) return type == "acTL";
@@ -408,7 +401,7 @@ bool isPngName(const std::filesystem::path& file) {
 }
 
 bool isOwnPng(const std::filesystem::path& path, std::string_view key) try {
-  constexpr std::uint64_t kHead = 64 << 10;  // our mark is in the first 200 bytes
+  constexpr std::uint64_t kHead = 64 << 10;  // the Software text is in the first 200 bytes
   const std::string head = core::bytesOf(core::openForReading(path), kHead, ErrorKind::kIo);
   PngChunks chunks(asBytes(head));
   const std::string keyed = std::string(key) + '\0';

@@ -8,36 +8,37 @@
 
 namespace poinsot::image {
 
-/// The rows of a picture, from the top, as differences from what is beside or above them (PNG specification,
-/// clause 9): paper becomes zeros, and a shade that changes slowly a few small numbers. Of sub, up and Paeth each
-/// row gets the filter that leaves the fewest bytes other than 0; the first named, where two leave as many.
+/// Filters the rows of a picture, from the top, into differences from neighbours to the left or above (PNG
+/// specification, clause 9). Paper becomes zeros, and a slow gradient becomes small numbers. Of the filters Sub,
+/// Up and Paeth, each row gets the one that leaves the fewest bytes other than 0; ties go to the first in this
+/// order.
 class RowFilter {
  public:
-  /// @param rowBytes    of a row, without the number of its filter.
-  /// @param pixelBytes  of a pixel: how far to the left what a byte is compared with lies. @pre both > 0
+  /// @param rowBytes  bytes of a row, without the filter's number
+  /// @param pixelBytes  bytes of a pixel, which is the distance to the byte on the left. @pre both > 0
   RowFilter(std::size_t rowBytes, std::size_t pixelBytes);
 
-  /// Where the bytes of the next row are to be written, `rowBytes` of them. The one before is now that above.
+  /// Returns where to write the `rowBytes` bytes of the next row. The previous row becomes the row above.
   std::uint8_t* next();
 
-  /// That row, filtered: the number of its filter, then `rowBytes`. Until this is called again.
+  /// Returns the filter's number and the filtered bytes of the current row, valid until the next call.
   std::span<const std::uint8_t> filtered();
 
  private:
-  /// A row after one pixel of zeros, which is what lies to the left of its first.
+  /// Row after one pixel of zeros, which stands to the left of the first pixel.
   using PaddedRow = std::vector<std::uint8_t>;
 
-  /// A filter's number, then the row as it leaves it.
+  /// Filter number and the row filtered with it; `others` counts the bytes that are not 0.
   struct Candidate {
     std::vector<std::uint8_t> bytes;
-    std::size_t others = 0;  ///< bytes that are not 0
+    std::size_t others = 0;
   };
 
   void filterChunk(std::size_t begin, std::size_t size);
 
   std::size_t rowBytes_, pixelBytes_;
   PaddedRow row_, above_;
-  std::vector<char> flat_, flatAbove_;  ///< by chunk: whether each pixel is the one before it
+  std::vector<char> flat_, flatAbove_;  ///< by chunk: whether each pixel equals the one before it
   Candidate sub_, up_, paeth_;
 };
 

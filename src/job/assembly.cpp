@@ -15,7 +15,6 @@ namespace {
 
 using std::filesystem::path;
 
-/// Neighbours joined.
 std::vector<request::FrameRange> joined(const std::vector<request::FrameRange>& segments) {
   std::vector<request::FrameRange> ranges;
   for (const request::FrameRange& segment : segments)
@@ -26,13 +25,12 @@ std::vector<request::FrameRange> joined(const std::vector<request::FrameRange>& 
   return ranges;
 }
 
-/// Identifies a film: no other job has this text.
+/// Returns the text that identifies a job's film; each job has a different one.
 std::string originText(const JobRecord& job) {
   return fmt::format("frames {}-{} of scene sha256 {}; job sha256 {}; ", job.frames.first, job.frames.last,
                      job.scene, job.digest);
 }
 
-/// Says which frames cannot be joined, and why.
 std::string gapsText(const JobStatus& status) {
   std::string text;
   const auto add = [&](SegmentState state, const char* word) {
@@ -97,7 +95,7 @@ void assemble(core::FileBatch& batch, const path& workFolder, const JobRecord& j
   for (const request::FrameRange& segment : status.segments)
     files.push_back(segmentFile(workFolder, job.film.container, segment));
   const auto first = SegmentRecords(workFolder, output).find(status.segments.front());
-  const bool beside = core::folderOf(target) == core::folderOf(workFolder);  // elsewhere may be another disk
+  const bool beside = core::folderOf(target) == core::folderOf(workFolder);  // other folders may be on other disks
   const path temporaryFolder = beside ? workFolder : path();
   const output::FilmTexts texts{job.title, job.description, originText(job), first->renderer};
   batch.add(output::joinedSegments(files, target, job.film, texts, temporaryFolder));

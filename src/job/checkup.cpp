@@ -38,7 +38,8 @@ constexpr const char* kScene =
     "[output]\n"
     "size = [1280, 720]\n";
 
-/// What `work` returns; what it throws is a finding of state `failed`.
+/// Returns the text of `work` as a good finding. If `work` throws a core::Error, returns the message as a finding
+/// of state `failed`.
 template <class Work>
 Finding finding(const std::string& subject, State failed, const Work& work) {
   try {
@@ -65,7 +66,7 @@ Finding shaderCache() {
       "is yours alone to write"};
 }
 
-/// Each codec in the first container that has it.
+/// Checks each codec once, in the first container that supports it.
 std::vector<Finding> films() {
   using enum output::FilmContainer;
   std::vector<Finding> found;
@@ -103,7 +104,6 @@ std::vector<Finding> backends() {
   return found;
 }
 
-/// Through the workers, as every film is made.
 Finding film() {
   return finding("test film", State::kBad, [] {
     const core::TemporaryFolder folder;
@@ -122,7 +122,7 @@ Finding film() {
 
 std::vector<Finding> checkup() {
   gl::pinEnvironment(false);
-  // Workers are forks: the film comes before this process opens GL.
+  // Workers are forks, so the film must come before this process opens OpenGL.
   std::vector<Finding> all{machine(), shaderCache(), sandbox(), film()};
   for (auto& more : {films(), backends()}) all.insert(all.end(), more.begin(), more.end());
   return all;

@@ -4,24 +4,24 @@
 #include <string>
 #include <vector>
 
-/// What of this machine poinsot can use, for people whose film does not come.
+/// Checks of what poinsot needs from this machine, as `poinsot doctor` prints them.
 namespace poinsot::job {
 
 struct Finding {
   enum class State {
     kGood,
-    kAbsent,  ///< something that most do without
-    kBad,     ///< no film can be made
+    kAbsent,  ///< an optional part is missing
+    kBad,     ///< films cannot be made
   };
 
   State state = State::kGood;
-  std::string subject;  ///< "films HEVC"
+  std::string subject;  ///< for example "film hevc"
   std::string
-      text;  ///< what there is; else what is wrong, and the package, the variable or the kernel that mends it
+      text;  ///< what was found, or what is wrong and the package, variable or kernel that fixes the problem
 };
 
-/// Goes through all of it; at the end of that makes a film of a second. Takes some seconds where shaders have to
-/// be compiled. Opens GL in this process.
+/// Runs all checks, which include rendering a film of one second. Takes some seconds if shaders have to be
+/// compiled. Opens OpenGL in this process.
 std::vector<Finding> checkup();
 
 }  // namespace poinsot::job

@@ -8,13 +8,14 @@
 
 namespace poinsot::job {
 
-/// Makes frames; each is a function of its number alone, so any order gives the same pictures.
+/// Source of frames. Each frame depends on its number alone, so frames may be made in any order.
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
-  /// Good until the next frame is asked for. @throws core::Error
+  /// Returns frame k, which is valid until the next call. @throws core::Error
   virtual image::Frame frame(std::int64_t k) = 0;
-  /// Of all that decides the frame's bytes; far cheaper than the frame. @throws core::Error
+  /// Returns the digest of everything that decides the bytes of frame k. Costs far less than frame(). @throws
+  /// core::Error
   virtual core::Digest digest(std::int64_t k) = 0;
 };
 

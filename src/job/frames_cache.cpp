@@ -9,7 +9,7 @@
 namespace poinsot::job {
 namespace {
 
-// Who turns the camera asks for another scene each time, who plays for the same: a few, for a few who ask.
+// Each turn of the preview's camera makes a new scene; playback needs only one. Four suffice for a few users.
 constexpr std::size_t kMostEntries = 4;
 
 }  // namespace

@@ -13,21 +13,22 @@
 
 namespace poinsot::job {
 
-/// Scenes that are ready to draw: the latest few, on one OpenGL context, which is opened for the first. For one
-/// thread, from its making to its end.
+/// Cache of the most recently used scenes, ready to draw on one OpenGL context. The first scene opens the context.
+/// Construct, use and destroy the cache on the same thread.
 class FramesCache {
  public:
   struct Entry {
     std::string key;
-    std::int64_t count = 0;  ///< of the film's frames
+    std::int64_t count = 0;  ///< frames in the film
     std::unique_ptr<SceneFrames> frames;
   };
 
   explicit FramesCache(gl::Backend backend) : backend_(backend) {}
 
-  /// The frames of the scene that `key` stands for, which is loaded where they are not at hand. Good until the
-  /// next call.
-  /// @throws core::Error of `load`, of the back end; (kLimit) for a picture that takes more memory than allowed.
+  /// Returns the frames of a scene from the cache, or loads the scene. The result is valid until the next call.
+  /// @param key  identifies the scene and `form`; the same key returns the same entry
+  /// @throws core::Error from `load` or the back end; core::Error(kLimit) if a picture needs more memory than
+  /// allowed
   Entry& of(const std::string& key, const std::function<request::RequestedScene()>& load,
             const request::PictureOptions& form);
 
@@ -36,7 +37,7 @@ class FramesCache {
  private:
   gl::Backend backend_;
   std::unique_ptr<gl::OffscreenContext> context_;
-  std::list<Entry> entries_;  // the latest first; gone before the context
+  std::list<Entry> entries_;  // most recently used first; destroyed before the context
 };
 
 }  // namespace poinsot::job

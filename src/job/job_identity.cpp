@@ -15,7 +15,7 @@
 namespace poinsot::job {
 namespace {
 
-/// Texts one after the other, so that no two lists of them look alike.
+/// Adds the length of a text and the text, so that different lists of texts never give the same bytes.
 void addText(core::Sha256& sum, std::string_view text) {
   sum.add(fmt::format("{}:", text.size()));
   sum.add(text);
@@ -66,7 +66,7 @@ std::string renderSettings(const RenderRequest& render) {
   settings["chroma"] = scene.output.chroma;
   settings["effort"] = scene.output.effort;
   settings["crf"] = film.crf;
-  settings["segment"] = render.segmentFrames;  // each begins with a key frame
+  settings["segment"] = render.segmentFrames;  // each segment begins with a key frame
   for (const output::LibraryVersion& library : output::libraryVersions()) settings[library.name] = library.version;
   return settings.dump();
 }

@@ -8,26 +8,28 @@
 #include "job/job_record.h"
 #include "job/render_request.h"
 
-/// By what a render knows its own work again, so that a later one can go on with it.
+/// Digests by which a later render recognises finished work and resumes it.
 namespace poinsot::job {
 
-/// Of a scene's text, what overrides it, the files that it names, and how it is swept.
+/// Returns the digest of a scene's text, its overrides, the files that it names, its sweep and its selected view.
 core::Digest sceneDigest(const request::RequestedScene& requested);
 
-/// All that the bytes of a frame depend on besides its picture and what draws it: size, and of a film the rate,
-/// the encoder and its settings and the segments' length; the libraries that write. As text, for people too.
+/// Returns, as JSON, everything besides picture and renderer that decides the bytes of a frame: the size; for a
+/// film also the frame rate, the encoder with its settings and the segment length; the versions of poinsot and of
+/// the libraries that write the files.
 std::string renderSettings(const RenderRequest& render);
 
-/// Of both: two renders of one identity may share their segments.
+/// Returns the digest of a scene and its settings. Renders with the same job digest may share their segments.
 core::Digest jobDigest(const core::Digest& scene, const std::string& settings);
 
-/// What a render of a film or a sequence says of itself. @throws core::Error(kPhysics) as pictureWords().
+/// Returns the record of a render of a film or sequence. @throws core::Error(kPhysics) as pictureWords()
 JobRecord jobRecordOf(const RenderRequest& render);
 
-/// Digests of frames: of one's picture, the settings and what draws it.
+/// Computes the digest of a frame from its picture, the render settings and the renderer.
 class FrameDigester {
  public:
-  /// `renderer`: GL_RENDERER.
+  /// @param settings  text of renderSettings()
+  /// @param renderer  GL_RENDERER
   FrameDigester(const std::string& settings, const std::string& renderer);
 
   core::Digest operator()(const draw::Picture& picture);

@@ -32,7 +32,6 @@ std::vector<request::Subtitle> subtitlesOf(const Json& json) {
   return subtitles;
 }
 
-/// @throws core::Error for what this version does not write.
 output::FilmTrack filmOf(const Json& json) {
   const auto container = output::filmContainer("film." + json.at("container").get<std::string>());
   const auto fps = core::parseRational(json.at("fps").get<std::string>());
@@ -40,7 +39,6 @@ output::FilmTrack filmOf(const Json& json) {
   return {*container, *fps};
 }
 
-/// Frames that can be gone through.
 bool isSound(const JobRecord& job) {
   const auto [first, last] = job.frames;
   return first >= 0 && last >= first && last < kMostJobFrames && job.segmentFrames > 0 &&

@@ -14,43 +14,43 @@
 
 namespace poinsot::job {
 
-/// What a render leaves in its work folder about itself: enough for others to tell how far it is, and to finish it
-/// without the scene.
+/// Description of a render, kept as job.json in its work folder. With this record, other processes can report the
+/// progress and join the segments without the scene.
 struct JobRecord {
   std::string digest;    ///< jobDigest()
   std::string scene;     ///< sceneDigest()
   std::string settings;  ///< renderSettings()
   request::OutputKind kind = request::OutputKind::kFilm;
-  output::FilmTrack film;  ///< of a film
+  output::FilmTrack film;  ///< only for films
   request::FrameRange frames;
   std::int64_t segmentFrames = request::kSegmentFrames;
   int shards = 1;
-  std::string title, description;  ///< of the film
+  std::string title, description;
   std::vector<request::Subtitle> subtitles;
-  std::vector<scene::InputFile> inputs;  ///< files that the scene names
+  std::vector<scene::InputFile> inputs;  ///< files that the scene names; not stored in job.json
 
   std::vector<request::FrameRange> segments() const { return request::segmentsOf(frames, segmentFrames); }
 };
 
-/// Frames that a job in a work folder may have: far more than a scene's, and few enough to go through them.
+/// Upper limit for the frame numbers of a job: far more than a scene has, yet few enough to iterate over.
 inline constexpr std::int64_t kMostJobFrames = 1'000'000;
 
-/// @throws core::Error(kIo).
+/// Writes job.json into the work folder. @throws core::Error(kIo).
 void writeJobRecord(const std::filesystem::path& workFolder, const JobRecord& job);
 
-/// What writeJobRecord() wrote for this target. Nothing where it cannot be understood, is of another kind of
-/// output, or has frames or shards beyond the limits: a work folder may come from anyone.
+/// Parses the text of a job.json file, which may come from anyone.
+/// @returns nullopt if the text is malformed, does not match the kind of `target`, or has too many frames or
+/// shards
 std::optional<JobRecord> parseJobRecord(std::string_view text, const request::OutputTarget& target);
-/// Likewise of a work folder; nothing where there is none, too.
+/// Reads and parses job.json in the work folder. Returns nullopt also if the file cannot be read.
 std::optional<JobRecord> readJobRecord(const std::filesystem::path& workFolder,
                                        const request::OutputTarget& target);
 
-/// File of a film's segment in the work folder.
 std::filesystem::path segmentFile(const std::filesystem::path& workFolder, output::FilmContainer container,
                                   const request::FrameRange& segment);
 
-/// The files of a segment, whether they are there or not: a piece of film in the work folder, or the frames under
-/// their final names.
+/// Returns the paths of a segment's files, existing or not: one piece of film in the work folder, or the frames of
+/// a sequence under their final names.
 std::vector<std::filesystem::path> segmentFiles(const std::filesystem::path& workFolder,
                                                 const request::OutputTarget& target,
                                                 const request::FrameRange& segment);

@@ -10,13 +10,11 @@
 
 namespace poinsot::job {
 
-/// Manifests of this program.
 output::FileKind manifestKind();
 
-/// Returns all that is known of a finished film or sequence, as JSON for people and programs: what it was made
-/// from and with what, the digest of each frame, the SHA-256 of each file, and what it cost. Call before its work
-/// folder is gone.
-/// @param film  where the content of a film is, which may have no name yet
+/// Returns the manifest of a finished film or sequence as JSON: the inputs and settings, the digest of each frame,
+/// the SHA-256 of each file, and the time and memory spent. Call it before the work folder is removed.
+/// @param film  file with the content of the film, which may still have a temporary name
 /// @throws core::Error(kIo).
 std::string manifestText(const std::filesystem::path& workFolder, const JobRecord& job,
                          const request::OutputTarget& target, const std::filesystem::path& film,

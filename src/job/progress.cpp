@@ -12,7 +12,7 @@
 namespace poinsot::job {
 namespace {
 
-/// Time between two showings: smooth to the eye on a terminal, sparse in a log, steady for a program.
+/// Returns the time between two updates: smooth to the eye on a terminal, sparse in a log, steady for a program.
 double interval_s(ProgressStyle style) {
   switch (style) {
     case ProgressStyle::kBar:
@@ -61,7 +61,7 @@ std::string barLine(const ProgressState& state, int columns) {
   const std::string figures =
       fmt::format(" {:3} %  {}/{} frames  {:.1f} frames/s  {} left", percent(state), state.done, state.total,
                   state.framesPerSecond, clockText(state.left_s()));
-  // Beyond 40 cells a bar tells no more; under 10 the figures alone do better.
+  // A bar of more than 40 cells shows no more detail. With fewer than 10 cells the figures alone are clearer.
   const int cells = std::min(40, columns - static_cast<int>(figures.size()) - 2);
   const std::string line = cells >= 10 ? bar(state, cells) + figures : figures.substr(1);
   return line.substr(0, static_cast<std::size_t>(std::max(columns, 0)));
@@ -87,12 +87,12 @@ std::string jsonLine(const core::FileError& error) {
 
 Progress::Progress(ProgressStyle style, std::int64_t totalFrames, int columns, Writer write)
     : style_(style), total_(totalFrames), columns_(columns), write_(std::move(write)) {
-  // A bar and a program want the first frame at once; in a log a short render needs no line but the last.
+  // Bar and JSON show the first frame at once. In a log, a short render needs only its last line.
   if (style == ProgressStyle::kBar || style == ProgressStyle::kJson) shownAt_s_ = -interval_s(style);
 }
 
 double Progress::rate(std::int64_t made, bool last, double elapsed_s) const {
-  // At the end nothing is left to foretell: the rate is what the whole run came to.
+  // The last update reports the average rate of the whole run.
   if (last) return elapsed_s > 0 ? static_cast<double>(made) / elapsed_s : 0;
   const double since_s = elapsed_s - firstAt_s_;
   return since_s > 0 ? static_cast<double>(made - firstMade_) / since_s : 0;
@@ -101,7 +101,7 @@ double Progress::rate(std::int64_t made, bool last, double elapsed_s) const {
 void Progress::update(std::int64_t done, std::int64_t reused, double elapsed_s) {
   const std::int64_t made = done - reused;
   if (firstMade_ == 0) {
-    // Before the first frame the driver compiles shaders: seconds that say nothing about the rest.
+    // The first frame includes compiling shaders, which takes seconds, so the rate starts after that frame.
     firstMade_ = made;
     firstAt_s_ = elapsed_s;
   }
@@ -112,7 +112,7 @@ void Progress::update(std::int64_t done, std::int64_t reused, double elapsed_s) 
   const ProgressState state{done, total_, elapsed_s, rate(made, done == total_, elapsed_s)};
   if (style_ == ProgressStyle::kJson) return write_(jsonLine(state) + "\n");
   if (style_ == ProgressStyle::kPlain) return write_("poinsot: " + plainLine(state) + "\n");
-  // Carriage return, line, erase to its end: no flicker, nothing left of a longer line.
+  // Overwriting the line and then erasing the rest avoids flicker and leftovers of a longer line.
   write_("\r" + barLine(state, columns_ - 1) + "\x1b[K");
   lineOpen_ = true;
 }

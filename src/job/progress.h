@@ -10,7 +10,7 @@
 
 namespace poinsot::job {
 
-/// How a render tells of itself on stderr.
+/// Format in which a render reports its progress on stderr.
 enum class ProgressStyle {
   kBar,    ///< one line, redrawn in place
   kPlain,  ///< a line every few seconds
@@ -18,49 +18,50 @@ enum class ProgressStyle {
   kNone,
 };
 
-/// "auto", "plain", "json" or "none" to a style: auto is a bar on a terminal that can redraw, else plain.
+/// Converts "auto", "plain", "json" or "none" to a style. "auto" gives a bar on a terminal, else plain lines.
+/// @param terminal  whether stderr is a terminal that can redraw a line
 ProgressStyle progressStyle(std::string_view word, bool terminal);
 
-/// A moment of a render.
 struct ProgressState {
   std::int64_t done = 0;   ///< frames
   std::int64_t total = 0;  ///< frames, > 0
   double elapsed_s = 0;    ///< wall time since the start
 
-  double framesPerSecond = 0;  ///< after the first frame; of the whole run at the end; 0 while unknown
+  double framesPerSecond = 0;  ///< rate since the first frame; at the end, rate of the whole run; 0 if unknown
 
-  /// Wall time to the end at this rate; negative while unknown.
+  /// Returns the estimated wall time to the end at this rate; negative if unknown.
   double left_s() const;
 };
 
-/// "0:07", "12:34", "1:02:03"; rounded up to whole seconds, "-:--" when negative.
+/// Returns a time as "0:07", "12:34" or "1:02:03", rounded up to whole seconds; "-:--" if negative.
 std::string clockText(double seconds);
 
-/// "[=======>      ]  50 %  150/300 frames  41.2 frames/s  0:04 left", at most `columns` wide.
+/// Returns "[=======>      ]  50 %  150/300 frames  41.2 frames/s  0:04 left", cut to `columns` characters.
 std::string barLine(const ProgressState& state, int columns);
 
-/// "150 of 300 frames (50 %), 41.2 frames/s, 0:04 left".
+/// Returns "150 of 300 frames (50 %), 41.2 frames/s, 0:04 left".
 std::string plainLine(const ProgressState& state);
 
-/// {"event":"progress","done":150,"total":300,"elapsed_s":3.641,"frames_per_second":41.2,"left_s":3.641};
-/// left_s is null while unknown.
+/// Returns {"event":"progress","done":150,"total":300,"elapsed_s":3.641,"frames_per_second":41.2,"left_s":3.641};
+/// left_s is null if unknown.
 std::string jsonLine(const ProgressState& state);
 
-/// {"event":"failed","errno":2,"file":"out/a.mp4"}: why a run that shows its progress as JSON ends. Each byte of
-/// the file's name is a character.
+/// Returns {"event":"failed","errno":2,"file":"out/a.mp4"}, which tells programs why a render failed. Each byte of
+/// the file name becomes one character.
 std::string jsonLine(const core::FileError& error);
 
-/// Decides when something is shown and how; the writer takes finished pieces of text.
+/// Decides when to show progress, formats the progress and passes the text to a writer.
 class Progress {
  public:
   using Writer = std::function<void(std::string_view)>;
 
   Progress(ProgressStyle style, std::int64_t totalFrames, int columns, Writer write);
 
-  /// Call after every frame, with the time since the start. `reused`: those of `done` that were there already,
-  /// which says nothing about how long the others take.
+  /// Call after every frame.
+  /// @param reused  how many of the `done` frames existed already; they do not count towards the rate
+  /// @param elapsed_s  wall time since the start
   void update(std::int64_t done, std::int64_t reused, double elapsed_s);
-  /// Ends the line, so that what follows on the terminal starts a new one. Called again it does nothing.
+  /// Ends the bar's line, so that later output starts on a new line. Further calls do nothing.
   void end();
 
  private:
@@ -70,10 +71,10 @@ class Progress {
   Writer write_;
   double rate(std::int64_t made, bool last, double elapsed_s) const;
 
-  std::int64_t firstMade_ = 0;  // at the first update with one
+  std::int64_t firstMade_ = 0;
   double firstAt_s_ = 0;
   double shownAt_s_ = 0;
-  std::int64_t shown_ = -1;  // frames done at the last showing
+  std::int64_t shown_ = -1;  // frames done when progress was last shown
   bool lineOpen_ = false;
 };
 

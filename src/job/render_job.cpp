@@ -22,10 +22,12 @@
 namespace poinsot::job {
 namespace {
 
-// A worker looks for a signal after each frame; one frame takes well under this. All must be over in 2 s.
+// Time for workers to end: a worker checks for signals after each frame, which takes far less. All must end in 2
+// s.
 constexpr double kPatience_s = 1.5;
 
-/// LLVM aborts when it gets no memory, the kernel kills who takes too much, and a page that cannot be had is a bus
+/// Returns a hint that memory ran out, if a worker died of a signal that suggests so. LLVM aborts if an allocation
+/// fails, the kernel kills a process that takes too much memory, and a page that cannot be provided causes a bus
 /// error.
 std::string perhapsMemory(const std::string& how, double estimate_bytes) {
   const auto by = [&](int signal) { return how.find(fmt::format("by signal {} ", signal)) != std::string::npos; };
@@ -34,7 +36,6 @@ std::string perhapsMemory(const std::string& how, double estimate_bytes) {
                      request::memoryText(estimate_bytes));
 }
 
-/// What became of a worker that closed its reports without having finished.
 [[noreturn]] void reportDeath(WorkerProcess& worker, double estimate_bytes) {
   worker.kill();
   const std::string how = worker.ended(1).value_or("does not end");
@@ -109,7 +110,9 @@ void RenderJob::traced(const char* name, const std::function<void()>& work) {
   if (trace_) trace_->add(kParentProcess, {name, begin_ns, core::monotonic_ns()});
 }
 
-/// A render that was stopped while it put its things away has nothing more to make. A manifest is of the segments.
+/// Returns the state of an earlier film of this job. A render that was stopped during its cleanup left a whole
+/// film, so nothing remains to be made. With --manifest the film does not count, because the manifest needs the
+/// segments.
 output::FilmState RenderJob::stateBefore() const {
   const bool resumed = request_.resume && !request_.shard && !request_.manifest && request_.record;
   return resumed ? filmState(*request_.record, request_.target.path) : output::FilmState::kOther;
@@ -117,8 +120,8 @@ output::FilmState RenderJob::stateBefore() const {
 
 void RenderJob::startWorkers() {
   const int count = std::min<int>(request_.workers, static_cast<int>(segments_.size()));
-  if (count == 0) return;  // of more shards than segments, some have nothing to do
-  // With fewer segments than CPUs the rasteriser's threads use the rest; they do not change a pixel.
+  if (count == 0) return;  // with more shards than segments, some shards are empty
+  // With fewer segments than CPUs, the rasteriser's threads use the other CPUs; they do not change a pixel.
   const int perWorker = request_.workers / count;
   const WorkerTask task{request_, folder_.path(), perWorker > 1 ? perWorker : 0};
   if (count > 1) gl::preload(request_.backend);
@@ -136,7 +139,7 @@ void RenderJob::watch(std::vector<pollfd>& watched) const {
 void RenderJob::takeReports() {
   std::vector<pollfd> watched;
   watch(watched);
-  if (poll(watched.data(), watched.size(), 0) < 0) return;  // a signal, which awaitReports() tells of
+  if (poll(watched.data(), watched.size(), 0) < 0) return;  // a signal, which awaitReports() handles
   for (std::size_t i = 0; i < workers_.size(); ++i) {
     if (watched[i].revents == 0) continue;
     WorkerProcess& worker = *workers_[i];
@@ -173,7 +176,8 @@ void RenderJob::handle(WorkerProcess& worker, const WorkerReport& report) {
   }
 }
 
-/// Of a still the size was known before.
+/// Adds the size of a completed segment to the total. Skips stills, whose size is known before the render.
+/// @throws core::Error(kLimit) if the total exceeds Limit::kOutput
 void RenderJob::countWritten(const request::FrameRange& segment) {
   if (!request_.record) return;
   for (const auto& file : segmentFiles(folder_.path(), request_.target, segment)) {
@@ -198,7 +202,7 @@ void RenderJob::handOut(WorkerProcess& worker) {
 void RenderJob::sendOn(const request::FrameRange& segment) try {
   stream_->add(segment);
 } catch (const core::Error&) {
-  process::throwIfInterrupted();  // a signal ends a write, too
+  process::throwIfInterrupted();  // a signal also ends a write
   throw;
 }
 
@@ -225,7 +229,8 @@ void RenderJob::addManifest(core::FileBatch& results) const {
   addAbout(results, std::move(file));
 }
 
-/// A file about an output rests on it. A sequence is not among the results: its frames have come before.
+/// Adds a file that describes the output, such as a manifest, beside the output. For a sequence the batch is
+/// empty, because the frames already have their final names.
 void RenderJob::addAbout(core::FileBatch& results, core::AtomicFile file) {
   if (results.empty())
     results.add(std::move(file));
@@ -233,9 +238,9 @@ void RenderJob::addAbout(core::FileBatch& results, core::AtomicFile file) {
     results.addBeside(std::move(file));
 }
 
-/// The manifest of an earlier run is wrong about a sequence from the first new frame on.
+/// Removes the manifest of an earlier run, which the first new frame of a sequence makes wrong.
 void RenderJob::removeOldManifest() const {
-  std::error_code ignored;  // a manifest that stays is replaced in the end
+  std::error_code ignored;  // a manifest that cannot be removed is replaced at the end
   if (request_.manifest && request_.target.kind == request::OutputKind::kSequence)
     std::filesystem::remove(*request_.manifest, ignored);
 }
@@ -250,7 +255,7 @@ void RenderJob::stopWorkers() {
   askToStop();
   const double deadline_s = elapsed_s() + kPatience_s;
   for (const auto& worker : workers_) worker->awaitEnd(std::max(0.0, deadline_s - elapsed_s()));
-  workers_.clear();  // kills what is left
+  workers_.clear();
 }
 
 double RenderJob::elapsed_s() const {

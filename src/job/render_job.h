@@ -21,16 +21,16 @@
 
 namespace poinsot::job {
 
-/// Called after every frame with how many are done, how many of them were there already, and the time since the
-/// start.
+/// Callback after every frame, with the number of frames done, how many of these existed already, and the wall
+/// time since the start.
 using FrameListener = std::function<void(std::int64_t done, std::int64_t reused, double elapsed_s)>;
 
-/// CPUs this process may use.
+/// Returns the number of CPUs that this process may use, at least 1.
 int availableCpus();
 
-/// Hands the segments of a film to worker processes and joins what they made. The bytes of the result do not
-/// depend on how many there are. Opens no context itself. A render that throws leaves no target behind, and of its
-/// work the segments that were complete, for another to go on with.
+/// Render that hands segments to worker processes and joins the results. The number of workers does not change a
+/// byte of the output. The job itself opens no OpenGL context. If the render throws, the target is not written,
+/// and the completed segments stay for a later render to resume.
 class RenderJob {
  public:
   /// @throws core::Error(kIo) if the work folder cannot be made.
@@ -38,22 +38,24 @@ class RenderJob {
   ~RenderJob();
   RenderJob(RenderJob&&) = delete;
 
-  /// Runs to the end: begin(), takeReports() until none is to come, end().
-  /// @throws core::Error of a worker, or (kGraphics) if one died; Interrupted.
+  /// Runs the whole render: begin(), takeReports() until no worker is left, and end().
+  /// @throws core::Error from a worker; core::Error(kGraphics) if a worker died; Interrupted
   RenderSummary run();
 
-  /// Starts the workers.
+  /// Starts the workers, unless the target is already finished.
   void begin();
-  /// Whether a worker still has something to report.
+  /// Returns whether a worker may still send reports.
   bool isMaking() const { return !workers_.empty(); }
-  /// Reads what has been reported, without waiting for more.
+  /// Handles the reports that have arrived, without waiting for more.
   void takeReports();
-  /// Gives all results their names, together.
+  /// Joins the segments and gives all output files their final names together.
   RenderSummary end();
-  /// Asks the workers to stop, for whoever has other jobs to stop as well: the destructor waits for them.
+  /// Signals the workers to stop, without waiting; the destructor waits. A caller with several jobs can thus stop
+  /// all of them at once.
   void askToStop();
 
-  /// Frames of the segments that are complete, for another render to go on with. None of a still.
+  /// Returns the number of frames in completed segments, which a later render can reuse; 0 for a still or a
+  /// stream.
   std::int64_t framesKept() const;
 
  private:
@@ -61,7 +63,7 @@ class RenderJob {
 
   output::FilmState stateBefore() const;
   bool isFinished() const { return found_ == output::FilmState::kWhole; }
-  /// Calls it, and puts it into the trace as work of this process.
+  /// Runs `work` and records its time in the trace, as work of this process.
   void traced(const char* name, const std::function<void()>& work);
   void startWorkers();
   void watch(std::vector<pollfd>& watched) const;
@@ -69,7 +71,6 @@ class RenderJob {
   void sendOn(const request::FrameRange& segment);
   void handOut(WorkerProcess& worker);
   void countWritten(const request::FrameRange& segment);
-  /// Adds what the workers made, complete.
   void gather(core::FileBatch& results);
   void gatherStill(core::FileBatch& results) const;
   void addManifest(core::FileBatch& results) const;
@@ -79,22 +80,22 @@ class RenderJob {
   double elapsed_s() const;
 
   RenderRequest request_;
-  output::FilmState found_ = output::FilmState::kOther;  ///< before it began
+  output::FilmState found_ = output::FilmState::kOther;  ///< state of the target before the render
   FrameListener listener_;
   std::chrono::steady_clock::time_point start_;
   WorkFolder folder_;
   std::optional<TraceFile> trace_;
-  std::optional<SegmentStream> stream_;  ///< where the target is one
+  std::optional<SegmentStream> stream_;
   std::vector<request::FrameRange> segments_;
   std::deque<request::FrameRange> waiting_;
-  std::vector<std::unique_ptr<WorkerProcess>> workers_;  // those still at work
+  std::vector<std::unique_ptr<WorkerProcess>> workers_;
   std::int64_t framesDone_ = 0;
-  std::int64_t segmentFramesDone_ = 0;  // of whole segments
-  double written_bytes_ = 0;            // by them
+  std::int64_t segmentFramesDone_ = 0;
+  double written_bytes_ = 0;
   RenderSummary summary_;
 };
 
-/// Waits until a worker of one of these has something to report. @throws Interrupted
+/// Waits until a worker of one of the jobs sends a report. @throws Interrupted
 void awaitReports(const std::vector<const RenderJob*>& jobs);
 
 }  // namespace poinsot::job

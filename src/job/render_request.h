@@ -15,51 +15,52 @@
 
 namespace poinsot::job {
 
-/// Choices of a caller besides the scene, the target and the frames.
+/// Options of a render besides the scene, the target and the frames.
 struct RenderChoices {
-  std::optional<double> time_s = {};  ///< of a still: film time in place of the frame's own
+  std::optional<double> time_s = {};  ///< stills only: film time that overrides the frame's own
   gl::Backend backend = gl::Backend::kAuto;
-  bool reproducible = false;  ///< always, where it is a shard: the machines of a cluster differ
+  bool reproducible = false;  ///< always set for a shard, because the machines of a cluster differ
   request::PictureOptions form = {};
   std::int64_t segmentFrames = request::kSegmentFrames;
-  bool resume = false;                                 ///< what is there and is the same is not made again
-  bool keepWork = false;                               ///< leaves the segments when all is done
-  std::optional<request::Shard> shard = {};            ///< only its segments, and no film of them
-  std::optional<std::filesystem::path> manifest = {};  ///< of a film or a sequence
-  std::optional<std::filesystem::path> trace = {};     ///< TraceFile of it
-  bool digestsPixels = false;  ///< of a still: whether the worker reports the pixelDigest()
+  bool resume = false;  ///< reuses existing segments if they match
+  bool keepWork = false;
+  std::optional<request::Shard> shard = {};            ///< makes only this shard's segments and does not join them
+  std::optional<std::filesystem::path> manifest = {};  ///< films and sequences only
+  std::optional<std::filesystem::path> trace = {};
+  bool digestsPixels = false;  ///< stills only: the worker reports the pixelDigest()
 };
 
-/// One render, ready to run: the same value from the options to the worker, which inherits it as a fork.
+/// Complete description of one render. The same value passes from the options to the workers, which inherit it by
+/// fork().
 struct RenderRequest : RenderChoices {
   request::RequestedScene scene = {};
   request::OutputTarget target = {};
   request::FrameRange frames = {};
-  int workers = 1;                       ///< most processes
-  double worker_bytes = 0;               ///< that a worker is estimated to take
-  std::optional<JobRecord> record = {};  ///< of what is made in segments: a film, a sequence, a shard
+  int workers = 1;                       ///< most worker processes
+  double worker_bytes = 0;               ///< estimated memory of a worker
+  std::optional<JobRecord> record = {};  ///< for films, sequences and shards, which are made in segments
 
-  /// Returns the segments that this render makes: all, or its shard's.
+  /// Returns all segments, or only those of the shard.
   std::vector<request::FrameRange> segments() const {
     return request::segmentsOf(shard.value_or(request::Shard()), request::segmentsOf(frames, segmentFrames));
   }
 };
 
-/// The only way to make one. `workers` is left to the caller, who knows the machine.
+/// Makes a request with its memory estimate and its job record; do not fill in a RenderRequest by hand. The caller
+/// sets `workers`, which depends on the machine.
 /// @throws core::Error(kPhysics) as describe::pictureWords().
 RenderRequest renderRequest(request::RequestedScene scene, const request::OutputTarget& target,
                             const request::FrameRange& frames, const RenderChoices& choices = {});
 
-/// @throws core::Error(kLimit) if a worker would take more memory than the scene's allowance has.
+/// @throws core::Error(kLimit) if a worker would take more memory than the scene's limits allow.
 void expectWithinMemory(const RenderRequest& request);
 
 /// Values that all workers of a render inherit.
 struct WorkerTask {
   const RenderRequest& render;
-  std::filesystem::path workFolder;  ///< takes the segments of a film
-  int rasterThreads = 0;             ///< llvmpipe's; 0 rasterises in the worker itself
+  std::filesystem::path workFolder;
+  int rasterThreads = 0;  ///< extra threads of llvmpipe; 0 rasterises on the worker's own thread
 
-  /// Whether segments that are there are taken.
   bool resumes() const { return render.resume || render.shard; }
 };
 

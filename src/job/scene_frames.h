@@ -16,19 +16,19 @@
 
 namespace poinsot::job {
 
-/// The frames of what is drawn of a scene: stage composes, renderer draws. Needs a current context for life.
+/// Source of a scene's frames: a composer makes the picture of a frame, and a renderer draws the picture. The
+/// OpenGL context must stay current as long as the object lives.
 class SceneFrames : public FrameSource {
  public:
-  /// Of a render.
-  /// @param steps  where the time is entered.
+  /// @param steps  ledger that receives the time spent
   /// @throws core::Error(kPhysics, kGraphics)
   SceneFrames(const RenderRequest& render, gl::OffscreenContext& context, core::StepLedger* steps);
-  /// Of a scene, for who shows pictures and keeps none: they have no digests.
+  /// Makes frames for display only: digest() then includes no render settings.
   /// @throws core::Error(kPhysics, kGraphics)
   SceneFrames(const request::RequestedScene& requested, const request::PictureOptions& form,
               gl::OffscreenContext& context);
 
-  /// As if made with that time.
+  /// Sets RenderChoices::time_s, the film time of every frame; nullopt restores each frame's own time.
   void setTime(std::optional<double> time_s) {
     time_s_ = time_s;
     composed_.reset();
@@ -36,9 +36,8 @@ class SceneFrames : public FrameSource {
 
   image::Frame frame(std::int64_t k) override;
   core::Digest digest(std::int64_t k) override;
-  /// What the last frame was drawn from, whole.
+  /// Returns the picture of the last frame, with the parts that a figure draws as vectors.
   const draw::Picture& picture() const { return picture_; }
-  /// GL_RENDERER of what draws.
   const std::string& renderer() const { return rendererName_; }
 
  private:
@@ -46,7 +45,6 @@ class SceneFrames : public FrameSource {
               std::optional<figure::FigureMedium> medium, const std::string& settings,
               gl::OffscreenContext& context, core::StepLedger* steps);
 
-  /// Leaves the frame's picture in picture_.
   void compose(std::int64_t k);
 
   image::PixelSize size_;
@@ -55,10 +53,10 @@ class SceneFrames : public FrameSource {
   request::PictureOptions form_;
   std::optional<figure::FigureMedium> medium_;
   draw::Picture picture_;
-  std::optional<std::int64_t> composed_;  // whose picture that is
+  std::optional<std::int64_t> composed_;  // frame number of picture_
   std::unique_ptr<const stage::Composer> composer_;
   render::Renderer renderer_;
-  image::AnyImage fitted_;  // of the last transparent frame
+  image::AnyImage fitted_;
   std::string rendererName_;
   FrameDigester digestOf_;
   core::StepLedger* steps_;

@@ -32,7 +32,7 @@ using std::filesystem::path;
       fmt::format("cannot read {}: {}", core::printable(file.native()), core::systemReason(code)), file, code);
 }
 
-// From the work folder, so that both can be moved, or seen from elsewhere.
+// Relative to the work folder, so that folder and frames can be moved together or mounted elsewhere.
 std::string nameOf(const path& file, const path& folder) {
   return core::utf8FromBytes(file.lexically_relative(folder).native());
 }
@@ -48,7 +48,7 @@ Json toJson(const SegmentRecord& record, const path& folder) {
           {"files", std::move(files)}};
 }
 
-/// Of files as they stand in the record, without their paths.
+/// Reads a record without the paths of its files, which parse() checks.
 SegmentRecord fromJson(const Json& json) {
   SegmentRecord record;
   record.frames = {core::wholeNumber(json.at("frames").at(0)), core::wholeNumber(json.at("frames").at(1))};
@@ -97,7 +97,7 @@ std::optional<SegmentRecord> SegmentRecords::parse(std::string_view text, const 
     return std::nullopt;
   const std::vector<path> files = segmentFiles(folder_, target_, frames);
   if (record.files.size() != files.size()) return std::nullopt;
-  // A record is no reason to open any other file than those.
+  // Records may come from anyone, and must not make the program open files outside the segment.
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (json.at("files").at(i).at("path").get<std::string>() != nameOf(files[i], folder_)) return std::nullopt;
     record.files[i].path = files[i];

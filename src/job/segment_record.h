@@ -13,7 +13,6 @@
 
 namespace poinsot::job {
 
-/// A file that a segment consists of: the piece of film, or a frame's picture.
 struct RecordedFile {
   std::filesystem::path path;
   std::uint64_t bytes = 0;
@@ -22,44 +21,46 @@ struct RecordedFile {
   friend bool operator==(const RecordedFile&, const RecordedFile&) = default;
 };
 
-/// What is kept beside a finished segment, so that another render can tell whether it is its own.
+/// Record beside a finished segment, from which another render decides whether it can reuse the segment.
 struct SegmentRecord {
   request::FrameRange frames;
-  std::string jobDigest;             ///< jobDigest() of the render that made it, or last found it good
-  std::string renderer;              ///< GL_RENDERER of the process that drew it
-  std::vector<std::string> digests;  ///< of each frame
+  std::string jobDigest;             ///< jobDigest() of the render that made or last reused the segment
+  std::string renderer;              ///< GL_RENDERER of that render
+  std::vector<std::string> digests;  ///< one per frame
   std::vector<RecordedFile> files;
 
   friend bool operator==(const SegmentRecord&, const SegmentRecord&) = default;
 };
 
-/// The file as it is on disk. @throws core::Error(kIo) if it cannot be read or is no regular file.
+/// Returns the size and the SHA-256 of a file. @throws core::Error(kIo) if it cannot be read or is no regular
+/// file.
 RecordedFile recordOf(const std::filesystem::path& file);
 
-/// How a segment stands.
 enum class SegmentState {
   kDone,
   kMissing,
   kStale,    ///< whole, but made for another scene or with other settings
-  kCorrupt,  ///< a file is missing, or not as it was recorded
+  kCorrupt,  ///< a file is missing, or differs from its record
 };
 
-/// The records of a render's segments, each a file of JSON in the work folder.
+/// Records of a render's segments, each a JSON file in the work folder.
 class SegmentRecords {
  public:
-  /// `target`: of the render, by which the names of its files are known.
+  /// @param target  the render's target, which determines the names of the files
   SegmentRecords(std::filesystem::path workFolder, request::OutputTarget target)
       : folder_(std::move(workFolder)), target_(std::move(target)) {}
 
-  /// Nothing where there is none, or what is there is no record of these frames and of the files that they go to.
+  /// Returns the record of a segment. Returns nullopt if the record is missing or malformed, or names other frames
+  /// or files than the segment has.
   std::optional<SegmentRecord> find(const request::FrameRange& frames) const;
-  /// The same of a record's text.
+  /// Parses the text of a record. Returns nullopt as find().
   std::optional<SegmentRecord> parse(std::string_view text, const request::FrameRange& frames) const;
-  /// Durable when it returns. @throws core::Error(kIo).
+  /// Writes a record, which is durable when the function returns. @throws core::Error(kIo).
   void keep(const SegmentRecord& record) const;
-  /// Its files are there, byte for byte.
+  /// Returns whether all files of the record exist and have the recorded bytes.
   static bool isWhole(const SegmentRecord& record);
-  /// How the segment stands for a render with that jobDigest().
+  /// Returns the state of a segment for a render.
+  /// @param job  the render's jobDigest()
   SegmentState stateOf(const request::FrameRange& frames, const std::string& job) const;
 
   std::filesystem::path fileOf(const request::FrameRange& frames) const;

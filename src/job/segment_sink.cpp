@@ -15,7 +15,6 @@
 namespace poinsot::job {
 namespace {
 
-/// The one file of a single picture.
 class SinglePicture : public output::FrameSink {
  public:
   SinglePicture(std::filesystem::path place, std::vector<image::PngText> texts, double dpi,
@@ -40,7 +39,6 @@ class SinglePicture : public output::FrameSink {
   core::StepLedger& steps_;
 };
 
-/// A picture that is more than its pixels.
 class SingleFigure : public output::FrameSink {
  public:
   SingleFigure(std::filesystem::path target, std::vector<std::filesystem::path> places,
@@ -83,7 +81,7 @@ std::unique_ptr<output::FrameSink> pictureSink(const WorkerTask& task, SceneFram
   if (render.target.kind == request::OutputKind::kPicture)
     return std::make_unique<SinglePicture>(stagedFiles(task.workFolder, render.target).front(), std::move(texts),
                                            render.form.print ? print.dpi : 0, digestOf, steps);
-  // What is said of the whole film is not said by its frames: they stay as they are when it changes.
+  // Frames carry no title or description, so that a change of these texts does not make the frames stale.
   return std::make_unique<output::PngSequence>(
       output::FramePattern(path.string()),
       output::SequenceOptions{{}, digestOf, task.resumes(), task.workFolder, &steps});

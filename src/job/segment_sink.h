@@ -7,13 +7,13 @@
 
 namespace poinsot::job {
 
-/// Where a still's worker leaves the files that figure::figureFiles() names, for the render to give them their
-/// names together.
+/// Returns the paths in the work folder where a still's worker writes the files of figure::figureFiles(). The
+/// render then gives all of them their final names together.
 std::vector<std::filesystem::path> stagedFiles(const std::filesystem::path& workFolder,
                                                const request::OutputTarget& target);
 
-/// Sinks for the render's kind of target: a segment of film or a still in the work folder, or frames of a sequence
-/// under their final names. All three must outlive the sinks, which enter their time into `steps`.
+/// Returns the maker of sinks for a render. Film segments and stills go to the work folder, frames of a sequence
+/// to their final names. All three arguments must outlive the sinks, which enter their time into `steps`.
 SinkMaker sinkMaker(const WorkerTask& task, SceneFrames& frames, core::StepLedger& steps);
 
 }  // namespace poinsot::job

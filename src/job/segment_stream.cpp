@@ -20,7 +20,7 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// Waits until something can be written without waiting, or the user wants no more: 0 or an errno.
+/// Waits until standard output accepts data or a signal arrives. @returns 0 or an errno; ECANCELED after a signal
 int awaitRoom() {
   pollfd watched[2] = {{STDOUT_FILENO, POLLOUT, 0}, {process::interruptFd(), POLLIN, 0}};
   while (poll(watched, 2, -1) < 0)
@@ -28,7 +28,7 @@ int awaitRoom() {
   return watched[1].revents != 0 ? ECANCELED : 0;
 }
 
-/// In pieces that a pipe with room takes at once: 0 or an errno.
+/// Writes in pieces of at most PIPE_BUF, which a ready pipe takes at once. @returns 0 or an errno
 int writeOut(Bytes bytes) {
   while (!bytes.empty()) {
     if (const int code = awaitRoom(); code != 0) return code;

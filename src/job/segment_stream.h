@@ -9,16 +9,16 @@
 
 namespace poinsot::job {
 
-/// Sends segments on to standard output, in their order, and removes them: pictures one after the other, or an MP4
-/// in pieces.
+/// Writes segments to standard output in frame order and removes them: PNG pictures one after the other, or an MP4
+/// in fragments.
 class SegmentStream {
  public:
   SegmentStream(const request::OutputTarget& target, const JobRecord& job, std::filesystem::path workFolder);
 
-  /// A segment that is complete, in whatever order they become so; what is next is sent.
-  /// @throws core::Error(kIo); core::BrokenPipe; Interrupted, also while the reader does not read.
+  /// Accepts a finished segment. Segments may finish in any order; output is written in frame order.
+  /// @throws core::Error(kIo), also if a signal arrives while the reader does not read; core::BrokenPipe
   void add(const request::FrameRange& segment);
-  /// After the last one: all is with the reader or, of a file, on disk.
+  /// Ends the output after the last segment. If standard output is a file, the file is then synced to disk.
   void finish();
 
  private:
@@ -28,8 +28,8 @@ class SegmentStream {
   request::OutputTarget target_;
   std::filesystem::path workFolder_;
   std::optional<output::FilmStream> film_;
-  std::vector<request::FrameRange> ready_;  // not sent yet
-  std::int64_t next_;                       // frame
+  std::vector<request::FrameRange> ready_;
+  std::int64_t next_;  // first frame that is not sent yet
 };
 
 }  // namespace poinsot::job

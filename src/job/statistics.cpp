@@ -12,7 +12,6 @@ namespace {
 
 const char* plural(std::int64_t count) { return count == 1 ? "" : "s"; }
 
-/// What no step accounts for.
 double otherCpu_s(const Statistics& sum) { return std::max(0.0, sum.cpu_s - sum.first_s - sum.steps.sum_s()); }
 
 }  // namespace
@@ -45,7 +44,7 @@ std::string statisticsText(const Statistics& sum, double wall_s) {
   };
   for (std::size_t i = 0; i < core::kSteps; ++i) {
     const auto step = static_cast<core::Step>(i);
-    // A worker's first frame is told apart, but not what was done with it.
+    // Making a worker's first frame is listed separately, converting and writing it are not.
     const auto frames = step <= core::Step::kText ? sum.frames - sum.workers : sum.frames;
     line(core::nameOf(step), perFrame(sum.steps[step], frames));
   }

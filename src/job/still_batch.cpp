@@ -9,7 +9,7 @@
 namespace poinsot::job {
 namespace {
 
-/// Runs of the batch, of which some are at work. All in one thread: workers are forks of it.
+/// Runs the renders of a batch, several at a time. Uses a single thread, because workers are forks of it.
 class Batch {
  public:
   Batch(std::vector<RenderRequest> requests, const StillListener& listener)
@@ -56,7 +56,7 @@ class Batch {
     });
   }
 
-  /// False if it failed, which was told.
+  /// Runs `work`. Records and reports an error, and returns false then.
   template <typename Work>
   bool attempt(std::size_t index, const Work& work) {
     try {

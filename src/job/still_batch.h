@@ -10,19 +10,18 @@
 
 namespace poinsot::job {
 
-/// Called after each picture with its place in the batch and what went wrong, if something did.
+/// Callback after each picture, with its index in the batch and the error if the picture failed.
 using StillListener = std::function<void(std::size_t index, const std::optional<core::Error>& failure)>;
 
-/// Result of making one of the pictures.
 struct MadeStill {
   std::optional<core::Error> failure;
-  RenderSummary summary;  ///< where it did not fail
+  RenderSummary summary;  ///< valid only without `failure`
 };
 
-/// Makes pictures of several scenes, `jobs` workers at a time. One that fails stops no other. The order in which
-/// they are done is open, the pictures are not.
+/// Makes pictures of several scenes, `jobs` workers at a time. A failed picture does not stop the others. Pictures
+/// may finish in any order; the order does not change them.
 /// @pre every request is of one frame.
-/// @returns the result of each request.
+/// @returns one result per request, in the same order
 /// @throws Interrupted
 std::vector<MadeStill> makeStills(std::vector<RenderRequest> requests, int jobs, const StillListener& listener);
 

@@ -12,11 +12,11 @@
 namespace poinsot::job {
 namespace {
 
-constexpr std::size_t kEnough_bytes = 64 << 10;  // for one call of the system
+constexpr std::size_t kEnough_bytes = 64 << 10;
 
 enum class Row { kJob = 1, kSegments, kPictures, kFiles };
 
-// What is in no row of a worker's is the parent's.
+// Returns the row of a worker's span. All spans of the parent are in kJob.
 Row rowOf(std::string_view name) {
   using core::Step;
   constexpr std::array kFileSteps{Step::kConvert, Step::kEncode, Step::kWrite};
@@ -25,7 +25,6 @@ Row rowOf(std::string_view name) {
   return std::ranges::any_of(kFileSteps, isIt) ? Row::kFiles : Row::kPictures;
 }
 
-/// Microseconds, exactly.
 std::string us(std::int64_t ns) { return fmt::format("{}.{:03}", ns / 1000, ns % 1000); }
 
 std::string metadata(int process, const char* what, Row row, std::string_view name) {

@@ -12,33 +12,32 @@
 
 namespace poinsot::job {
 
-/// Traces of this program.
 output::FileKind traceKind();
 
-/// The process that hands out the work; workers have numbers from 1.
+/// Number of the parent process in a trace; workers have numbers from 1.
 inline constexpr int kParentProcess = 0;
 
-/// What each process of a render did when, as a Chrome trace, which chrome://tracing and ui.perfetto.dev show.
-/// Written as it comes, so that it takes no memory.
+/// Trace of a render's processes in Chrome's trace format, which chrome://tracing and ui.perfetto.dev show. Events
+/// are written as they arrive, so a long trace needs no more memory.
 class TraceFile {
  public:
-  /// Times are told from now on. It lies in `folder` until it is complete, where that is beside it.
+  /// Starts a trace; times count from this call. Until complete, the file lies in `folder` if that is beside the
+  /// target.
   /// @throws core::Error(kIo), as do the members below.
   TraceFile(const std::filesystem::path& target, const std::filesystem::path& folder);
 
   void add(int process, const core::Span& span);
-  /// Writes the end. @returns the complete file, which has no name yet.
+  /// Completes the file. @returns the file, which still has its temporary name
   core::AtomicFile finish();
 
  private:
   void addEvent(const std::string& event);
-  /// Says what the rows of this process are called, once.
   void introduce(int process);
   void flush();
 
   std::int64_t start_ns_;
   core::AtomicFile file_;
-  std::string text_;  // not yet written
+  std::string text_;
   bool empty_ = true;
   std::set<int> introduced_;
 };

@@ -30,7 +30,7 @@ namespace {
   fail(folder, core::systemReason(code), code);
 }
 
-/// Whether the name still leads to the folder that was opened: its last holder may have removed it meanwhile.
+/// Returns whether the name still refers to the opened folder, which an earlier lock holder may have removed.
 bool stillThere(int fd, const std::filesystem::path& folder) {
   struct stat opened {
   }, named{};
@@ -52,8 +52,7 @@ core::FileHandle openLocked(const std::filesystem::path& folder, WorkFolderUse u
   }
 }
 
-/// A name may have 255 bytes. One that leaves no room for what is put around it is cut, and told from others by
-/// its digest.
+/// Shortens a name so that the work folder's name stays within 255 bytes. A digest keeps shortened names distinct.
 std::string shortEnough(const std::string& name) {
   constexpr std::size_t kMost = 255 - std::string_view("..poinsot").size(), kKept = 200;
   if (name.size() <= kMost) return name;
@@ -75,14 +74,14 @@ WorkFolder::~WorkFolder() {
   try {
     leave();
   } catch (const std::bad_alloc&) {
-    // What is left is taken over by the next render, or removed by it.
+    // The next render takes over or removes the folder.
   }
 }
 
 void WorkFolder::leave() const {
-  if (!discarded_ && (shared_ || holdsSegments())) return;  // others may have only begun
+  if (!discarded_ && (shared_ || holdsSegments())) return;  // other shards may have just begun
   removeContents();
-  std::error_code ignored;  // whatever else lies in it is not ours to remove
+  std::error_code ignored;  // fails if other files are in the folder, which must stay
   std::filesystem::remove(path_, ignored);
 }
 
@@ -93,7 +92,7 @@ bool WorkFolder::holdsSegments() const {
   return false;
 }
 
-// Also what a killed process had begun: temporary files begin with a dot.
+// Files with the ending ".tmp" are temporary files, which a killed process may have left.
 void WorkFolder::removeContents() const {
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(path_, ignored)) {

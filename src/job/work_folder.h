@@ -7,29 +7,29 @@
 
 namespace poinsot::job {
 
-/// How a render comes to its work folder.
+/// Treatment of files that an earlier render left in the work folder.
 enum class WorkFolderUse {
-  kFresh,    ///< what lies in it is thrown away
-  kResumed,  ///< what lies in it is gone on with
-  kShared,   ///< with others that do the same
+  kFresh,    ///< deletes the files
+  kResumed,  ///< reuses the files
+  kShared,   ///< reuses the files, and shares the folder with other processes that do the same
 };
 
-/// `.NAME.poinsot` beside a target.
+/// Returns the path `.NAME.poinsot` beside a target.
 std::filesystem::path workFolderOf(const std::filesystem::path& target);
 
-/// The folder beside a target for what is not complete yet; on the target's file system, so that the result can be
-/// renamed into place. Held by a lock, so that two renders of one target cannot mix; a folder left by a killed run
-/// has no lock and is taken over.
+/// Folder beside a target for incomplete files, on the target's file system, so that the result can be renamed
+/// into place. A lock keeps two renders of the same target apart. The folder of a killed run has no lock, so the
+/// next run takes it over.
 class WorkFolder {
  public:
-  /// @throws core::Error(kIo) if it cannot be made, or another render holds it.
+  /// @throws core::Error(kIo) if the folder cannot be made, or if another render has locked it
   WorkFolder(const std::filesystem::path& target, WorkFolderUse use);
-  /// Removes the folder where there is nothing in it to go on with.
+  /// Removes the folder, unless it is shared or holds segments that a later render can reuse.
   ~WorkFolder();
   WorkFolder(WorkFolder&&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// It is removed in the end, whatever is in it.
+  /// Lets the destructor remove the folder in any case.
   void discard() { discarded_ = true; }
 
  private:

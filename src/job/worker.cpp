@@ -21,7 +21,7 @@ namespace poinsot::job {
 
 namespace {
 
-/// The parent is gone when nobody reads the reports; then there is nothing left to do.
+/// Sends a report. If the parent is gone, throws Interrupted, because no work is left to do.
 void report(int reports, const WorkerReport& what) {
   if (!process::writeLine(reports, toLine(what))) throw process::Interrupted(SIGHUP);
 }
@@ -35,7 +35,6 @@ void reportSpans(core::StepLedger& steps, int reports) {
   if (!spans.empty()) report(reports, SpansDone{std::move(spans)});
 }
 
-/// Makes segments, and keeps the account of it.
 class SegmentMaker {
  public:
   SegmentMaker(int reports, FrameSource& source, core::StepLedger& steps, const SegmentKeeper* keeper,
@@ -70,10 +69,9 @@ class SegmentMaker {
   }
 
  private:
-  /// Returns the digest of its pixels, if it is asked for.
   std::string makeFrame(std::int64_t k, output::FrameSink& sink) {
     const image::Frame frame = source_.frame(k);
-    if (frames_++ == 0) first_ = steps_.times();  // told apart from the other frames
+    if (frames_++ == 0) first_ = steps_.times();
     sink.write(frame, k);
     return digestsPixels_ ? image::pixelDigest(frame.picture) : "";
   }
@@ -91,7 +89,7 @@ void work(const WorkerTask& task, process::LineReader& segments, int reports) {
   process::forbidProcessesInSandbox();
   const RenderRequest& render = task.render;
   gl::pinEnvironment(render.reproducible, task.rasterThreads);
-  unsetenv("HOME");  // its .drirc may change what EGL's driver does; nothing else reads it from here on
+  unsetenv("HOME");  // a .drirc there may change what EGL's driver does; later code does not need HOME
   beginHeap(render.worker_bytes);
   const auto context = gl::openContext(render.backend);
   core::StepLedger steps;
@@ -153,7 +151,7 @@ int runWorker(const WorkerTask& task, int segments, int reports) {
   const std::string outOfMemory = toLine(WorkerFailed{core::ErrorKind::kGraphics, "out of memory"}) + '\n';
   try {
     return workTellingFailures(task, segments, reports);
-  } catch (const std::bad_alloc&) {  // perhaps while something else was told
+  } catch (const std::bad_alloc&) {  // perhaps while reporting another failure
     process::writeText(reports, outOfMemory);
     return EXIT_FAILURE;
   }

@@ -16,18 +16,17 @@
 
 namespace poinsot::job {
 
-/// Makes the sink of one segment.
 using SinkMaker = std::function<std::unique_ptr<output::FrameSink>(const request::FrameRange& segment)>;
 
-/// What a worker knows of the segments of its render, whoever made them, and tells of its own.
+/// Finds segments that a worker can reuse, and records the segments that the worker completes.
 class SegmentKeeper {
  public:
-  /// `renderer`: GL_RENDERER of this process.
   SegmentKeeper(const WorkerTask& task, std::string renderer);
 
-  /// Whether the segment is there, as it would be made now: by the same job, or by another of the same pictures.
+  /// Returns whether a finished segment can be reused. The segment must come from the same job and renderer, or
+  /// show the same pictures; in the second case its record is updated to this job.
   bool has(const request::FrameRange& segment, FrameSource& source) const;
-  /// Takes down that the segment is complete. @throws core::Error(kIo).
+  /// Records a completed segment. @throws core::Error(kIo).
   void keep(const request::FrameRange& segment, std::vector<std::string> digests) const;
 
  private:
@@ -38,18 +37,19 @@ class SegmentKeeper {
   std::string jobDigest_, renderer_;
 };
 
-/// Makes segments as they come in, one after the other, and reports each frame and segment, until no more come.
-/// Those that the keeper has, and frames that a sink has, are not made again; without a keeper nothing is taken
-/// down. With `digestsPixels` each report of a frame has its pixelDigest(). `steps` is what the source and the
-/// sinks enter their time into; its spans are reported as they come.
+/// Makes the segments that arrive from the parent until no more come, and reports each frame and segment. Reuses
+/// the segments that the keeper has and the frames that a sink has.
+/// @param steps  ledger of the source and the sinks, whose spans are reported
+/// @param keeper  null if segments are neither reused nor recorded
+/// @param digestsPixels  adds the pixelDigest() to the report of each frame
 /// @throws core::Error of the source or a sink; Interrupted.
 Statistics makeSegments(process::LineReader& segments, int reports, FrameSource& source, const SinkMaker& sinkOf,
                         core::StepLedger& steps, const SegmentKeeper* keeper = nullptr,
                         bool digestsPixels = false);
 
-/// The life of a worker process: reads segments from `segments`, reports to `reports`. Opens the one GL context of
-/// this process.
-/// @returns the exit status; a failure was reported before it returns.
+/// Runs a worker process: reads segments from the descriptor `segments`, and writes reports to `reports`. Opens
+/// the only OpenGL context of this process.
+/// @returns the exit status; an error has been reported before the function returns
 int runWorker(const WorkerTask& task, int segments, int reports);
 
 }  // namespace poinsot::job

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-/// Where malloc() takes the memory of a worker from.
 namespace poinsot::job {
 
-/// Lets the heap of this process begin as large as the worker is expected to grow, and asks the kernel for large
-/// pages there: 2 MiB at a time in place of 4 KiB, when they are first written. What is not written takes none.
-/// Blocks up to 32 MiB lie in it and are kept for the next picture. Where that is more than 400 MiB, or a process
-/// may have few addresses, pages stay small.
+/// Reserves a heap of the worker's expected size, and requests huge pages there: 2 MiB at once instead of 4 KiB.
+/// Pages take memory only when first written. Blocks up to 32 MiB lie in this heap and are kept for the next
+/// picture. Huge pages are not used above 400 MiB, or if the process has little address space.
 void beginHeap(double expected_bytes);
 
 }  // namespace poinsot::job

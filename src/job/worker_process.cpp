@@ -36,22 +36,21 @@ Pipe makePipe() {
   return {core::FileHandle(ends[0]), core::FileHandle(ends[1])};
 }
 
-/// What the parent has open is not the worker's: with it, it would keep the pipes of other workers open.
+/// Closes the parent's descriptors. A worker that kept them would keep the pipes of other workers open.
 void closeAllButStandardStreams() {
   constexpr unsigned kFirst = STDERR_FILENO + 1;
   if (close_range(kFirst, ~0U, 0) == 0) return;
-  rlimit limit{};  // a kernel before 5.9
+  rlimit limit{};  // kernels before 5.9 lack close_range()
   getrlimit(RLIMIT_NOFILE, &limit);
   for (auto fd = static_cast<int>(kFirst); fd < static_cast<int>(limit.rlim_cur); ++fd) close(fd);
 }
 
-/// In the new process.
 [[noreturn]] void becomeWorker(const WorkerTask& task, int segments, int reports, pid_t parent) {
   process::dieWith(parent);
   dup2(segments, STDIN_FILENO);
   dup2(reports, STDOUT_FILENO);
   closeAllButStandardStreams();
-  // Not a return: what the parent keeps on its stack is the parent's to clean up. But Mesa ends its work at exit.
+  // A return would destroy the parent's objects on the stack. std::exit() does not, but lets Mesa finish its work.
   std::exit(runWorker(task, STDIN_FILENO, STDOUT_FILENO));
 }
 
@@ -66,7 +65,7 @@ std::string inWords(int status) {
 WorkerProcess::WorkerProcess(const WorkerTask& task, int number) : number_(number) {
   Pipe segments = makePipe(), reports = makePipe();
   const pid_t parent = getpid();
-  std::fflush(nullptr);  // or both would write it
+  std::fflush(nullptr);  // or both processes would write the buffered text
   const process::SignalsHeld held;
   pid_ = fork();
   if (pid_ < 0) cannotStart("fork");
@@ -86,7 +85,8 @@ void WorkerProcess::give(const request::FrameRange& segment) {
   tell(toLine(segment));
 }
 
-/// A worker that did not hear would wait for ever. Where it is gone, the end of its reports says so.
+/// Sends a line. A worker that misses a line would wait for ever, so failure throws. EPIPE is ignored, because the
+/// end of the reports already reveals that the worker is gone.
 void WorkerProcess::tell(const std::string& line) const {
   const int code = process::writeText(segments_.get(), line + '\n');
   if (code != 0 && code != EPIPE)

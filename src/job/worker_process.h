@@ -14,19 +14,19 @@
 
 namespace poinsot::job {
 
-/// A worker: a fork of this process, in the same process group, ended with its parent. Nothing is executed, so
-/// that it works where that is forbidden (sandbox.h). Destroying one that still runs kills it.
+/// Worker process: a fork of this process, in the same process group, killed if its parent ends. A worker executes
+/// no program, so it works in a sandbox that forbids this (sandbox.h). Destroying a running worker kills it.
 class WorkerProcess {
  public:
-  /// @param number  to tell it from others of the same task
-  /// @warning Forks: this process must have one thread, and must never have opened a context, because Mesa's
-  /// threads are not forked with it.
+  /// @param number  distinguishes the workers of a task
+  /// @warning Forks: this process must have one thread and must never have opened an OpenGL context, because a
+  /// fork lacks Mesa's threads.
   /// @throws core::Error(kGraphics) if no process can be started.
   WorkerProcess(const WorkerTask& task, int number);
   ~WorkerProcess();
   WorkerProcess(WorkerProcess&&) = delete;
 
-  /// Hands it a segment, or says that there are no more. A worker that is gone is noticed through its reports.
+  /// Sends a segment to the worker. Does not fail if the worker is gone, which readReports() detects.
   /// @throws core::Error(kGraphics) if the message cannot be sent.
   void give(const request::FrameRange& segment);
   void giveNoMore();
@@ -34,20 +34,21 @@ class WorkerProcess {
 
   int number() const { return number_; }
 
-  /// For poll(): readable when a report came, or the end.
+  /// Returns the descriptor to poll(), which is readable after a report or at the end of the reports.
   int reportsFd() const { return reports_.get(); }
-  /// Reads what is there; false when the worker closed its end.
+  /// Reads once, waiting if no report is there. Returns false if the worker closed its end.
   bool readReports() { return reader_.fill(); }
   std::optional<WorkerReport> takeReport();
-  /// Whether it reported its end, as told by setFinished().
+  /// Returns whether setFinished() was called, after the worker reported its end.
   bool finished() const { return finished_; }
   void setFinished() { finished_ = true; }
 
-  /// Asks it to clean up and end.
+  /// Sends SIGTERM, so that the worker cleans up and ends.
   void askToStop();
-  /// Whether it ended; waits up to `wait_s` for that. @returns in words how, once it has.
+  /// Waits up to `wait_s` seconds for the end of the worker.
+  /// @returns how the worker ended, in words; nullopt if it still runs
   std::optional<std::string> ended(double wait_s);
-  /// The same without a word, for those who cannot fail.
+  /// Waits like ended(), without a result, for callers that must not throw.
   void awaitEnd(double wait_s) noexcept;
   void kill();
 
@@ -56,7 +57,7 @@ class WorkerProcess {
 
   int number_;
   pid_t pid_ = -1;
-  int status_ = 0;  ///< as waitpid has it, once pid_ is none
+  int status_ = 0;  ///< from waitpid(); valid once pid_ is -1
   core::FileHandle segments_, reports_;
   process::LineReader reader_{-1};
   std::optional<request::FrameRange> segment_;

@@ -18,7 +18,7 @@ request::FrameRange rangeOf(const WireJson& json) {
   return {json.at(0).get<std::int64_t>(), json.at(1).get<std::int64_t>()};
 }
 
-// In the order of the fields, so that the two functions below stay readable side by side.
+// Lists the fields in the order in which statisticsOf() reads them.
 WireJson toJson(const Statistics& s) {
   WireJson steps = WireJson::array();
   for (std::size_t i = 0; i < core::kSteps; ++i) steps.push_back(s.steps[static_cast<core::Step>(i)]);
@@ -51,7 +51,7 @@ std::vector<core::Span> spansOf(const WireJson& json) {
   return spans;
 }
 
-/// Reads a line. Its two sides are one program, so only a line that was lost or cut makes it unreadable.
+/// Parses a line and passes the JSON to `reading`. Both ends are the same program, so only a truncated line fails.
 template <class Reading>
 auto readingLine(std::string_view line, Reading reading) try {
   return reading(WireJson::parse(line));
@@ -77,7 +77,7 @@ struct Overloaded : Each... {
   using Each::operator()...;
 };
 template <class... Each>
-Overloaded(Each...) -> Overloaded<Each...>;  // clang 14 wants it
+Overloaded(Each...) -> Overloaded<Each...>;  // needed by clang 14
 
 }  // namespace
 

@@ -12,38 +12,37 @@
 #include "job/statistics.h"
 #include "request/frame_plan.h"
 
-/// What a render and its workers say to each other: one JSON object a line. To the worker segments; the end of
-/// the stream means there are no more. From the worker reports.
+/// Protocol between a render and its workers, one JSON object per line. The render sends segments, and closes the
+/// stream if there are no more. Workers send reports.
 namespace poinsot::job {
 
 struct FrameDone {
   std::int64_t k = 0;
-  bool reused = false;      ///< it was there, and is what would have been made
-  std::string pixels = {};  ///< pixelDigest() of what was drawn, where the render asks for it
+  bool reused = false;      ///< an identical frame existed already
+  std::string pixels = {};  ///< pixelDigest() of the new frame, if requested
 };
-/// Every file of the segment is complete under its name.
 struct SegmentDone {
   request::FrameRange frames;
 };
-/// What it has done since the last such report.
+/// Report of the worker's spans of work since the previous SpansDone.
 struct SpansDone {
   std::vector<core::Span> spans;
 };
 struct WorkerFinished {
   Statistics spent;
-  std::string renderer = {};  ///< GL_RENDERER
-  std::string driver = {};    ///< gl::OffscreenContext::driver()
+  std::string renderer = {};
+  std::string driver = {};
 };
 struct WorkerFailed {
   core::ErrorKind kind = core::ErrorKind::kGraphics;
   std::string message;
-  std::filesystem::path file = {};  ///< of a core::FileError, as is
-  int code = 0;                     ///< this errno
+  std::filesystem::path file = {};  ///< core::FileError::file(), if the error is of that type
+  int code = 0;                     ///< core::FileError::code(), an errno
 };
 using WorkerReport = std::variant<FrameDone, SegmentDone, SpansDone, WorkerFinished, WorkerFailed>;
 
-/// Lines, without their newline. Reading throws core::Error(kGraphics) for a line that was lost in part, or that
-/// is another than the one expected.
+/// Conversion to and from lines without the newline. Reading throws core::Error(kGraphics) if a line is incomplete
+/// or of another type than expected.
 std::string toLine(const request::FrameRange& segment);
 std::string toLine(const WorkerReport& report);
 request::FrameRange segmentFromLine(std::string_view line);

@@ -19,12 +19,12 @@ namespace {
 using core::ErrorKind;
 using std::filesystem::path;
 
-// One index of 256 stands for what has not changed since the last picture.
+// One of the 256 indices marks pixels that have not changed since the previous picture.
 constexpr int kMostColors = 255;
-// A palette is chosen by so many pictures, spread evenly: more do not change it, and cost.
+// The palette is computed from about this many pictures, spread evenly. More would cost time and not change it.
 constexpr std::int64_t kPicturesForPalette = 100;
 
-// Of a picture: what OpenGL here draws at most, a user having raised every limit.
+// Largest picture that is decoded, in pixels: the most that OpenGL draws here if a user raises every limit.
 constexpr std::int64_t kMostPixels = std::int64_t{16384} * 16384;
 
 using PictureListener = std::function<void(const image::Image&)>;
@@ -43,7 +43,6 @@ CodecContextPtr decoderOf(const AVCodecParameters& parameters) {
   return decoder;
 }
 
-/// All pictures of one segment, in order.
 void readSegment(const path& file, const PictureListener& listen) {
   TrackReader reader(file, FileFormat::kMatroska);
   if (reader.mark() != ownMark()) refuse(file, "is no segment written by this version of poinsot");
@@ -60,7 +59,7 @@ void readSegment(const path& file, const PictureListener& listen) {
   }
 }
 
-/// Those of all, which are of one size and kind: what takes the first has room for each.
+/// Passes all pictures to `listen`, which allocates for the first one. Throws if a size or channel count differs.
 void readAll(const std::vector<path>& segments, const PictureListener& listen) {
   std::optional<image::PixelSize> size;
   int channels = 0;
@@ -107,7 +106,6 @@ CodecContextPtr opened(const FilmTrack& track, AVPixelFormat pixels, image::Pixe
   return context;
 }
 
-/// Encoder of a whole animation, and its file.
 class Animation {
  public:
   Animation(const path& target, const FilmTrack& track, AVPixelFormat pixels, image::PixelSize size,
@@ -130,7 +128,7 @@ class Animation {
   FrameEncoder::PacketSink sink_ = [this](AVPacket& packet) { file_.write(packet, packets_++); };
 };
 
-/// As a frame carries its palette; what is left over is transparent.
+/// Writes the palette into the frame's second plane, as opaque ARGB entries. Unused entries become transparent.
 void setPalette(AVFrame& frame, const std::vector<Rgb>& palette) {
   auto* entries = reinterpret_cast<std::uint32_t*>(frame.data[1]);
   for (std::size_t i = 0; i < 256; ++i)

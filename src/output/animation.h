@@ -8,7 +8,8 @@
 
 namespace poinsot::output {
 
-/// Makes a GIF or an APNG of segments that keep every pixel as it is, as joinedSegments() has it.
+/// Encodes a GIF or an APNG from lossless segments, in the order given.
+/// @returns the complete film, which gets its name by commit().
 core::AtomicFile animate(const std::vector<std::filesystem::path>& segments, const std::filesystem::path& target,
                          const FilmTrack& track, const FilmTexts& texts,
                          const std::filesystem::path& temporaryFolder);

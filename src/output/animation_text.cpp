@@ -15,7 +15,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::string_view kPngSignature{"\x89PNG\r\n\x1a\n", 8};
-// Keyword, then: not compressed, no language, no translated keyword.
+// Header of an iTXt chunk: the keyword, then no compression, no language and no translated keyword.
 constexpr std::string_view kPngTextHead{"Comment\0\0\0\0\0", 12};
 constexpr std::uint8_t kTrailer = 0x3B, kExtension = 0x21, kImage = 0x2C, kComment = 0xFE;
 
@@ -36,7 +36,7 @@ Bytes pngChunk(std::string_view type, std::string_view data) {
   return bytes;
 }
 
-/// Blocks of up to 255 bytes, up to an empty one.
+/// Returns a GIF comment extension: blocks of up to 255 bytes, ended by an empty block.
 Bytes gifComment(std::string_view text) {
   Bytes bytes{kExtension, kComment};
   for (; !text.empty(); text.remove_prefix(std::min<std::size_t>(text.size(), 255))) {
@@ -48,13 +48,13 @@ Bytes gifComment(std::string_view text) {
   return bytes;
 }
 
-// ---- reading: whatever ends too early, or is not what it should be, throws std::ios_base::failure
+// The readers below throw std::ios_base::failure if a file ends too early or has unexpected content.
 
 class Reader {
  public:
   explicit Reader(const std::filesystem::path& file) {
     in_.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
-    std::error_code ignored;  // what cannot be asked is not opened either
+    std::error_code ignored;
     expect(std::filesystem::is_regular_file(file, ignored));
     in_.open(file, std::ios::binary);
   }
@@ -71,7 +71,7 @@ class Reader {
   }
   void skip(std::int64_t count) {
     in_.seekg(count - 1, std::ios::cur);
-    byte();  // seeking alone goes beyond the end
+    byte();  // seekg() alone may pass the end of the file
   }
   void expect(bool good) {
     if (!good) in_.setstate(std::ios::failbit);
@@ -81,7 +81,7 @@ class Reader {
   std::ifstream in_;
 };
 
-// Texts stand before the pictures, or, from versions before this one, at the end.
+// Texts stand before the pictures. Older versions of this program wrote them at the end.
 using Texts = std::vector<std::string>;
 
 void readPng(Reader reader, Texts& texts) {
@@ -106,7 +106,6 @@ std::string gifBlocks(Reader& reader) {
   return data;
 }
 
-/// Size of the table of colours that these flags of a screen or a picture announce.
 std::int64_t gifColors_bytes(std::uint8_t flags) {
   return (flags & 0x80) != 0 ? std::int64_t{6} << (flags & 7) : 0;
 }
@@ -125,7 +124,7 @@ void readGif(Reader reader, Texts& texts) {
       if (!texts.empty()) return;
       const std::string place = reader.bytes(9);
       skipGifColors(reader, static_cast<std::uint8_t>(place[8]));
-      reader.skip(1);  // least size of a code
+      reader.skip(1);  // minimum code size of LZW
       gifBlocks(reader);
     } else {
       const bool comment = reader.byte() == kComment;
@@ -135,9 +134,6 @@ void readGif(Reader reader, Texts& texts) {
   }
 }
 
-// ---- writing
-
-/// Where texts go: in a PNG after its header, in a GIF after its screen and colours.
 std::int64_t placeOfTexts(FileFormat format, const std::string& head) {
   constexpr std::int64_t kPngHeader_bytes = 8 + 25, kGifScreen_bytes = 13;
   constexpr std::size_t kGifFlags = 10;
@@ -161,7 +157,7 @@ void insertTexts(core::AtomicFile& film, FileFormat format, const std::vector<st
   for (const std::string& text : texts) inserted += animationText(format, text);
   const auto size = static_cast<std::int64_t>(inserted.size());
   const std::int64_t place = placeOfTexts(format, film.readAt(0, kHead));
-  // From the end, since what follows is moved within the file.
+  // Moves blocks from the end backwards, because old and new positions overlap in the same file.
   for (std::int64_t end = film.size(); end > place;) {
     const std::int64_t begin = std::max<std::int64_t>(place, end - static_cast<std::int64_t>(kBlock));
     film.writeAt(begin + size, film.readAt(begin, static_cast<std::size_t>(end - begin)));

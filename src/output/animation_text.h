@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The texts of films that libavformat writes none into: comments of a GIF, text chunks of an APNG, both before the
-// pictures, so that a film which was cut still has them.
+// Metadata texts of a GIF (comments) and an APNG (text chunks), into which libavformat writes none. The texts
+// stand before the pictures, so that a truncated film still has them.
 #pragma once
 
 #include <filesystem>
@@ -12,18 +12,18 @@
 
 namespace poinsot::output {
 
-/// Returns whether a file of this format takes its texts from insertTexts().
+/// Returns whether the format is GIF or APNG, whose texts insertTexts() writes.
 bool isAnimation(FileFormat format);
 
-/// Returns a text as it stands in such a file: a comment extension, a text chunk.
+/// Returns the bytes of a text in the file: a comment extension in a GIF, an iTXt chunk in an APNG.
 std::string animationText(FileFormat format, const std::string& text);
 
-/// Puts texts into a film that libavformat has written.
+/// Inserts texts into a film that libavformat has written.
 /// @throws core::Error(kIo) with the path.
 void insertTexts(core::AtomicFile& film, FileFormat format, const std::vector<std::string>& texts);
 
 /// Reads the texts of a .gif or an .apng.
-/// @throws core::Error(kIo) with the path if there are none because the file is damaged, or no such film.
+/// @throws core::Error(kIo) with the path if the file is no such film, or damaged before its first text.
 std::vector<std::string> animationTexts(const std::filesystem::path& file);
 
 }  // namespace poinsot::output

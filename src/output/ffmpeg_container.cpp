@@ -55,12 +55,13 @@ IoPtr openIo(ByteTarget& target) {
 
 struct FormatFacts {
   const char *muxer, *demuxer;
-  const char *markKey, *readMarkKey;  ///< where our mark is kept: libav keeps its own in Matroska's "encoder"
+  /// Metadata keys of our mark, to write and to read. In Matroska, libav keeps its own name under "encoder".
+  const char *markKey, *readMarkKey;
   const char *wordsKey = "description", *originKey = "comment";
 };
 
-// In a .mov, libavformat writes "comment" both as comment and as description and ignores "description". There the
-// words of the film take "comment", and its origin takes "model", beside our mark in "make".
+// In a .mov, libavformat writes "comment" both as comment and as description, and ignores "description". Therefore
+// "comment" holds the description of the film, and "model" its origin, beside our mark in "make".
 const FormatFacts& factsOf(FileFormat format) {
   static constexpr std::array<FormatFacts, 6> kFacts{{{"mp4", "mp4", "encoding_tool", "encoder"},
                                                       {"mov", "mov", "make", "make", "comment", "model"},
@@ -85,7 +86,7 @@ void setText(AVDictionary** texts, const char* key, const std::string& value) {
   checkAv(ffmpeg().av_dict_set(texts, key, value.c_str(), 0), "setting a text");
 }
 
-/// Texts of ours only: with "bitexact" libav adds neither its name nor the time.
+/// Sets this program's texts only: with "bitexact", libav adds neither its name nor the time.
 void describe(AVFormatContext& context, FileFormat format, const FilmTexts& texts) {
   context.flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_FLUSH_PACKETS;
   const FormatFacts& facts = factsOf(format);
@@ -96,7 +97,7 @@ void describe(AVFormatContext& context, FileFormat format, const FilmTexts& text
     setText(&context.metadata, facts.originKey, sealText(texts.origin) + "; " + texts.renderer);
 }
 
-/// Texts of an animation, apart, since the origin's ends with the digest.
+/// Returns the texts of an animation. The origin is a text of its own, because that text ends with the digest.
 std::vector<std::string> textsOfAnimation(const FilmTexts& texts) {
   std::vector<std::string> all{ownMark()};
   for (const std::string& line : {texts.renderer, texts.title, texts.description})
@@ -108,10 +109,10 @@ std::vector<std::string> textsOfAnimation(const FilmTexts& texts) {
 void addTrack(AVFormatContext& format, const AVCodecParameters& parameters, const core::Rational& fps) {
   AVStream* stream = checkAlloc(ffmpeg().avformat_new_stream(&format, nullptr));
   checkAv(ffmpeg().avcodec_parameters_copy(stream->codecpar, &parameters), "describing the track");
-  // The writer's choice, not that of the file the packets come from; but the encoder's where a codec has several.
+  // The muxer chooses the codec tag. HEVC and ProRes have several tags, so there the encoder's choice stays.
   if (parameters.codec_id != AV_CODEC_ID_HEVC && parameters.codec_id != AV_CODEC_ID_PRORES)
     stream->codecpar->codec_tag = 0;
-  stream->codecpar->bit_rate = 0;  // measured by the writer, not taken over from the first segment
+  stream->codecpar->bit_rate = 0;  // measured by the muxer, not copied from the first segment
   stream->avg_frame_rate = stream->r_frame_rate = {static_cast<int>(fps.num), static_cast<int>(fps.den)};
   stream->time_base = av_inv_q(stream->avg_frame_rate);
   if (parameters.format == AV_PIX_FMT_YUVA420P) setText(&stream->metadata, "alpha_mode", "1");
@@ -129,7 +130,6 @@ const char* movFlags(Index index) {
   return "";
 }
 
-/// What the muxer is told, for its kind of file.
 void setOptions(AvOptions& options, FileFormat format, const core::Rational& fps, Index index) {
   const std::string timescale = isOfQuickTime(format) ? fmt::format("{}", frameClock(fps).timescale) : "";
   switch (format) {
@@ -137,11 +137,11 @@ void setOptions(AvOptions& options, FileFormat format, const core::Rational& fps
     case FileFormat::kMov:
       options.set("movflags", movFlags(index));
       options.set("video_track_timescale", timescale);
-      return options.set("movie_timescale", timescale);  // else durations are cut to milliseconds
+      return options.set("movie_timescale", timescale);  // otherwise durations are truncated to milliseconds
     case FileFormat::kGif:
       return options.set("final_delay", fmt::format("{}", std::lround(100 / fps.value())));
     case FileFormat::kApng:
-      options.set("plays", "0");  // for ever
+      options.set("plays", "0");  // repeat forever
       return options.set("final_delay", fmt::format("{}/{}", fps.den, fps.num));
     case FileFormat::kWebm:
     case FileFormat::kMatroska:
@@ -173,8 +173,6 @@ FrameClock frameClock(const core::Rational& fps) {
 
 std::string ownMark() { return fmt::format("poinsot {}", core::version()); }
 
-// ---- writing
-
 TrackMuxer::TrackMuxer(ByteTarget target, FileFormat format, const AVCodecParameters& parameters,
                        const core::Rational& fps, Index index, const FilmTexts& texts)
     : target_(std::move(target)),
@@ -200,7 +198,7 @@ int TrackMuxer::check(int code, std::string_view doing) const {
   return checkAv(code, fmt::format("{}: {}", core::printable(target_.name), doing), ErrorKind::kIo);
 }
 
-/// Exact in MP4; in Matroska to its millisecond.
+/// Returns the time of a frame in the track's unit: exact in MP4, rounded to a millisecond in Matroska.
 std::int64_t TrackMuxer::ticksAt(std::int64_t frame) const {
   return ffmpeg().av_rescale_q(frame, frame_s_, format_->streams[0]->time_base);
 }
@@ -240,8 +238,6 @@ core::AtomicFile TrackWriter::finish() {
   return std::move(file_);
 }
 
-// ---- reading
-
 TrackReader::TrackReader(const std::filesystem::path& path, FileFormat format) : path_(path), kind_(format) {
   expectRegularFile(path);
   captureAvLog();
@@ -250,7 +246,7 @@ TrackReader::TrackReader(const std::filesystem::path& path, FileFormat format) :
   options.set("protocol_whitelist", "file");
   AVFormatContext* opened = nullptr;
   const std::string doing = core::printable(path.native());
-  // On failure the context is freed and the pointer cleared.
+  // On failure, avformat_open_input() frees the context and clears the pointer.
   checkAv(ffmpeg().avformat_open_input(&opened, fileUrl(path).c_str(),
                                        ffmpeg().av_find_input_format(factsOf(format).demuxer), options.address()),
           doing, ErrorKind::kIo);
@@ -281,7 +277,7 @@ bool TrackReader::next(AVPacket& packet) {
   const int code = ffmpeg().av_read_frame(format_.get(), &packet);
   if (code == AVERROR_EOF) return false;
   checkAv(code, core::printable(path_.native()), ErrorKind::kIo);
-  // Cut files are read to their cut as if they ended there; only the mark on the packet tells.
+  // libavformat reads a truncated file as if it ended there. Only this flag of the packet reveals the damage.
   if ((packet.flags & AV_PKT_FLAG_CORRUPT) != 0)
     throw core::ioError(fmt::format("{}: ends too early", core::printable(path_.native())));
   return true;

@@ -12,53 +12,53 @@
 
 namespace poinsot::output {
 
-/// The kinds of file that hold one track of packets. Segments of films that are made whole lie in Matroska.
+/// File formats for one track of packets. Segments of a GIF or an APNG are Matroska files.
 enum class FileFormat { kMp4, kMov, kWebm, kGif, kApng, kMatroska };
 
 FileFormat fileFormat(FilmContainer container);
 FileFormat segmentFormat(FilmContainer container);
 
-/// MP4's clock: one frame is a whole number of ticks.
+/// Clock of an MP4: `timescale` ticks per second, and a whole number of `ticks` per frame.
 struct FrameClock {
-  int timescale = 0;  ///< ticks per second
-  int ticks = 0;      ///< ticks per frame
+  int timescale = 0;
+  int ticks = 0;
   friend bool operator==(const FrameClock&, const FrameClock&) = default;
 };
 
-/// The frame rate's numerator, doubled until it is at least 10000 (what libavformat would do by itself).
-/// @throws core::Error(kUsage) for rates such as 1/1000000.
+/// Returns an exact clock for a frame rate. The timescale is the rate's numerator, doubled until it is at least
+/// 10000, which is what libavformat would choose.
+/// @throws core::Error(kUsage) for a rate without an exact clock, such as 1/1000000.
 FrameClock frameClock(const core::Rational& fps);
 
-/// What this program writes into its films as their encoder: "poinsot 0.1.0".
+/// Returns the encoder name that this program writes into its films: "poinsot 0.1.0".
 std::string ownMark();
 
-/// Where a file keeps what a player must know first.
+/// Position of the index that a player reads before it can show the film.
 enum class Index {
   kAtEnd,
-  kAtStart,   ///< a player can start before it has all
-  kInPieces,  ///< MP4 only: with each piece from key frame to key frame; nothing written is touched again
+  kAtStart,   ///< playback can start before the whole file has arrived
+  kInPieces,  ///< MP4 only: an index with each piece from key frame to key frame; written bytes never change
 };
 
-/// Where the bytes of a film go.
 struct ByteTarget {
   ByteSink sink;
-  std::string name;                 ///< for messages
-  int descriptor = -1;              ///< of a file: where its place is set
-  std::filesystem::path file = {};  ///< by which it can be read again, for an index at the start
+  std::string name;
+  int descriptor = -1;              ///< file descriptor to seek in; -1 for a stream
+  std::filesystem::path file = {};  ///< path to read the file again, needed for an index at the start
 };
 
-/// One track of pictures, as a file of some kind.
 class TrackMuxer {
  public:
-  /// @throws core::Error(kIo) with the target's name, or core::BrokenPipe, as do the members below.
+  /// @throws core::Error(kIo) with the target's name, or core::BrokenPipe; so do the members below.
   TrackMuxer(ByteTarget target, FileFormat format, const AVCodecParameters& parameters, const core::Rational& fps,
              Index index, const FilmTexts& texts);
   TrackMuxer(const TrackMuxer&) = delete;
   TrackMuxer& operator=(const TrackMuxer&) = delete;
 
-  /// The next packet in decoding order; `frame` is its place in the shown order. Consumes the packet's times only.
+  /// Writes the next packet in decoding order. `frame` is the packet's place in presentation order. Changes only
+  /// the times, position and stream index of the packet.
   void write(AVPacket& packet, std::int64_t frame);
-  /// After the last packet: all is with the system when it returns.
+  /// Writes the index after the last packet, and flushes all bytes to the system.
   void finish();
 
  private:
@@ -66,7 +66,7 @@ class TrackMuxer {
   std::int64_t ticksAt(std::int64_t frame) const;
 
   ByteTarget target_;
-  // The order of destruction matters: the format uses the buffer.
+  // Declared before format_, which uses the buffer until its own destruction.
   IoPtr io_;
   FormatOutputPtr format_;
   AVRational frame_s_;
@@ -74,10 +74,10 @@ class TrackMuxer {
   std::int64_t packets_ = 0;
 };
 
-/// A TrackMuxer's file, with the digest of its bytes if the texts name its origin.
+/// File that a TrackMuxer writes. If the texts name an origin, the file also stores the digest of its bytes.
 class TrackWriter {
  public:
-  /// @throws core::Error(kIo) with the path, as do the members below.
+  /// @throws core::Error(kIo) with the path; so do the members below.
   TrackWriter(const std::filesystem::path& target, FileFormat format, const AVCodecParameters& parameters,
               const core::Rational& fps, Index index, const FilmTexts& texts,
               const std::filesystem::path& temporaryFolder = {});
@@ -85,7 +85,7 @@ class TrackWriter {
   TrackWriter& operator=(const TrackWriter&) = delete;
 
   void write(AVPacket& packet, std::int64_t frame) { muxer_.write(packet, frame); }
-  /// After the last packet. @returns the complete file, which has no name yet.
+  /// Ends the file after the last packet. @returns the complete file, which has no name until commit().
   [[nodiscard]] core::AtomicFile finish();
 
  private:
@@ -95,22 +95,21 @@ class TrackWriter {
   TrackMuxer muxer_;
 };
 
-/// The packets of the one video track of a file.
+/// Reader of the packets of a file's only video track.
 class TrackReader {
  public:
-  /// @throws core::Error(kIo) with the path if it is no readable file of that kind with a video track.
+  /// @throws core::Error(kIo) with the path if the file is unreadable, of another format, or not one video track.
   TrackReader(const std::filesystem::path& path, FileFormat format);
 
   const AVCodecParameters& parameters() const { return *format_->streams[0]->codecpar; }
   AVRational timeBase() const { return format_->streams[0]->time_base; }
-  /// What the file names as its encoder; empty if nothing.
+  /// Returns the encoder that the file names; empty if it names none.
   std::string mark() const;
-  /// Returns whether a program that keeps the texts of the films it copies, such as `ffmpeg -c copy`, wrote the
-  /// file.
+  /// Returns whether another program wrote the file but copied the texts of a film, as `ffmpeg -c copy` does.
   bool namesOtherWriter() const;
-  /// Returns the text in which the origin is; empty if there is none.
+  /// Returns the text that holds the film's origin; empty if there is none.
   std::string comment() const;
-  /// False after the last packet. Times as stored, edit lists not applied.
+  /// Reads the next packet, with times as stored, without edit lists. Returns false after the last packet.
   bool next(AVPacket& packet);
 
  private:

@@ -13,14 +13,13 @@
 namespace poinsot::output {
 namespace {
 
-// A seek decodes at most so many frames; segments are shorter, so each has one key frame.
+// Longest distance between key frames, to be decoded in a seek. Segments are shorter and have one key frame each.
 constexpr int kMostFramesToKey = 250;
-constexpr double kWorstFactor = 51;  // of x264 and x265
+constexpr double kWorstFactor = 51;
 
-/// One encoder: how it is called, and what it is told.
 struct EncoderFacts {
   const char* name;
-  const char* segments;  ///< what those are encoded with
+  const char* segments;  ///< name of the encoder for segments
   AVPixelFormat (*pixels)(const FilmFormat& format);
   void (*set)(const FilmFormat& format, AVCodecContext& context, AvOptions& options);
 };
@@ -33,38 +32,37 @@ const char* wordFor(Effort effort, const std::array<const char*, 3>& words) {
   return words[static_cast<std::size_t>(effort)];
 }
 
-/// A film's `crf` is x264's as everybody has it, with macroblock trees. Without them its error is the same at 3
-/// more: measured on ten scenes of the gallery (720p, medium, crf 12 to 28), 3.1 by PSNR and 3.0 by SSIM, the
-/// least of a scene 0.9, where next to nothing moves, and the most 4.8.
+/// Returns the rate factor that gives, without macroblock trees, the error that x264 has at `crf` with them: 3
+/// more. Measured on ten scenes of the gallery (720p, medium, crf 12 to 28): 3.1 by PSNR and 3.0 by SSIM. The
+/// least of a scene is 0.9, where almost nothing moves; the most is 4.8.
 double factorWithoutTrees(double crf, double more = 0) {
   constexpr double kTrees = 3;
-  return crf > 0 ? std::min(kWorstFactor, crf + kTrees + more) : 0;  // 0 is lossless
+  return crf > 0 ? std::min(kWorstFactor, crf + kTrees + more) : 0;
 }
 
-/// The rate factor of another encoder where its error is that of x264 without trees at `factor`: measured on the
-/// racket's film (720p, PSNR, 12 to 28), where a straight line fits to 1.
+/// Returns the rate factor at which another encoder has the error of x264 without trees at `factor`. Measured on
+/// the racket's film (720p, PSNR, 12 to 28), where a straight line fits to 1.
 std::string rateFactor(double factor, double offset, double slope) {
   return fmt::format("{}", std::clamp(std::lround(offset + slope * factor), 1L, 63L));
 }
 
-/// What such trees find out, that what other frames are made from should be the finest, is known of kinds of
-/// frames: a segment's key frame is what stays of all that stands still, and nothing is made from most B-frames.
-/// At the same error x264's films are a tenth smaller by that, x265's a twentieth, in no more time
-/// (docs/performance.md).
+/// Options that give key frames more bits and B-frames fewer, which replaces macroblock trees: a segment's key
+/// frame holds everything that stands still, and no frame is predicted from most B-frames. At the same error,
+/// x264's films become a tenth smaller and x265's a twentieth, in no more time (docs/performance.md).
 constexpr const char* kFrameKinds = ":ipratio=3:pbratio=1.5";
 
-/// What effort medium changes of x264's preset, which decides by trial encoding as camera film needs it. Without
-/// that, but with a wider search for where an edge has turned to, and colours as fine, eleven films take two
-/// thirds of the time for the same size at the same error; with one frame to look back to an eighth less again,
-/// for 2.5 % more (docs/performance.md).
+/// Options by which effort medium differs from x264's preset, which decides by trial encoding, as camera film
+/// needs. Without trials, but with a wider motion search and chroma as fine, eleven films take two thirds of the
+/// time for the same size at the same error. With one reference frame they take an eighth less time again, for 2.5
+/// % more size (docs/performance.md).
 constexpr const char* kMediumAnalysis = ":subme=2:me=umh:ref=1:b-adapt=0:chroma-qp-offset=-2";
 
 void setX264(const FilmFormat& format, AVCodecContext&, AvOptions& options) {
   options.set("preset", wordFor(format.effort, {"veryfast", "medium", "slower"}));
-  const bool fine = format.crf == 0 || format.chroma == Chroma::k444;  // x264 has no lossless in High
+  const bool fine = format.crf == 0 || format.chroma == Chroma::k444;  // x264's High profile is never lossless
   options.set("profile", fine ? "high444" : "high");
-  options.set("crf", fmt::format("{}", factorWithoutTrees(format.crf, 1)));  // for its key frames have less error
-  // Cuts and fades, which these films have none of, are not looked for: 8 % of the time, 0.1 % of the size.
+  options.set("crf", fmt::format("{}", factorWithoutTrees(format.crf, 1)));  // key frames have less error
+  // These films have no cuts and fades. Not looking for them saves 8 % of the time and costs 0.1 % of the size.
   options.set("x264-params",
               fmt::format("threads=1:lookahead-threads=1:cpu-independent=1:mbtree=0:scenecut=0:weightp=0:"
                           "open-gop=0:bframes=3:b-pyramid=normal:aq-strength=0.8:keyint={}{}{}",
@@ -72,7 +70,7 @@ void setX264(const FilmFormat& format, AVCodecContext&, AvOptions& options) {
 }
 
 void setX265(const FilmFormat& format, AVCodecContext& context, AvOptions& options) {
-  context.codec_tag = MKTAG('h', 'v', 'c', '1');  // the one that QuickTime and Keynote open
+  context.codec_tag = MKTAG('h', 'v', 'c', '1');  // the tag that QuickTime and Keynote open
   options.set("preset", wordFor(format.effort, {"veryfast", "medium", "slow"}));
   if (format.crf > 0) options.set("crf", fmt::format("{}", factorWithoutTrees(format.crf, 2)));
   options.set(
@@ -88,7 +86,7 @@ AVPixelFormat vp9Pixels(const FilmFormat& format) {
 
 void setVp9(const FilmFormat& format, AVCodecContext& context, AvOptions& options) {
   context.gop_size = kMostFramesToKey;
-  context.bit_rate = 0;  // quality alone decides
+  context.bit_rate = 0;  // quality alone decides, not a bit rate
   options.set("deadline", "good");
   options.set("cpu-used", wordFor(format.effort, {"5", "3", "1"}));
   options.set("row-mt", "0");
@@ -98,7 +96,7 @@ void setVp9(const FilmFormat& format, AVCodecContext& context, AvOptions& option
 }
 
 void setAv1(const FilmFormat& format, AVCodecContext& context, AvOptions& options) {
-  setenv("SVT_LOG", "0", 1);  // else it writes to stderr
+  setenv("SVT_LOG", "0", 1);  // otherwise SVT-AV1 writes to stderr
   context.gop_size = kMostFramesToKey;
   options.set("preset", wordFor(format.effort, {"10", "8", "5"}));
   options.set("crf", rateFactor(factorWithoutTrees(format.crf), -18.5, 2.2));
@@ -111,7 +109,7 @@ AVPixelFormat proResPixels(const FilmFormat& format) {
 
 void setProRes(const FilmFormat& format, AVCodecContext&, AvOptions& options) {
   options.set("profile", "4444");
-  options.set("vendor", "apl0");  // some editors look for it
+  options.set("vendor", "apl0");  // some editors look for this vendor
   options.set("alpha_bits", format.transparent ? "16" : "0");
 }
 
@@ -136,7 +134,7 @@ const EncoderFacts& factsOf(FilmCodec codec) {
   return kEncoders[static_cast<std::size_t>(codec)];
 }
 
-/// As output/yuv.h makes it. RGB says it of itself.
+/// Declares the colour space of output/yuv.h. Segments in FFV1 are RGB, which needs no declaration.
 void describeColor(AVCodecContext& context) {
   if (context.codec_id == AV_CODEC_ID_FFV1) return;
   context.color_primaries = AVCOL_PRI_BT709;
@@ -152,7 +150,7 @@ void open(AVCodecContext& context, const FilmFormat& format) {
   AvOptions options;
   factsOf(format.codec).set(format, context, options);
   openEncoder(context, options);
-  // libavcodec does not ask x265; as it is set above, its streams are made like those of x264.
+  // libavcodec does not report the delay of x265; with the settings above it is that of x264.
   if (context.codec_id == AV_CODEC_ID_H264 && context.has_b_frames != reorderDelay(context.codec_id))
     throw core::encodeError(fmt::format("{} reorders by {} frames, not {}", context.codec->name,
                                         context.has_b_frames, reorderDelay(context.codec_id)));
@@ -210,7 +208,7 @@ FrameEncoder::FrameEncoder(CodecContextPtr opened)
   frame_->width = context_->width;
   frame_->height = context_->height;
   frame_->format = context_->pix_fmt;
-  frame_->color_primaries = context_->color_primaries;  // ProRes asks each frame
+  frame_->color_primaries = context_->color_primaries;  // ProRes reads the colour space from each frame
   frame_->color_trc = context_->color_trc;
   frame_->colorspace = context_->colorspace;
   frame_->color_range = context_->color_range;

@@ -12,32 +12,30 @@
 
 namespace poinsot::output {
 
-/// Frames by which the order of a stream runs ahead of the shown order: with x264 and x265 as they are set here it
-/// is 2 for every stream, however short (B-frames that others refer to); the others keep the order. Decoding times
-/// are (position in the stream) - this.
+/// Returns the number of frames by which decoding order runs ahead of presentation order: 2 for x264 and x265 with
+/// the settings used here (B-frames that others refer to), however short the stream, and 0 for other codecs. A
+/// packet's decoding time is its position in the stream minus this delay.
 std::int64_t reorderDelay(AVCodecID codec);
 
-/// libavcodec's name of the encoder: "libx264".
 const char* encoderName(FilmCodec codec);
-/// Which of the encoders that a film of it takes this libavcodec lacks; null if it has them all. A codec whose
-/// films are made whole takes another for the segments.
-/// @throws core::Error(kEncode) if there is no FFmpeg at all, as do all below.
+/// Returns the first encoder that a film of this codec needs and this libavcodec lacks; null if none is missing. A
+/// GIF and an APNG need a second encoder for their segments.
+/// @throws core::Error(kEncode) if FFmpeg cannot be opened; so do all functions below.
 const char* missingEncoder(FilmCodec codec);
 
-/// Feeds an encoder frame by frame.
 class FrameEncoder {
  public:
-  /// Gets each packet in decoding order; pts is the frame's number in the stream, from 0.
+  /// Receiver of packets in decoding order. A packet's pts is the number of its frame in the stream, from 0.
   using PacketSink = std::function<void(AVPacket&)>;
 
-  /// @param opened  told of size, pixel format and rate. @throws core::Error(kEncode) for want of memory.
+  /// @param opened  an open encoder with size, pixel format and frame rate.
+  /// @throws core::Error(kEncode) if memory for a frame runs out.
   explicit FrameEncoder(CodecContextPtr opened);
 
-  /// Where the next picture goes: of context()'s size and pixel format.
+  /// Returns the buffer for the next picture, in the size and pixel format of context().
   AVFrame& frame();
-  /// Encodes what was put there.
   void encode(const PacketSink& sink);
-  /// After the last frame.
+  /// Passes the remaining packets to the sink, after the last frame.
   void drain(const PacketSink& sink);
 
   const AVCodecContext& context() const { return *context_; }
@@ -51,23 +49,21 @@ class FrameEncoder {
   std::int64_t frames_ = 0;
 };
 
-/// Tells an encoder of pictures of this size and rate.
 void describePictures(AVCodecContext& context, image::PixelSize size, const core::Rational& fps);
 
-/// Opens an encoder that was told of its pictures: one thread, nothing of this machine in what it writes.
-/// @throws core::Error(kEncode) if it will not start, or does not know an option.
+/// Opens an encoder after describePictures(), with one thread and without data of this machine in its output.
+/// @throws core::Error(kEncode) if the encoder does not start or rejects an option.
 void openEncoder(AVCodecContext& context, AvOptions& options);
 
-/// An encoder set so that the same frames give the same bytes with any number of workers, and, of H.264, on every
-/// machine: one thread, nothing that depends on the processor, closed groups of pictures, no note about itself in
-/// the stream. Macroblock trees are left out, as within segments of 30 frames they would save 3 to 12 % of the
-/// size for half as much memory again. For a film that is made whole (isMadeWhole()) it keeps every pixel as it
-/// is.
+/// Encoder of films and segments. The same frames give the same bytes with any number of workers and, for H.264,
+/// on every machine: one thread, nothing that depends on the processor, closed groups of pictures, no encoder note
+/// in the stream. Macroblock trees are off: in segments of 30 frames they would save 3 to 12 % of the size, but
+/// take half as much memory again. For a GIF or an APNG (isMadeWhole()) the encoder is lossless.
 class FilmEncoder {
  public:
   using PacketSink = FrameEncoder::PacketSink;
 
-  /// @throws core::Error as checkFormat(); (kEncode) if the encoder will not start.
+  /// @throws core::Error as checkFormat(), and core::Error(kEncode) if the encoder does not start.
   FilmEncoder(image::PixelSize size, const core::Rational& fps, const FilmFormat& format);
 
   AVFrame& frame() { return encoder_.frame(); }
@@ -75,11 +71,10 @@ class FilmEncoder {
   void drain(const PacketSink& sink) { encoder_.drain(withoutNote(sink)); }
 
   const AVCodecContext& context() const { return encoder_.context(); }
-  /// "x264 - core 164 r3095 ...", what x264 says of itself; empty before the first packet, and of other encoders.
+  /// Returns x264's note, "x264 - core 164 r3095 ..."; empty before the first packet, and for other encoders.
   const std::string& note() const { return note_; }
 
  private:
-  /// The sink for packets whose note about the encoder is to be kept here.
   PacketSink withoutNote(const PacketSink& sink);
   void takeOutNote(AVPacket& packet);
 

@@ -18,7 +18,7 @@
 namespace poinsot::output {
 namespace {
 
-// A plain array: the callback is called from C and must not throw.
+// A plain array, because libav calls keepLine() from C, so that it must not throw.
 thread_local std::array<char, 256> lastLine{};
 
 void keepLine(void* sender, int level, const char* format, va_list arguments) {
@@ -28,7 +28,7 @@ void keepLine(void* sender, int level, const char* format, va_list arguments) {
                               &atLineStart);
 }
 
-/// "[libx264 @ 0x5581...] reason\n" without what stands before and after the reason; an address says nothing.
+/// Returns the reason of a log line such as "[libx264 @ 0x5581...] reason\n", without the address.
 std::string_view reasonIn(std::string_view line) {
   if (line.starts_with('[')) line.remove_prefix(std::min(line.size(), line.find("] ") + 2));
   while (line.ends_with('\n')) line.remove_suffix(1);

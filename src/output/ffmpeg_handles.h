@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Owners of libav's things and the one translator of its errors. Included by .cpp files of this folder only.
+// Owners of libav objects, and checkAv() for its errors. Included by .cpp files of this folder only.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,6 @@
 
 namespace poinsot::output {
 
-/// Calls a libav function that takes the address of the pointer and clears it.
 template <auto kFree>
 struct AvDeleter {
   template <class T>
@@ -25,7 +24,7 @@ struct FormatOutputDeleter {
   void operator()(AVFormatContext* context) const { ffmpeg().avformat_free_context(context); }
 };
 
-/// A context made by avio_alloc_context: its buffer may have been replaced and is ours to free.
+/// Deleter for contexts of avio_alloc_context(). libav may have replaced the buffer, which the caller must free.
 struct IoDeleter {
   void operator()(AVIOContext* io) const {
     ffmpeg().av_freep(&io->buffer);
@@ -41,47 +40,46 @@ using FormatInputPtr = std::unique_ptr<AVFormatContext, AvDeleter<&Ffmpeg::avfor
 using FormatOutputPtr = std::unique_ptr<AVFormatContext, FormatOutputDeleter>;
 using IoPtr = std::unique_ptr<AVIOContext, IoDeleter>;
 
-/// Options for an open call, which takes out those it knows; the rest is a mistake.
+/// Options for an open call, which removes the options that it accepts. Any option that is left is an error.
 class AvOptions {
  public:
   AvOptions() = default;
   ~AvOptions() {
-    if (entries_ != nullptr) ffmpeg().av_dict_free(&entries_);  // else FFmpeg may be what was missing
+    if (entries_ != nullptr) ffmpeg().av_dict_free(&entries_);  // null if FFmpeg could not be opened
   }
   AvOptions(const AvOptions&) = delete;
   AvOptions& operator=(const AvOptions&) = delete;
 
   void set(const char* key, const std::string& value);
   AVDictionary** address() { return &entries_; }
-  /// @throws core::Error(kEncode) if one was not taken.
   void expectAllTaken() const;
 
  private:
   AVDictionary* entries_ = nullptr;
 };
 
-/// @returns code if it is no error.
+/// @returns code if it is not negative.
 /// @throws core::Error of the kind: "DOING: reason", with the last line that libav logged on this thread.
 int checkAv(int code, std::string_view doing, core::ErrorKind kind = core::ErrorKind::kEncode);
 
-/// The pointer if there is one.
-/// @throws std::bad_alloc: libav's constructors fail for want of memory only.
+/// Returns the pointer unchanged.
+/// @throws std::bad_alloc if the pointer is null, because libav's constructors fail only for lack of memory.
 template <class Ptr>
 Ptr checkAlloc(Ptr thing) {
   if (!thing) throw std::bad_alloc();
   return thing;
 }
 
-/// libav would wait for the writer of a pipe and read a device for ever.
-/// @throws core::Error(kIo) unless it is a regular file.
+/// Checks that a path is a regular file: libav would wait for the writer of a pipe, and read a device forever.
+/// @throws core::Error(kIo) otherwise.
 void expectRegularFile(const std::filesystem::path& path);
 
-/// A path as libav's names of files: without the prefix "a:b" would be a protocol.
+/// Returns a path as a libav URL. Without the prefix "file:", libav would read "a:b" as a protocol.
 std::string fileUrl(const std::filesystem::path& path);
 
 CodecParametersPtr parametersOf(const AVCodecContext& context);
 
-/// From here on libav writes nothing to stderr: its last error line is kept for checkAv. Cheap to call again.
+/// Makes libav keep its last error line for checkAv() instead of writing to stderr. Cheap to call again.
 void captureAvLog();
 
 }  // namespace poinsot::output

@@ -5,13 +5,13 @@
 
 namespace poinsot::output {
 
-// Two lines of macros, as a number is put in place of its name before it becomes text.
+// Two macros: the second replaces the name of a number by its value before the first makes a string of it.
 #define POINSOT_TEXT(words) #words
 #define POINSOT_OPENED(name, major) \
   core::SharedLibrary(name ".so." POINSOT_TEXT(major), name POINSOT_TEXT(major), core::ErrorKind::kEncode)
 #define POINSOT_LOAD(function) library.load(function, #function);
 
-// Nothing is held that would be destroyed: owners of FFmpeg's things may outlive whatever is.
+// Keeps nothing that is destroyed at exit, because owners of FFmpeg objects may live longer.
 Ffmpeg::Ffmpeg() {
   {
     const auto library = POINSOT_OPENED("libavutil", LIBAVUTIL_VERSION_MAJOR);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// FFmpeg's functions, in libraries that are opened when the first film is made or read. They bring a hundred
-// others: linked, the dynamic loader would bind them all in every process, for `--help` and for each picture,
-// which takes four times as long as the rest of a start. Included by .cpp files of this folder only, as is all
-// that includes it.
+// Functions of FFmpeg, in libraries that are opened when the first film is made or read. These libraries load a
+// hundred others. If poinsot were linked with them, the dynamic loader would bind all in every process, even for
+// `--help`, and take four times as long as the rest of a start. Included by .cpp files of this folder only, as is
+// every header that includes it.
 #pragma once
 
 extern "C" {
@@ -15,7 +15,7 @@ extern "C" {
 
 namespace poinsot::output {
 
-// What is called, by the library that has it. A call of anything else does not link.
+// Functions that poinsot calls, by library. A call of another function does not link.
 // clang-format off
 #define POINSOT_AVUTIL_FUNCTIONS(X)                                                                         \
   X(av_crc) X(av_crc_get_table) X(av_dict_free) X(av_dict_get) X(av_dict_set) X(av_frame_alloc)             \
@@ -43,8 +43,8 @@ namespace poinsot::output {
   X(sws_freeContext) X(sws_getCoefficients) X(sws_getContext) X(sws_scale) X(sws_setColorspaceDetails)
 // clang-format on
 
-/// The functions by their own names: ffmpeg().av_frame_alloc(). Members, as global functions of these names would
-/// also catch the calls of a program that links FFmpeg beside this library.
+/// Table of FFmpeg's functions by name: ffmpeg().av_frame_alloc(). The functions are members, because global
+/// functions of these names would also catch the calls of a program that links FFmpeg beside this library.
 struct Ffmpeg {
   Ffmpeg();
 
@@ -56,8 +56,8 @@ struct Ffmpeg {
 #undef POINSOT_MEMBER
 };
 
-/// The libraries whose headers this was built with, by the versions of their interfaces. Opened by the first call,
-/// from any thread; whoever is to lose access to files may call it before.
+/// Returns FFmpeg's functions. The first call, from any thread, opens the libraries, in the interface versions of
+/// the build's headers. A process that gives up access to files has to call ffmpeg() first.
 /// @throws core::Error(kEncode) naming the library and its Debian package if one cannot be opened; the next call
 /// tries again.
 const Ffmpeg& ffmpeg();

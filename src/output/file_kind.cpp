@@ -20,7 +20,7 @@ bool beginsWith(const std::filesystem::path& file, const std::string& mark) try 
   if (!handle) return false;
   const std::string start = core::bytesOf(handle, mark.size(), core::ErrorKind::kIo);
   return start.empty() || start.starts_with(mark);
-} catch (const core::Error&) {  // a pipe, a folder, or a file that cannot be read
+} catch (const core::Error&) {  // a pipe, a folder or an unreadable file
   return false;
 }
 

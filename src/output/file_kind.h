@@ -10,20 +10,20 @@
 
 namespace poinsot::output {
 
-/// A kind of output: earlier ones of a kind are replaced by new ones without --force.
+/// Kind of an output file. A new output replaces an earlier one of the same kind without --force.
 struct FileKind {
-  std::string name;  ///< for messages: "a manifest"; empty for what draws a scene
-  /// Whether a file is an earlier one. Empty where no file may be taken for one.
+  std::string name;  ///< for messages, such as "a manifest"; empty for what draws a scene
+  /// Predicate for earlier outputs of this kind. Empty if every existing file needs --force.
   std::function<bool(const std::filesystem::path&)> isOwn;
 };
 
-/// Pictures, films and figures: what draws a scene.
+/// Returns the kind of everything that draws a scene: pictures, films and figures.
 const FileKind& drawnKind();
 
-/// Text that begins with these words. An empty file is one of any such kind, as nothing is lost with it.
+/// Returns the kind of texts that begin with `mark`. An empty file counts as one, because nothing is lost with it.
 FileKind textKind(std::string name, std::string mark);
 
-/// Text that carries a mark of this program and was not changed since.
+/// Returns the kind of texts that carry a mark of this program and have not changed since.
 FileKind markedKind(std::string name, const figure::CommentMark& mark);
 
 }  // namespace poinsot::output

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Times are never taken over from the segments' containers: a frame's time is its place in the film, an integer,
-// times the ticks of one frame. So borders have neither gaps nor overlaps, whatever the segments' lengths.
+// The time of a frame is its place in the film, an integer, times the ticks of one frame. Times in the segments'
+// containers are not copied. So there are neither gaps nor overlaps between segments of any length.
 #include "output/film.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,6 @@ using std::filesystem::path;
   throw core::ioError(fmt::format("{}: {}", core::printable(segment.native()), reason));
 }
 
-/// One segment, read from its start.
 class Segment {
  public:
   Segment(path file, const FilmTrack& track)
@@ -37,13 +36,13 @@ class Segment {
         packet_(checkAlloc(PacketPtr(ffmpeg().av_packet_alloc()))),
         frameTicks_(av_inv_q(ffmpeg().av_mul_q({static_cast<int>(track.fps.num), static_cast<int>(track.fps.den)},
                                                reader_.timeBase()))) {
-    // In an MP4 the mark stands at the file's very end, so this also finds the last bytes missing.
+    // In an MP4 the mark is at the very end, so this check also finds that the last bytes are missing.
     if (reader_.mark() != ownMark()) refuseFilm(file_, "is no segment written by this version of poinsot");
     if (!advance()) refuseFilm(file_, "has no frames");
     if ((packet_->flags & AV_PKT_FLAG_KEY) == 0) refuseFilm(file_, "does not start with a key frame");
     if (frameTicks_.num <= 0 || frameTicks_.den <= 0) refuseFilm(file_, "has no clock that fits the film");
     firstPts_ = packet_->pts;
-    // Matroska's clock ticks in milliseconds.
+    // Allows one tick in Matroska, whose clock ticks in milliseconds.
     const double off = std::abs(static_cast<double>(packet_->duration) - av_q2d(frameTicks_));
     if (off > (isMadeWhole(track.container) || track.container == FilmContainer::kWebm ? 1 : 0))
       refuseFilm(file_, "has another frame rate than the film");
@@ -54,9 +53,9 @@ class Segment {
   const path& file() const { return file_; }
   const AVCodecParameters& parameters() const { return reader_.parameters(); }
 
-  /// The current packet's place in the shown order: the first packet is a key frame with nothing before it.
+  /// Returns the current packet's place in presentation order. The first packet is a key frame, shown first.
   std::int64_t frame() const {
-    // Also that which means "no time", the least of all numbers. Differences of others cannot overflow.
+    // Also rejects AV_NOPTS_VALUE, the smallest integer. Differences of the remaining times cannot overflow.
     constexpr std::int64_t kFarthest = std::int64_t{1} << 61;
     if (std::min(packet_->pts, firstPts_) < -kFarthest || std::max(packet_->pts, firstPts_) > kFarthest)
       refuseFilm(file_, "has a frame without a time");
@@ -69,17 +68,17 @@ class Segment {
   }
 
  private:
-  // Far beyond the longest segment; times of the film, which come of it, stay numbers.
+  // Far beyond the longest segment, and small enough that the times of the film do not overflow.
   static constexpr std::int64_t kLastFrame = 100'000;
 
   path file_;
   TrackReader reader_;
   PacketPtr packet_;
-  AVRational frameTicks_;  ///< ticks of the file's clock per frame
+  AVRational frameTicks_;
   std::int64_t firstPts_ = 0;
 };
 
-/// None where there are none: memcmp takes no null.
+/// Returns the encoder header; an empty span if there is none, because memcmp() takes no null pointer.
 std::span<const std::uint8_t> bytesOf(const AVCodecParameters& p) {
   return {p.extradata, static_cast<std::size_t>(p.extradata_size)};
 }
@@ -95,14 +94,14 @@ void checkLike(const Segment& first, const Segment& segment) {
                fmt::format("was encoded with other settings than {}", core::printable(first.file().native())));
 }
 
-/// Writes all packets; `start` is the film's frame at which the segment begins. Returns the number of frames.
+/// Writes all packets of a segment that begins at the film's frame `start`. Returns the number of frames.
 template <class Film>
 std::int64_t append(Segment& segment, std::int64_t start, Film& film) {
   const std::int64_t delay = reorderDelay(segment.parameters().codec_id);
   std::vector<std::int64_t> frames;
   do {
     frames.push_back(segment.frame());
-    // A place further back than the encoder ever reorders is damage; the writer counts on it.
+    // A frame later in the stream than the encoder ever reorders is damage. The muxer relies on this check.
     if (static_cast<std::int64_t>(frames.size()) - 1 - delay > frames.back())
       refuseFilm(segment.file(), "has its frames in no order that can be shown");
     film.write(segment.packet(), start + frames.back());
@@ -114,7 +113,6 @@ std::int64_t append(Segment& segment, std::int64_t start, Film& film) {
   return static_cast<std::int64_t>(frames.size());
 }
 
-/// Returns the origin that a film names; empty if it names none. @throws core::Error(kIo) if it cannot be read.
 std::string originOf(const path& film, FilmContainer container) {
   if (!isMadeWhole(container)) return originIn(TrackReader(film, fileFormat(container)).comment());
   std::string origin;
@@ -154,7 +152,7 @@ struct FilmStream::Parts {
              Index::kInPieces, {}) {}
 
   FilmTrack track;
-  Segment example;  ///< whose settings all have
+  Segment example;
   TrackMuxer film;
   std::int64_t frames = 0;
 };
@@ -204,7 +202,7 @@ bool isOwnFilm(const path& file) {
       if (film.namesOtherWriter()) return false;
       if (isMark(film.mark())) return true;
     }
-  } catch (const Error&) {  // too damaged to be read
+  } catch (const Error&) {  // too damaged to read its texts
   }
   return bearsSeal(file);
 }

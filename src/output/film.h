@@ -15,42 +15,38 @@
 
 namespace poinsot::output {
 
-/// Texts kept in a film.
 struct FilmTexts {
   std::string title = {}, description = {};
-  std::string origin =
-      {};  ///< what the film was made from; no other film has it. It is kept with the film's digest.
-  std::string renderer = {};  ///< what drew it
+  std::string origin = {};  ///< identifies what the film was made from; stored with the film's digest
+  std::string renderer = {};
 };
 
-/// What a film is, besides its pictures.
 struct FilmTrack {
   FilmContainer container = FilmContainer::kMp4;
   core::Rational fps;
 };
 
-/// Makes a film of segments written by VideoSegmentWriter, in this order. Where isMadeWhole() does not hold, the
-/// encoded pictures are taken as they are, one after the other, and the index comes first (a player can start
-/// before it has all). The same segments give the same bytes. The film appears under its name only when complete
-/// and synced.
-/// @throws core::Error(kIo) naming the file: unreadable or damaged, of another frame rate, or made with other
-/// settings
-///         than the first (size, encoder header); or the film cannot be written.
-/// `temporaryFolder`: as of AtomicFile.
+/// Joins segments of VideoSegmentWriter into a film, in this order. The same segments give the same bytes. A GIF
+/// or an APNG (isMadeWhole()) is encoded here. For other containers the encoded pictures are copied one after the
+/// other, and the index comes first, so that a player can start before it has the whole file. The film appears
+/// under its name only when it is complete and synced.
+/// @param temporaryFolder  as of core::AtomicFile.
+/// @throws core::Error(kIo) naming the file if a segment is unreadable, damaged, of another frame rate, or encoded
+/// with other settings than the first (size, encoder header), or if the film cannot be written.
 void joinSegments(const std::vector<std::filesystem::path>& segments, const std::filesystem::path& target,
                   const FilmTrack& track, const FilmTexts& texts = {},
                   const std::filesystem::path& temporaryFolder = {});
 
-/// Makes the same film as joinSegments(), complete and synced, without its name: a batch gives it that.
+/// Makes the same film as joinSegments(), complete but without its name, which core::FileBatch gives it.
 [[nodiscard]] core::AtomicFile joinedSegments(const std::vector<std::filesystem::path>& segments,
                                               const std::filesystem::path& target, const FilmTrack& track,
                                               const FilmTexts& texts = {},
                                               const std::filesystem::path& temporaryFolder = {});
 
-/// Takes bytes in their order. @returns 0 or an errno.
+/// Receiver of consecutive bytes. @returns 0 or an errno.
 using ByteSink = std::function<int(std::span<const std::uint8_t>)>;
 
-/// An MP4 that is sent on while it is made, in pieces of a segment: what is written is never touched again.
+/// Stream of a fragmented MP4, which grows segment by segment. Bytes that were sent never change.
 class FilmStream {
  public:
   /// @pre an MP4.
@@ -59,33 +55,32 @@ class FilmStream {
   FilmStream(const FilmStream&) = delete;
   FilmStream& operator=(const FilmStream&) = delete;
 
-  /// The next segment's pictures. @throws core::Error(kIo) as joinSegments(); core::BrokenPipe.
+  /// Sends the pictures of the next segment. @throws core::Error(kIo) as joinSegments(); core::BrokenPipe.
   void append(const std::filesystem::path& segment);
-  /// After at least one.
+  /// Ends the film. Call after at least one append().
   void finish();
 
  private:
-  struct Parts;  // keeps libav's headers out of this one
+  struct Parts;
   ByteSink sink_;
   FilmTrack track_;
   std::unique_ptr<Parts> parts_;
 };
 
-/// The state of the file that has the name of a film.
 enum class FilmState {
-  kOther,    ///< nothing, or no film of this origin
-  kDamaged,  ///< a film of this origin, of which bytes have changed
-  kWhole,    ///< a film of this origin, byte for byte the one that was written
+  kOther,    ///< no file, or no film of this origin
+  kDamaged,  ///< a film of this origin whose bytes have changed
+  kWhole,    ///< a film of this origin, byte for byte as it was written
 };
 
-/// Compares every byte of a film with the digest that it keeps.
+/// Compares every byte of a film with the digest that the film stores. Returns kOther if the file cannot be read.
 FilmState filmState(const std::filesystem::path& film, const std::string& origin);
 
-/// Whether a film is, byte for byte, as it was written, whatever its origin.
+/// Returns whether a film of any origin is, byte for byte, as it was written.
 bool isWholeFilm(const std::filesystem::path& film);
 
-/// Returns whether the file is a film written by this program: it holds the mark or the digest of one, and names
-/// no other program as its writer. False for a file that cannot be opened.
+/// Returns whether this program wrote the film: the file holds the mark or the digest of a film, and names no
+/// other program as its writer. Returns false if the file cannot be opened.
 bool isOwnFilm(const std::filesystem::path& path);
 
 }  // namespace poinsot::output

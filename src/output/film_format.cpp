@@ -17,9 +17,9 @@ namespace {
 struct CodecFacts {
   FilmCodec codec;
   std::string_view name;
-  bool transparent;  ///< can be
-  bool fine;         ///< 4:4:4 can be chosen
-  bool lossless;     ///< at crf 0
+  bool transparent;
+  bool fine;  ///< 4:4:4 can be chosen
+  bool lossless;
 };
 
 constexpr std::array<CodecFacts, 7> kCodecs{{{FilmCodec::kH264, "h264", false, true, true},
@@ -55,7 +55,6 @@ std::string namesOf(std::span<const FilmCodec> codecs) {
   return core::joined(names, ", ");
 }
 
-/// Names of the codecs for which that holds.
 template <class Condition>
 std::string codecsWith(Condition condition) {
   std::vector<FilmCodec> codecs;
@@ -82,7 +81,7 @@ void checkQuality(const FilmFormat& format) {
                                        codecsWith([](const CodecFacts& facts) { return facts.lossless; })));
 }
 
-/// A GIF has times in hundredths of a second, and browsers show pictures of less than two of them for ten.
+/// A GIF has times in hundredths of a second, and browsers show pictures of less than two hundredths for ten.
 void checkRate(const FilmFormat& format, const core::Rational& fps) {
   if (format.container == FilmContainer::kGif && fps.value() > 50)
     throw core::usageError(fmt::format("a .gif of {:g} frames/s: its players show at most 50", fps.value()));

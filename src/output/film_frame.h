@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included by .cpp files of this folder only.
+// This header is included by .cpp files of this folder only.
 #pragma once
 
 #include <span>
@@ -9,12 +9,12 @@
 
 namespace poinsot::output {
 
-/// Puts a picture into a frame of its size, in the frame's own pixel format: one of those that FilmEncoder has.
+/// Converts a picture into a frame of the same size, in any pixel format that FilmEncoder uses.
 void fillFrame(AVFrame& frame, const image::Image& picture);
-/// The same for a frame that holds a picture that differs from this one in those parts only.
+/// Converts only the rectangles `changed`, into a frame that already holds the rest of the picture.
 void fillFrame(AVFrame& frame, const image::Image& picture, std::span<const image::PixelRect> changed);
 
-/// What fillFrame() put into a frame of RGB bytes (BGRA, BGR0): with alpha where the format has it.
+/// Returns the picture in a frame of RGB bytes (BGRA or BGR0) that fillFrame() filled; BGRA has alpha.
 image::Image pictureOf(const AVFrame& frame);
 
 }  // namespace poinsot::output

@@ -17,7 +17,7 @@
 namespace poinsot::output {
 namespace {
 
-/// Returns the duration of a frame, which FFmpeg 6 gave another name.
+/// Returns the duration of a frame. FFmpeg 6 renamed the field.
 template <class Frame>
 std::int64_t ticksOf(const Frame& frame) {
   if constexpr (requires { frame.duration; })
@@ -33,7 +33,7 @@ struct ScalerDeleter {
 };
 using ScalerPtr = std::unique_ptr<SwsContext, ScalerDeleter>;
 
-/// Kinds of file that hold nothing but themselves: a play list would have others opened.
+/// Demuxers for files that hold all of their data. A playlist would make libavformat open other files.
 constexpr const char* kDemuxers = "mov,mp4,m4a,3gp,3g2,mj2,matroska,webm,avi,gif,apng";
 
 void checkSize(image::PixelSize size, const std::string& name) {
@@ -45,7 +45,7 @@ void checkSize(image::PixelSize size, const std::string& name) {
                                      name, size.width, size.height, most, kMostFilmPixels >> 20));
 }
 
-/// Looks into the streams, which decodes pictures: none that is too large.
+/// Reads the properties of the streams. This decodes pictures, so the limit on their size is set for each stream.
 void findStreamFacts(AVFormatContext& format, std::int64_t mostPixels, const std::string& name) {
   std::vector<AvOptions> options(format.nb_streams);
   std::vector<AVDictionary*> entries;
@@ -54,7 +54,7 @@ void findStreamFacts(AVFormatContext& format, std::int64_t mostPixels, const std
     entries.push_back(std::exchange(*one.address(), nullptr));
   }
   const int code = ffmpeg().avformat_find_stream_info(&format, entries.data());
-  for (std::size_t i = 0; i < entries.size(); ++i) *options[i].address() = entries[i];  // to be freed
+  for (std::size_t i = 0; i < entries.size(); ++i) *options[i].address() = entries[i];  // so that they are freed
   checkAv(code, name, ErrorKind::kIo);
 }
 
@@ -65,9 +65,8 @@ FormatInputPtr opened(const std::filesystem::path& film, const std::string& name
   options.set("format_whitelist", kDemuxers);
   options.set("protocol_whitelist", "file");
   AVFormatContext* context = nullptr;
-  // A .png would be taken for one of a row of pictures, which the white list refuses.
+  // libavformat would take a .png for part of an image sequence, which the list of demuxers excludes.
   const AVInputFormat* known = image::isAnimatedPng(film) ? ffmpeg().av_find_input_format("apng") : nullptr;
-  // On failure the context is freed and the pointer cleared.
   checkAv(ffmpeg().avformat_open_input(&context, fileUrl(film).c_str(), known, options.address()), name,
           ErrorKind::kIo);
   return FormatInputPtr(context);
@@ -78,7 +77,7 @@ int videoStreamOf(AVFormatContext& format, const std::string& name) {
                  ErrorKind::kIo);
 }
 
-/// libavcodec's own VP9 decoder leaves transparency out.
+/// Returns the decoder of a stream. VP9 with alpha needs libvpx, because libavcodec's own decoder drops alpha.
 const AVCodec* decoderOf(const AVStream& stream) {
   const bool alpha = ffmpeg().av_dict_get(stream.metadata, "alpha_mode", nullptr, 0) != nullptr;
   if (alpha && stream.codecpar->codec_id == AV_CODEC_ID_VP9)
@@ -100,11 +99,10 @@ CodecContextPtr decoder(const AVStream& stream, std::int64_t mostPixels, const s
   return context;
 }
 
-/// RGB with what the film's own format has of bits and transparency.
 AVPixelFormat rgbFormat(AVPixelFormat format, const std::string& name) {
   const AVPixFmtDescriptor* facts = ffmpeg().av_pix_fmt_desc_get(format);
   if (facts == nullptr) throw core::ioError(name + ": pictures of an unknown kind");
-  // The formats of palettes are told as having transparency, and may.
+  // Formats with a palette count as transparent, because their palette may be.
   const bool alpha = (facts->flags & (AV_PIX_FMT_FLAG_ALPHA | AV_PIX_FMT_FLAG_PAL)) != 0;
   if (facts->comp[0].depth > 8) return alpha ? AV_PIX_FMT_RGBA64 : AV_PIX_FMT_RGB48;
   return alpha ? AV_PIX_FMT_RGBA : AV_PIX_FMT_RGB24;
@@ -112,14 +110,14 @@ AVPixelFormat rgbFormat(AVPixelFormat format, const std::string& name) {
 
 bool isDeepRgb(AVPixelFormat rgb) { return rgb == AV_PIX_FMT_RGB48 || rgb == AV_PIX_FMT_RGBA64; }
 
-/// How many pictures a decoder holds at most: those that others refer to, those that wait for their turn to be
-/// shown, and one at hand. VP9 and AV1 have 8 places to refer to, HEVC has 16. What an H.264 film needs of 16 is
-/// known when one picture has been decoded.
+/// Returns the most pictures that a decoder holds: references, pictures that wait to be shown, and the current
+/// one. VP9 and AV1 have 8 reference slots, HEVC has 16. For H.264 their number is known after one decoded
+/// picture.
 int heldPictures(const AVCodecContext& codec) {
   const AVCodecDescriptor* facts = ffmpeg().avcodec_descriptor_get(codec.codec_id);
   const bool alone = (facts != nullptr && (facts->props & AV_CODEC_PROP_INTRA_ONLY) != 0) ||
                      codec.codec_id == AV_CODEC_ID_GIF || codec.codec_id == AV_CODEC_ID_APNG;
-  if (alone) return 3;  // the one before, beneath a GIF's or an APNG's
+  if (alone) return 3;  // with the previous picture, which a GIF or an APNG draws over
   if (codec.codec_id == AV_CODEC_ID_H264) return codec.refs + codec.has_b_frames + 2;
   if (codec.codec_id == AV_CODEC_ID_VP9 || codec.codec_id == AV_CODEC_ID_AV1) return 8 + 3;
   return 16 + 1;
@@ -127,7 +125,7 @@ int heldPictures(const AVCodecContext& codec) {
 
 int channelsOf(AVPixelFormat rgb) { return rgb == AV_PIX_FMT_RGBA || rgb == AV_PIX_FMT_RGBA64 ? 4 : 3; }
 
-/// The matrix by which a film says it was made; where it says none, that which players take for its size.
+/// Returns the matrix that the film declares or, if it declares none, the one that players assume for its size.
 const int* coefficientsOf(const AVFrame& frame) {
   constexpr int kHighDefinition = 720;
   const bool says = frame.colorspace != AVCOL_SPC_UNSPECIFIED && frame.colorspace != AVCOL_SPC_RGB;
@@ -157,7 +155,7 @@ image::AnyImage imageOf(const AVFrame& rgb, int channels) {
   return picture;
 }
 
-/// With room of libav's own, which may write past the end of a row.
+/// Returns a frame with libav's own padding, because libav may write past the end of a row.
 FramePtr rgbFrame(image::PixelSize size, AVPixelFormat rgb, const std::string& name) {
   FramePtr frame(checkAlloc(ffmpeg().av_frame_alloc()));
   frame->width = size.width;
@@ -183,7 +181,7 @@ struct FilmReader::Parts {
   const AVStream& track() const { return *format->streams[stream]; }
   AVPixelFormat rgb() const { return rgbFormat(codec->pix_fmt, name); }
 
-  /// Gives the decoder its next packet, or says that there are no more.
+  /// Sends the next packet of the video track to the decoder, or the end of the film.
   void feed() {
     for (;;) {
       const int code = ffmpeg().av_read_frame(format.get(), packet.get());
@@ -201,7 +199,6 @@ struct FilmReader::Parts {
     }
   }
 
-  /// Makes the next picture the one at hand. False after the last.
   bool advance() { return std::exchange(waiting, false) || decode(); }
 
   bool decode() {
@@ -213,13 +210,12 @@ struct FilmReader::Parts {
     }
   }
 
-  /// In seconds of the stream's clock.
   double seconds(std::int64_t ticks) const {
     const AVRational unit = track().time_base;
     return static_cast<double>(ticks) * unit.num / unit.den;
   }
 
-  /// Matroska and AVI say nothing of one frame; FFmpeg then tells what it takes for usual.
+  /// Returns the picture's duration; 0 for Matroska and AVI, which store none: FFmpeg would return a guess.
   double duration_s() const {
     const std::string_view container = format->iformat->name;
     const bool says = container.find("matroska") == std::string_view::npos && container != "avi";
@@ -250,7 +246,7 @@ struct FilmReader::Parts {
   image::PixelSize size;
   PacketPtr packet{checkAlloc(ffmpeg().av_packet_alloc())};
   FramePtr frame{checkAlloc(ffmpeg().av_frame_alloc())};
-  bool waiting = false;  ///< whether the frame is the first picture, which nobody took yet
+  bool waiting = false;  ///< whether `frame` is the first picture and next() has not returned it yet
 };
 
 bool isFilmName(const std::filesystem::path& file) {
@@ -280,7 +276,7 @@ bool FilmReader::isTransparent() const { return channelsOf(parts_->rgb()) == 4; 
 
 bool FilmReader::isDeep() const { return isDeepRgb(parts_->rgb()); }
 
-// Measured, see tests/faults/film_memory_test.cpp: beside each picture, decoders keep its vectors of motion.
+// Measured in tests/faults/film_memory_test.cpp: beside each picture, decoders keep its motion vectors.
 double FilmReader::memory_bytes() const {
   constexpr double kMotion_bytes = 0.6;
   const double pixels = 1.0 * size().width * size().height;

@@ -21,18 +21,19 @@ namespace {
 constexpr std::string_view kWord = "film sha256 ";
 constexpr std::size_t kDigits = 2 * sizeof(core::Digest);
 
-/// Everything in the file that depends on the digest, from the start of the text on: the text itself, and in an
-/// animation the block or chunk around it, which has a check sum.
+/// Returns all bytes of the file that depend on the digest: the text that holds it and, in an animation, the block
+/// or chunk around the text, which has a checksum.
 std::string sealBytes(FileFormat format, const std::string& origin, const core::Digest& digest) {
   const std::string text = sealText(origin, digest);
   return isAnimation(format) ? animationText(format, text) : text;
 }
 
-/// Takes bytes that were read and whether they are the last. @returns how many of them it is done with.
+/// Receiver of bytes that were read. `last` is true at the end of the file.
+/// @returns how many bytes, from the first, need not be passed again.
 using Listener = std::function<std::size_t(std::string& window, bool last)>;
 
-/// Reads a regular file from its start, in blocks. Bytes that the listener is not done with come again, with those
-/// after them.
+/// Reads a regular file from its start, in blocks. Bytes that the listener still needs are passed again, with the
+/// bytes after them.
 /// @throws core::Error(kIo) with the path.
 void readThrough(int descriptor, const std::filesystem::path& file, const Listener& listen) {
   constexpr std::size_t kBlock = 64 << 10;
@@ -60,14 +61,13 @@ void readThrough(int descriptor, const std::filesystem::path& file, const Listen
   }
 }
 
-/// A seal as it stands in a file, and the digest of the file with zeros in its place.
+/// Seal as found in a file, and the digest of the file with zeros in the seal's place.
 struct FoundSeal {
   std::int64_t offset = 0;
   std::string bytes;
   core::Digest digest{};
 };
 
-/// Finds the seal of this origin, in one pass over the film. @throws core::Error(kIo) with the path.
 std::optional<FoundSeal> findSeal(int descriptor, const std::filesystem::path& film, FileFormat format,
                                   const std::string& origin) {
   core::Digest other;
@@ -76,7 +76,7 @@ std::optional<FoundSeal> findSeal(int descriptor, const std::filesystem::path& f
   const std::string start(blank.begin(), std::ranges::mismatch(blank, filled).in1);
   core::Sha256 sum;
   std::optional<FoundSeal> seal;
-  std::int64_t offset = 0;  // of the window
+  std::int64_t offset = 0;
   readThrough(descriptor, film, [&](std::string& window, bool last) {
     const std::size_t at = seal ? window.npos : window.find(start);
     if (at != window.npos && at + blank.size() <= window.size()) {
@@ -95,7 +95,6 @@ std::optional<FoundSeal> findSeal(int descriptor, const std::filesystem::path& f
 
 bool isDigit(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); }
 
-/// Where the digits of a digest begin; npos if there are none.
 std::size_t digitsIn(std::string_view text) {
   for (std::size_t at = text.find(kWord); at != text.npos; at = text.find(kWord, at + 1)) {
     const std::string_view digits = text.substr(at + kWord.size()).substr(0, kDigits);
@@ -117,7 +116,7 @@ std::string originIn(std::string_view text) {
 
 void seal(core::AtomicFile& film, FileFormat format, const std::string& origin) {
   const auto found = findSeal(film.descriptor(), film.target(), format, origin);
-  if (!found)  // a work folder may come from anyone
+  if (!found)  // possible, because a work folder may come from anyone
     throw core::ioError(
         fmt::format("{}: the film cannot keep the text of its origin", core::printable(film.target().native())));
   film.writeAt(found->offset, sealBytes(format, origin, found->digest));

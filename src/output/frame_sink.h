@@ -7,17 +7,17 @@
 
 namespace poinsot::output {
 
-/// Where frames go. Frames arrive in rising order of k, the frame number of the scene's film.
+/// Receiver of frames. Frames arrive in rising order of k, the frame number of the scene's film.
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
-  /// Whether frame k is there already, as it would be written: then it need not come.
+  /// Returns whether frame k exists, exactly as write() would write it. Then the caller may skip the frame.
   virtual bool has(std::int64_t /*k*/) const { return false; }
   /// @pre 8 bits a sample, unless the sink takes more.
   /// @throws core::Error(kIo or kEncode).
   virtual void write(const image::Frame& frame, std::int64_t k) = 0;
-  /// Makes everything written so far complete and durable. A sink destroyed without it leaves nothing incomplete
-  /// behind.
+  /// Makes everything written so far complete and durable. A sink that is destroyed without finish() leaves
+  /// nothing incomplete behind.
   virtual void finish() = 0;
 };
 

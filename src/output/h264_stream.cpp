@@ -12,8 +12,8 @@ constexpr std::array<std::uint8_t, 3> kStartCode = {0, 0, 1};
 constexpr std::array<std::uint8_t, 16> kX264Uuid = {0xdc, 0x45, 0xe9, 0xbd, 0xe6, 0xd9, 0x48, 0xb7,
                                                     0x96, 0x2c, 0xd8, 0x20, 0xd9, 0x23, 0xee, 0xef};
 
-/// Start of the next unit's start code at or after `from`, with the zero byte that may precede it; the size if
-/// none.
+/// Returns the start of the next unit's start code at or after `from`, with the zero byte that may precede it; the
+/// stream's size if there is none.
 std::size_t nextUnit(std::span<const std::uint8_t> stream, std::size_t from) {
   const auto found = std::search(stream.begin() + static_cast<std::ptrdiff_t>(from), stream.end(),
                                  kStartCode.begin(), kStartCode.end());
@@ -22,15 +22,14 @@ std::size_t nextUnit(std::span<const std::uint8_t> stream, std::size_t from) {
   return at;
 }
 
-/// The unit without its start code.
 std::span<const std::uint8_t> payload(std::span<const std::uint8_t> unit) {
   const auto code = std::search(unit.begin(), unit.end(), kStartCode.begin(), kStartCode.end());
   if (code == unit.end()) return {};
   return unit.subspan(static_cast<std::size_t>(code - unit.begin()) + kStartCode.size());
 }
 
-/// What follows x264's UUID in a user data message; empty for every other unit.
-/// SEI: type and size, each as bytes of 255 and a last smaller one, then the message (H.264, 7.3.2.3.1).
+/// Returns the bytes after x264's UUID in a user data message; empty for every other unit. An SEI message has its
+/// type, its size (bytes of 255 and a last smaller one each), then its content (H.264, 7.3.2.3.1).
 std::span<const std::uint8_t> noteOf(std::span<const std::uint8_t> unit) {
   constexpr std::uint8_t kSei = 6, kUserData = 5;
   const auto bytes = payload(unit);

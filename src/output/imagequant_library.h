@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// libimagequant's functions, in a library that is opened when the first GIF gets its palette. Included by
+// Functions of libimagequant, in a library that is opened when the first GIF gets its palette. Included by
 // palette.cpp only.
 #pragma once
 
@@ -14,18 +14,18 @@ namespace poinsot::output {
   X(liq_image_destroy) X(liq_result_destroy) X(liq_set_max_colors)
 // clang-format on
 
-/// The functions by their own names, as those of Ffmpeg.
 struct Imagequant {
   Imagequant();
 
 #define POINSOT_MEMBER(function) decltype(&::function) function;  // NOLINT(bugprone-macro-parentheses): a name
   POINSOT_IMAGEQUANT_FUNCTIONS(POINSOT_MEMBER)
 #undef POINSOT_MEMBER
-  /// Of the OpenMP that this library was built with; null if with none. Others in the process are left alone.
+  /// Function of the OpenMP that libimagequant was built with; null if it has none. Other copies of OpenMP in the
+  /// process are left alone.
   void (*omp_set_num_threads)(int count);
 };
 
-/// @throws core::Error(kEncode) as ffmpeg().
+/// Returns libimagequant's functions. @throws core::Error(kEncode) as ffmpeg().
 const Imagequant& imagequant();
 
 }  // namespace poinsot::output

@@ -11,9 +11,9 @@ struct LibraryVersion {
   std::string version;
 };
 
-/// libpng, libavcodec, libavformat and x264, as loaded at run time. x264 tells its version only in a stream, so
-/// one tiny frame is encoded; it is left out where that does not work. Where FFmpeg cannot be opened, "FFmpeg" has
-/// the reason in place of a version.
+/// Returns the versions of libpng, libavcodec, libavformat and x264, as loaded at run time. x264 gives its version
+/// only in a stream, so one tiny frame is encoded; if that fails, x264 is left out. If FFmpeg cannot be opened,
+/// the entry "FFmpeg" has the reason instead of a version.
 std::vector<LibraryVersion> libraryVersions();
 
 }  // namespace poinsot::output

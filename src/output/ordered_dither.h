@@ -10,21 +10,22 @@
 
 namespace poinsot::output {
 
-/// Shows pictures in the colours of a palette. A colour that is not there is mixed of two that are, by a fixed
-/// pattern of 8x8 pixels: equal pixels at one place stay equal from picture to picture, so that nothing boils, and
-/// colours of the palette stay themselves.
+/// Ordered dithering to the colours of a palette. A colour that the palette lacks is mixed of two of its colours,
+/// by a fixed pattern of 8x8 pixels. Equal pixels at one place stay equal from picture to picture, so that nothing
+/// flickers, and colours of the palette do not change.
 class OrderedDither {
  public:
   /// @param palette  1 to 256 colours.
   explicit OrderedDither(std::vector<Rgb> palette);
 
-  /// Index into the palette for each pixel, row by row; alpha is left out.
+  /// Writes the palette index of each pixel, row by row. Alpha is ignored.
+  /// @param stride  indices from one row to the next.
   void apply(const image::Image& picture, std::span<std::uint8_t> indices, std::ptrdiff_t stride);
 
   const std::vector<Rgb>& palette() const { return palette_; }
 
  private:
-  /// `second` in so many of 64 pixels, `first` in the others.
+  /// Mix of two colours: `second` in `share` of 64 pixels, `first` in the others.
   struct Mix {
     std::uint8_t first = 0, second = 0, share = 0;
     bool known = false;
@@ -32,7 +33,7 @@ class OrderedDither {
   Mix mixOf(const std::uint8_t* rgb) const;
 
   std::vector<Rgb> palette_;
-  std::vector<Mix> mixes_;  // by colour, found when first met
+  std::vector<Mix> mixes_;  // by colour, computed when the colour first occurs
 };
 
 }  // namespace poinsot::output

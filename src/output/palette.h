@@ -12,26 +12,27 @@ namespace poinsot::output {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// @throws core::Error(kEncode) if there is no libimagequant, before pictures are drawn for it.
+/// Checks that libimagequant is available, before pictures are drawn for its palette.
+/// @throws core::Error(kEncode) if libimagequant cannot be opened.
 void checkPaletteMaker();
 
-/// The colours of many pictures, reduced to a few that stand for all of them. libimagequant's, on one thread: the
-/// same pictures give the same palette.
+/// Reduction of the colours of many pictures to a palette, by libimagequant. One thread is used, so that the same
+/// pictures give the same palette.
 class PaletteMaker {
  public:
-  /// @param most  2 to 256. @throws core::Error as checkPaletteMaker().
+  /// @param most  2 to 256 colours. @throws core::Error as checkPaletteMaker().
   explicit PaletteMaker(int most);
   ~PaletteMaker();
   PaletteMaker(const PaletteMaker&) = delete;
   PaletteMaker& operator=(const PaletteMaker&) = delete;
 
-  /// Takes part in the choice; alpha does not.
+  /// Adds the colours of a picture; alpha is ignored.
   void add(const image::Image& picture);
-  /// Once, after at least one picture.
+  /// Returns the palette. Call once, after at least one picture.
   std::vector<Rgb> palette();
 
  private:
-  struct Parts;  // keeps the library's header out of this one
+  struct Parts;
   std::unique_ptr<Parts> parts_;
 };
 

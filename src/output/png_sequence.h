@@ -14,32 +14,31 @@
 
 namespace poinsot::output {
 
-/// Writes one picture, atomic; `dpi` as in encodePng. `steps`: where the time is entered. @throws
-/// core::Error(kIo).
+/// Writes one picture as a file that appears only when complete. `dpi` is as in encodePng(), and `steps` receives
+/// the time if it is not null. @throws core::Error(kIo).
 void writePng(const std::filesystem::path& target, const image::AnyImage& picture,
               const std::vector<image::PngText>& texts = {}, double dpi = 0, core::StepLedger* steps = nullptr,
               core::Durability durability = core::Durability::kSynced);
 
-/// What a frame's file says of its own digest: hexadecimal.
+/// Returns the PNG text that stores a frame's digest, given in hexadecimal.
 image::PngText digestText(const std::string& digest);
 
-/// Of a frame, in hexadecimal: equal for frames of equal bytes.
+/// Function that returns the digest of frame k in hexadecimal, equal for frames of equal bytes.
 using FrameDigestText = std::function<std::string(std::int64_t k)>;
 
 struct SequenceOptions {
-  std::vector<image::PngText> texts;      ///< of every frame
-  FrameDigestText digestOf;               ///< each frame's file carries it; empty: none
-  bool resume = false;                    ///< a whole file with the frame's digest is the frame
-  std::filesystem::path temporaryFolder;  ///< for what is not complete; empty: beside the frames
-  core::StepLedger* steps = nullptr;      ///< where the time is entered
+  std::vector<image::PngText> texts;
+  FrameDigestText digestOf;               ///< the digest written into each frame's file; empty if none
+  bool resume = false;                    ///< keeps files that are complete and have the frame's digest
+  std::filesystem::path temporaryFolder;  ///< for incomplete files; empty: beside the frames
+  core::StepLedger* steps = nullptr;
 };
 
-/// Returns the numbers, in order, of the frames of a pattern that are there and carry a digest.
+/// Returns the sorted numbers of the existing frames that match a pattern and carry a digest.
 std::vector<std::int64_t> framesThere(const FramePattern& pattern);
 
-/// Frames as numbered PNG files of 8 or 16 bits a sample, each appearing under its name only when complete.
-/// Frames already written stay if the sink is destroyed without finish(): each is whole, and a resumed run keeps
-/// it.
+/// Frames as numbered PNG files of 8 or 16 bits a sample. Each file appears under its name only when complete. If
+/// the sink is destroyed without finish(), written frames stay: each is complete, and a resumed run keeps it.
 class PngSequence : public FrameSink {
  public:
   /// Creates the pattern's folder if its parent exists. @throws core::Error(kIo).
@@ -47,7 +46,7 @@ class PngSequence : public FrameSink {
 
   bool has(std::int64_t k) const override;
   void write(const image::Frame& frame, std::int64_t k) override;
-  /// Syncs files and folder once: a sync per frame would wait for the disk each time.
+  /// Syncs the files and the folder once, because a sync for each frame would wait for the disk each time.
   void finish() override;
 
  private:

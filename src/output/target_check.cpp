@@ -19,13 +19,12 @@
 namespace poinsot::output {
 namespace {
 
-/// @param code  the errno that opening or making such a file would give.
+/// @param code  the errno that opening or creating such a file would give.
 [[noreturn]] void refuse(const std::filesystem::path& path, int code, std::string_view reason) {
   throw core::FileError(core::ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()), reason), path,
                         code);
 }
 
-/// @param doing  "cannot be written to: ", say.
 [[noreturn]] void refuseByErrno(const std::filesystem::path& path, std::string_view doing = "") {
   const int code = errno;
   refuse(path, code, fmt::format("{}{}", doing, std::strerror(code)));
@@ -51,14 +50,12 @@ std::string_view kindOf(mode_t mode) {
   return "a device or socket";
 }
 
-/// Says why a file that is there stays.
 std::string refusalOf(const FileKind& kind) {
   if (!kind.isOwn) return "is there already; --force replaces it";
   const std::string as = kind.name.empty() ? "" : " as " + kind.name;
   return fmt::format("exists and was not written by poinsot{}; --force replaces it", as);
 }
 
-/// Checks what stands at the target already.
 void checkExisting(const std::filesystem::path& target, bool force, const FileKind& kind) {
   struct stat status {};
   if (::lstat(target.c_str(), &status) < 0) {

@@ -18,8 +18,8 @@ namespace {
 // Luma is scaled by 2^22, so that the largest sum, 235 · 2^22, fits 31 bits. Chroma works on the sum of 8 samples
 // (the weights 1 2 1 on two rows) and is scaled by 2^19, which makes 2^22 with the 8.
 constexpr int kShift = 22;
-constexpr double kLumaScale = 4194304;   // 2^22
-constexpr double kChromaScale = 524288;  // 2^19
+constexpr double kLumaScale = 4194304;
+constexpr double kChromaScale = 524288;
 
 constexpr Weights kLuma = lumaWeights(kLumaScale);
 constexpr Weights kCb = cbWeights(kChromaScale);
@@ -33,7 +33,6 @@ std::uint8_t weighed(const Weights& w, std::int32_t r, std::int32_t g, std::int3
   return static_cast<std::uint8_t>((w.r * r + w.g * g + w.b * b + offset) >> kShift);
 }
 
-/// Where a pixel of a row begins.
 constexpr std::ptrdiff_t pixelAt(int x, int channels) { return std::ptrdiff_t{x} * channels; }
 
 void lumaRow(const std::uint8_t* rgb, int channels, int from, int to, std::uint8_t* y) {
@@ -41,7 +40,6 @@ void lumaRow(const std::uint8_t* rgb, int channels, int from, int to, std::uint8
   for (int x = from; x < to; ++x, rgb += channels) y[x] = weighed(kLuma, rgb[0], rgb[1], rgb[2], kLumaOffset);
 }
 
-/// Chroma samples `from` to before `to` of the rows `upper` and `lower`.
 void chromaRow(const std::uint8_t* upper, const std::uint8_t* lower, int channels, int from, int to,
                std::uint8_t* cb, std::uint8_t* cr) {
   for (int x = from; x < to; ++x) {
@@ -57,9 +55,9 @@ void chromaRow(const std::uint8_t* upper, const std::uint8_t* lower, int channel
 }
 
 #if defined(__SSE2__)
-// Registers hold pixels as R G B X in 16-bit lanes. X is whatever the memory had; its weight is 0.
+// Registers hold pixels as R G B X in 16-bit lanes. X is any value in memory, and its weight is 0.
 
-/// A weight of up to 22 bits as 256 · high + low, as pmaddwd multiplies 16-bit numbers: twice, which stays exact.
+/// Weight of up to 22 bits, as 256 · high + low: pmaddwd multiplies 16-bit numbers. Both products are exact.
 struct SplitWeights {
   __m128i high;
   __m128i low;
@@ -73,7 +71,7 @@ SplitWeights split(const Weights& w) {
   return {lanes(w.r >> 8, w.g >> 8, w.b >> 8), lanes(w.r & 255, w.g & 255, w.b & 255)};
 }
 
-/// r·R + g·G + b·B of the four pixels in two registers, plus offset, shifted: four 32-bit results.
+/// Returns r·R + g·G + b·B of the four pixels in two registers, plus offset, shifted: four 32-bit results.
 __m128i weighed(const SplitWeights& w, __m128i pixels01, __m128i pixels23, __m128i offset) {
   const auto partial = [&](__m128i weights) {
     const __m128 a = _mm_castsi128_ps(_mm_madd_epi16(pixels01, weights));  // rg0 b0 rg1 b1
@@ -85,7 +83,7 @@ __m128i weighed(const SplitWeights& w, __m128i pixels01, __m128i pixels23, __m12
   return _mm_srai_epi32(_mm_add_epi32(sum, offset), kShift);
 }
 
-/// Four pixels as R G B X bytes. Reads 16 bytes.
+/// Returns four pixels as R G B X bytes. Reads 16 bytes.
 template <int kChannels>
 __m128i fourPixels(const std::uint8_t* from) {
   const __m128i bytes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
@@ -107,10 +105,10 @@ void store4(std::uint8_t* to, __m128i values) {
 /// Columns of a row, from a multiple of eight to another or to the end.
 struct Columns {
   int from, to;
-  int width;  ///< of the row
+  int width;
 };
 
-/// First pixel that must be left to the scalar code: a load of four RGB pixels reads 4 bytes beyond them.
+/// Returns the first pixel for the scalar code, because a load of four RGB pixels reads 4 bytes beyond them.
 template <int kChannels>
 int vectorEnd(const Columns& columns, int step) {
   const int usable = std::min(columns.to, kChannels == 4 ? columns.width : columns.width - 2);
@@ -143,19 +141,18 @@ RowSums rowSums(const std::uint8_t* upper, const std::uint8_t* lower) {
           _mm_add_epi16(lowHalf(c), lowHalf(d)), _mm_add_epi16(highHalf(c), highHalf(d))};
 }
 
-/// That of one pixel, in either half.
+/// Returns the sum of one pixel over two rows, in both halves of the register.
 __m128i pixelSum(const std::uint8_t* upper, const std::uint8_t* lower) {
   const auto sum = [&](int c) { return static_cast<short>(upper[c] + lower[c]); };
   return _mm_setr_epi16(sum(0), sum(1), sum(2), 0, sum(0), sum(1), sum(2), 0);
 }
 
-/// left + 2 here + right in the low half, from [.. left] and [here right].
+/// Returns left + 2 here + right in the low half, from [.. left] and [here right].
 __m128i weighed121(__m128i left, __m128i hereRight) {
   const __m128i outer = _mm_unpackhi_epi64(_mm_add_epi16(left, hereRight), hereRight);
   return _mm_add_epi16(outer, _mm_slli_epi16(hereRight, 1));
 }
 
-/// Four chroma samples a turn.
 template <int kChannels>
 void fastChromaRow(const std::uint8_t* upper, const std::uint8_t* lower, const Columns& columns, std::uint8_t* cb,
                    std::uint8_t* cr) {
@@ -193,8 +190,8 @@ void checkShape(const image::Image& picture) {
   POINSOT_EXPECT(picture.size.height > 0 && picture.size.height % 2 == 0);
 }
 
-/// Blocks of eight columns and pairs of rows that a part takes part in: the chroma beside it is of its last
-/// column, too.
+/// Returns the blocks of eight columns and two rows that depend on a part. The chroma right of the part depends on
+/// the part's last column, too.
 image::PixelRect blocksWith(const image::PixelRect& part, image::PixelSize size) {
   POINSOT_EXPECT(part.left >= 0 && part.top >= 0 && part.right <= size.width && part.bottom <= size.height);
   return {part.left / 8 * 8, part.top / 2 * 2, std::min((part.right + 2 + 7) / 8 * 8, size.width),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The conversions that films seldom need: plain loops. Those of every film are in yuv.cpp.
+// Conversions that few films need, as plain loops. The conversion of most films is in yuv.cpp.
 #include <array>
 
 #include "core/expect.h"
@@ -14,7 +14,6 @@ constexpr int kFineShift = 20;
 constexpr double kScale = 1 << kFineShift;
 constexpr std::int32_t kFineHalf = 1 << (kFineShift - 1);
 
-/// Weights and offsets of samples of so many bits.
 struct Basis {
   explicit constexpr Basis(int bits)
       : levels(1 << (bits - 8)),
@@ -22,7 +21,7 @@ struct Basis {
         cb(cbWeights(kScale * levels)),
         cr(crWeights(kScale * levels)) {}
 
-  std::int32_t levels;  ///< per level of a byte
+  std::int32_t levels;  ///< levels of a sample per level of a byte
   Weights luma, cb, cr;
 };
 
@@ -35,7 +34,7 @@ Sample* row(std::uint8_t* plane, std::ptrdiff_t stride, int y) {
   return reinterpret_cast<Sample*>(plane + y * stride);
 }
 
-/// A byte of alpha over the full range of a sample.
+/// Scales a byte of alpha to the full range of a sample.
 template <int kBits>
 std::int32_t widened(std::int32_t alpha) {
   return (alpha * ((1 << kBits) - 1) + 127) / 255;
@@ -59,7 +58,8 @@ void fill444(const image::Image& picture, const YuvPlanes& planes) {
   }
 }
 
-/// Colour of the pixels that one chroma sample stands for, as bytes: column 2x and its neighbours, on both rows.
+/// Returns the colour of the pixels that one chroma sample stands for (column 2x and its neighbours, on both
+/// rows), as their mean weighted by alpha.
 std::array<std::uint8_t, 3> meanUnderAlpha(const image::Image& picture, int x, int y) {
   constexpr std::array<int, 3> kWeights{1, 2, 1};
   std::array<std::int32_t, 3> sum{};

@@ -24,17 +24,17 @@ MomentumPolhode steadyOrClosed(const PrincipalMoments& moments, const EnergyStar
   return curve;
 }
 
-/// L²/(2 I) as J for a moment I.
 double energyOfSpin(double L, double I) { return L * (L / I) / 2; }
 
-/// Energy at the angle from the axis of smallest moment, in the plane of the extreme axes.
+/// Returns the energy on the momentum sphere at an angle from the axis of smallest moment, in the plane of the
+/// extreme axes.
 double energyAt(const PrincipalMoments& moments, const std::array<int, 3>& axis, double L, double angle_rad) {
   const SineCosine a = sineCosine(angle_rad);
   return a.cosine * a.cosine * energyOfSpin(L, moments[axis[0]]) +
          a.sine * a.sine * energyOfSpin(L, moments[axis[2]]);
 }
 
-/// psi; 0 or pi/2 of a symmetric body.
+/// Returns the angle psi of Separatrix, which is 0 or pi/2 for a symmetric body.
 double separatrixAngle(double I1, double I2, double I3) {
   return arcTangent(std::sqrt((I3 / I1) * ((I2 - I1) / (I3 - I2))));
 }
@@ -83,7 +83,7 @@ std::vector<Eigen::Vector3d> Separatrix::momentumCircle(double L, int count, boo
 std::vector<MomentumPolhode> momentumPolhodes(const PrincipalMoments& moments, double T, double L, int count) {
   const MomentumPolhode first = steadyOrClosed(moments, {T, L, 0, false}, count);
   const auto parting = separatrix(moments);
-  // What the rounding of the start makes of L² = 2 T I2 does not matter here: the circles are meant.
+  // An energy of exactly L²/(2 I2) means the two circles, even if the rounded start lies beside them.
   if (parting && T == energyOfSpin(L, moments[parting->middle]))
     return {{T, PolhodeRegime::kSeparatrix, parting->momentumCircle(L, count, false)},
             {T, PolhodeRegime::kSeparatrix, parting->momentumCircle(L, count, true)}};
@@ -101,7 +101,7 @@ std::vector<double> evenEnergies(const PrincipalMoments& moments, double L, int 
     for (int j = 1; j <= perSide && from_rad > to_rad; ++j)
       energies.push_back(energyAt(moments, axis, L, from_rad + (to_rad - from_rad) * j / (perSide + 1)));
   };
-  addBetween(kHalfPi.hi, psi);  // least energy: spin about the largest axis
+  addBetween(kHalfPi.hi, psi);
   addBetween(psi, 0);
   return energies;
 }

@@ -10,7 +10,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kInch = 0.0254, kOunce = 0.028349523125;  // exact by definition
-constexpr double kAluminium = 2700, kSteel = 7850;  // kg/m³, to two digits, as any engineer's table has them
+constexpr double kAluminium = 2700, kSteel = 7850;         // kg/m³, rounded values of engineering tables
 
 SolidPart whole(const Solid& solid, double mass_kg, const Vector3d& offset_B = Vector3d::Zero()) {
   SolidPart part{solid, mass_kg};
@@ -74,7 +74,7 @@ CatalogueBody football() {
   return {"football",
           "American football",
           mass_kg,
-          {whole(Ellipsoid{semiAxes}, mass_kg)},  // a shell would be drawn open
+          {whole(Ellipsoid{semiAxes}, mass_kg)},  // not a shell, which would be drawn open
           PrincipalMoments(Vector3d(hull_B.diagonal())),
           "Published: NFL Playing Rules, rule 2, the middle of each range: long axis 11 to 11 1/4 in, "
           "short circumference 21 to 21 1/4 in, 14 to 15 oz. Assumed: a thin shell between similar "
@@ -137,7 +137,8 @@ CatalogueBody earth() {
 }
 
 CatalogueBody toutatis() {
-  // In the moment about the long axis, of an ellipsoid of the published size.
+  // Moment about the long axis of an ellipsoid of the published size, because only ratios of the moments are
+  // published.
   const Ellipsoid figure{{1200, 960, 2300}};
   const double mass_kg = 1.9e13, longAxis = massProperties(figure, mass_kg).inertia_B()(2, 2);
   return {"toutatis",

@@ -11,24 +11,25 @@
 
 namespace poinsot::physics {
 
-/// A body of the real world.
+/// Body of the real world, with its mass properties and their sources.
 struct CatalogueBody {
-  std::string name;   ///< as a scene file has it
-  std::string title;  ///< for people
+  std::string name;  ///< identifier in scene files
+  std::string title;
   double mass_kg = 0;
-  std::vector<SolidPart> parts;             ///< what it is made of; with `moments`, only what it looks like
-  std::optional<PrincipalMoments> moments;  ///< measured, or of a hull that is closed; about its own axes,
-                                            ///< origin at the centre of mass
-  std::string source;  ///< where each number is from: published, computed from what, or assumed
+  std::vector<SolidPart> parts;  ///< solids of the body; with `moments` set, used only for drawing
+  /// Moments that replace those of `parts`: measured ones, or those of a closed hull. They are about the body's
+  /// own axes, with the origin at the centre of mass.
+  std::optional<PrincipalMoments> moments;
+  std::string source;  ///< origin of each number: published, computed or assumed
 };
 
-/// All bodies, in the order of the lecture: from the hand to the sky.
+/// Returns all bodies in the order of the lecture, from objects in the hand to those in the sky.
 const std::vector<CatalogueBody>& catalogue();
 
-/// Null if there is none of that name.
+/// Returns the body with this name, or nullptr if there is none.
 const CatalogueBody* findCatalogueBody(std::string_view name);
 
-/// From the measured moments if there are any, else from the parts.
+/// Returns the mass properties from `moments` if they are set, otherwise from the parts.
 MassProperties massProperties(const CatalogueBody& body);
 
 }  // namespace poinsot::physics

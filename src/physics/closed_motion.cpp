@@ -19,29 +19,29 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kTolerance = 0.25;     // of the wanted time: what a film may be longer or shorter unasked
-constexpr int kMostMultiples = 64;      // of the polhode's period that are tried; more change nothing to the eye
-constexpr double kUndrawable = 1e-3;    // rad: half a pixel on an axis of 500 pixels
-constexpr double kFarthestRatio = 1e9;  // of r to where the separatrix and the steady spin are as good as reached
-constexpr double kLargestCount = 1e9;   // of periods: beyond, no film is meant
+constexpr double kTolerance = 0.25;   // accepted deviation of the period, relative to the wanted time
+constexpr int kMostMultiples = 64;    // multiples of the polhode's period to try; more make no visible difference
+constexpr double kUndrawable = 1e-3;  // rad: half a pixel on an axis of 500 pixels
+constexpr double kFarthestRatio = 1e9;  // the search for r ends at 1e9 (nearly steady) and 1e-9 (separatrix)
+constexpr double kLargestCount = 1e9;   // limit of the periods in the wanted time; more are refused
 
 double length(const Vector3d& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
-/// Of two vectors, by half the chord and half the sum of their directions: accurate at every size.
+/// Returns the angle between two vectors from half the chord and half the sum of their directions, which is
+/// accurate for small and large angles.
 double angleBetween(const Vector3d& v, const Vector3d& w) {
   const Vector3d a = v / length(v), b = w / length(w);
   return 2 * arcTangent(length(a - b) / length(a + b));
 }
 
-/// The polhodes with one |L| round one axis, by the ratio r = m_c/m_2 at m_a = 0: infinite for the steady spin
-/// about c, 0 on the separatrix, and relatively accurate at both ends, where the invariants are not.
+/// Polhodes with one |L| about one axis, each identified by the ratio r = m_c/m_2 at m_a = 0. The steady spin
+/// about c has an infinite r, the separatrix r = 0. Unlike the invariants, r is relatively accurate at both ends.
 class PolhodeFamily {
  public:
   PolhodeFamily(const PrincipalMoments& moments, const FreeMotionConstants& k) : moments_(moments), k_(k) {}
 
   double ratioAtStart() const { return toDouble(k_.A_c * sqrt(k_.mc) / k_.A_2); }
 
-  /// omega where m_a = 0, rad/s.
   Vector3d omegaAt(double r) const {
     const double L = toDouble(k_.L), size = std::sqrt(1 + r * r);
     return omega_P(0, L / size, L * (r / size));
@@ -54,7 +54,7 @@ class PolhodeFamily {
 
   Vector3d steadySpin() const { return omega_P(0, 0, toDouble(k_.L)); }
 
-  /// From the components of L; of axis c on the side of the start.
+  /// Returns omega in rad/s from the components of L. The sign along axis c is that of the start.
   Vector3d omega_P(double m_a, double m_2, double m_c) const {
     std::array<double, 3> sorted{};
     sorted[k_.a] = m_a / k_.start.I[k_.a];
@@ -69,7 +69,7 @@ class PolhodeFamily {
   const FreeMotionConstants& k_;
 };
 
-/// r between two at which angle(r) - target has different signs, to the last bit.
+/// Finds the r between `low` and `high` at which angle(r) - target changes sign, to the last bit.
 double root(const PolhodeFamily& family, double target, double low, double high) {
   const bool lowIsAbove = family.angle(low) > target;
   for (;;) {
@@ -79,7 +79,7 @@ double root(const PolhodeFamily& family, double target, double low, double high)
   }
 }
 
-/// The nearest r on one side of `from` where the angle is `target`, in steps that grow.
+/// Finds the nearest r on one side of `from` at which the angle is `target`, in growing steps.
 std::optional<double> ratioBeyond(const PolhodeFamily& family, double from, double target, bool larger) {
   const bool above = family.angle(from) > target;
   double step = 1.02;
@@ -92,7 +92,8 @@ std::optional<double> ratioBeyond(const PolhodeFamily& family, double from, doub
   return std::nullopt;
 }
 
-/// The point of a polhode nearest to omega0_P: the best of a ring of points, then golden sections beside it.
+/// Search for the point of a polhode nearest to omega0_P: first the best of a ring of points, then golden sections
+/// beside it.
 class NearestPoint {
  public:
   NearestPoint(const PolhodeFamily& family, const PrincipalMoments& moments, double r, const Vector3d& omega0_P)
@@ -116,7 +117,7 @@ class NearestPoint {
     return family_.omega_P(scaled(k_.A_a) * f.cosine, scaled(k_.A_2) * f.sine, scaled(k_.A_c) * dn);
   }
 
-  /// In the family's units: of a smaller omega the scale may be another.
+  /// Converts an amplitude to the family's units, because this polhode's scale may be another power of two.
   double scaled(const DoubleDouble& amplitude) const {
     return std::ldexp(toDouble(amplitude), k_.start.rateExponent - family_.rateExponent());
   }
@@ -155,7 +156,6 @@ double attitudeMismatch(const PrincipalMoments& moments, const ClosedStart& star
   return 2 * arcTangent(sine / std::abs(q.w()));
 }
 
-/// How far a time is from the wanted one, as a factor of at least 1.
 double excess(double time_s, double wanted_s) { return std::max(time_s / wanted_s, wanted_s / time_s); }
 
 class ClosedStartSearch {
@@ -174,7 +174,7 @@ class ClosedStartSearch {
           "a motion on the separatrix (L² = 2 T I of the middle moment) approaches the middle axis "
           "for ever and never repeats; change the start a little");
     collect();
-    POINSOT_EXPECT(!found_.empty());  // towards the separatrix the angle grows without bound
+    POINSOT_EXPECT(!found_.empty());  // the angle grows without bound towards the separatrix
     return *std::ranges::min_element(found_, [&](const auto& a, const auto& b) { return better(a, b); });
   }
 
@@ -187,7 +187,6 @@ class ClosedStartSearch {
     return start;
   }
 
-  /// The number of periods nearest to the wanted time, at least 1.
   double multiple(double period_s) const {
     const double count = std::round(wanted_s_ / period_s);
     if (count > kLargestCount)

@@ -7,27 +7,29 @@
 
 namespace poinsot::physics {
 
-/// A start of a free motion after which the whole state, attitude included, comes back.
+/// Start omega0_P (rad/s) of a free motion whose whole state, attitude included, repeats after `period_s`.
 struct ClosedStart {
-  Eigen::Vector3d omega0_P = Eigen::Vector3d::Zero();  ///< rad/s
-  double period_s = 0;                                 ///< of attitude and omega together
-  int polhodePeriods = 0;                              ///< in that time; 0: steady spin, omega never changes
-  int turns = 0;                                       ///< about L in that time
-  double change = 0;                                   ///< |omega0_P - the one asked for|, rad/s
-  double turned_rad = 0;                               ///< angle between the two
-  double mismatch_rad = 0;  ///< angle between the attitudes at 0 and at period_s: what rounding leaves
+  Eigen::Vector3d omega0_P = Eigen::Vector3d::Zero();
+  double period_s = 0;      ///< time until attitude and omega both repeat
+  int polhodePeriods = 0;   ///< periods of the polhode in period_s; 0 for a steady spin
+  int turns = 0;            ///< turns about L in period_s
+  double change = 0;        ///< |omega0_P - requested omega0_P|, rad/s
+  double turned_rad = 0;    ///< angle between omega0_P and the requested one
+  double mismatch_rad = 0;  ///< angle between the attitudes at 0 and at period_s, due to rounding
 };
 
-/// The start nearest to omega0_P, at the same |L|, whose motion repeats in about `wanted_s`.
+/// Returns the start nearest to omega0_P, at the same |L|, whose motion repeats in about `wanted_s` seconds.
 ///
-/// In a period Tp = 4K/lambda of the polhode omega returns in the body, and the body has turned about L by 2 DPhi
-/// (herpolhode.h). So the motion repeats after m periods where DPhi = pi n/m. At a given |L|, DPhi depends on the
-/// energy alone: the energies that close are found, and on the polhode of each the point nearest to omega0_P, by
-/// |omega0 - omega0_P|. Of the starts that repeat within a quarter of `wanted_s` the nearest is taken; where there
-/// is none, the one that repeats soonest after or before it. A wobble too small to be drawn may be left out. A
-/// steady spin closes as it is. Source: docs/physics.md; checked against the closed form by theta functions and a
-/// Taylor integrator in tests/physics/closed_motion_test.cpp.
-/// @throws core::Error(kPhysics) on the separatrix, where nothing repeats; for what is not finite.
+/// In a period Tp = 4K/lambda of the polhode, omega returns to its place in the body, and the body turns about L
+/// by 2 DPhi (herpolhode.h). The motion therefore repeats after m periods if DPhi = pi n/m. At a given |L|, DPhi
+/// depends on the energy alone. The search finds the energies that satisfy this condition, and on each polhode the
+/// point nearest to omega0_P by |omega0 - omega0_P|. Of the starts whose period is within a quarter of `wanted_s`,
+/// the search takes the nearest. If there is none, the search takes the start with the closest period. A wobble
+/// too small to be drawn may be replaced by a steady spin. A steady spin is returned unchanged.
+/// Source: docs/physics.md. Checked against the closed form by theta functions and a Taylor integrator in
+/// tests/physics/closed_motion_test.cpp.
+/// @throws core::Error(kPhysics) on the separatrix, where no motion repeats; for more than 1e9 periods in
+/// `wanted_s`; if a value is not finite.
 /// @pre wanted_s > 0.
 ClosedStart nearestClosedStart(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_P, double wanted_s);
 

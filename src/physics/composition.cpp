@@ -3,13 +3,13 @@
 
 #include <cstddef>
 
-// The orders were verified on the heavy top (tests/physics/driven_order_test.cpp). A coefficient that the others
-// determine is worked out from them, so that the sums are right to the last bit.
+// The orders were verified on the heavy top (tests/physics/driven_order_test.cpp). Coefficients that follow from
+// the others are computed from them, so that the sums are exact to the last bit.
 
 namespace poinsot::physics {
 namespace {
 
-/// x y z -> x y z z y x, or with a centre: x y z -> x y z c z y x.
+/// Mirrors a list: x y z becomes x y z z y x, or x y z y x if z is the centre.
 std::vector<double> mirrored(std::vector<double> half, bool centre) {
   for (std::size_t i = half.size() - (centre ? 1 : 0); i-- > 0;) half.push_back(half[i]);
   return half;
@@ -21,7 +21,7 @@ double sum(const std::vector<double>& values) {
   return total;
 }
 
-/// Running sums; the second half by symmetry, the last exactly 1.
+/// Returns running sums, the second half by symmetry and the last exactly 1.
 std::vector<double> cumulated(const std::vector<double>& parts) {
   const std::size_t n = parts.size();
   std::vector<double> ends(n, 1.0);
@@ -33,13 +33,13 @@ std::vector<double> cumulated(const std::vector<double>& parts) {
   return ends;
 }
 
-/// Of a palindrome without its middle: what brings the sum to 1, as a centre or as the innermost pair.
+/// Completes `half` to a palindrome with the sum 1 by a centre or an innermost pair, and returns its running sums.
 std::vector<double> palindrome(std::vector<double> half, bool centre) {
   half.push_back(centre ? 1 - 2 * sum(half) : 0.5 - sum(half));
   return cumulated(mirrored(half, centre));
 }
 
-/// Kicks of half a step around each drift, those that meet as one.
+/// Makes a composition of Strang steps: half a kick before and after each drift, merged where two kicks meet.
 Composition ofSymmetricSteps(const char* name, int order, const std::vector<double>& drifts) {
   Composition composition{name, order, true, drifts, {}};
   double begin = 0;
@@ -50,11 +50,12 @@ Composition ofSymmetricSteps(const char* name, int order, const std::vector<doub
   return composition;
 }
 
-/// @pre an odd number of drifts has a centre, and an even number of kicks has none, or the other way round.
+/// Makes a Runge-Kutta-Nyström composition from the first halves of its drifts and kicks.
+/// @pre an odd number of drifts has a centre and an even number of kicks has none, or vice versa.
 Composition nystrom(const char* name, int order, const std::vector<double>& drifts,
                     const std::vector<double>& kicks, bool centralDrift) {
   Composition composition{name, order, false, palindrome(drifts, centralDrift), palindrome(kicks, !centralDrift)};
-  composition.kicks.pop_back();  // what follows the last drift is the rest
+  composition.kicks.pop_back();
   return composition;
 }
 

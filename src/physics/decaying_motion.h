@@ -8,12 +8,12 @@
 
 namespace poinsot::physics {
 
-/// Rotation under drag of one rate d about all axes, in closed form: m' = m × omega - d m is the free motion
-/// m_free in the time tau = (1 - e^(-d t))/d,
+/// Rotation in closed form under drag with the same rate d about all axes. The solution of m' = m × omega - d m
+/// follows from the free motion m_free, R_free at the time tau = (1 - e^(-d t))/d:
 ///
 ///   m(t) = e^(-d t) m_free(tau),      R(t) = R_free(tau)
 ///
-/// since then m' = e^(-dt) (e^(-dt) m_free × omega_free - d m_free). d = 0 is the free motion.
+/// because m' = e^(-dt) (e^(-dt) m_free × omega_free - d m_free). With d = 0 the motion is free.
 class DecayingMotion final : public Motion {
  public:
   /// @throws core::Error(kPhysics) as FreeMotion does. @pre rate >= 0, in 1/s.
@@ -21,7 +21,7 @@ class DecayingMotion final : public Motion {
       : free_(axes, omega0_B, q0_WB), rate_(rate) {}
 
   RigidBodyState at(double t_s) const override;
-  /// Returns the state at t_s; nothing where at() throws.
+  /// Returns the state at t_s, or nullopt where at() throws.
   std::optional<RigidBodyState> find(double t_s) const;
 
   const PrincipalAxes& axes() const override { return free_.axes(); }

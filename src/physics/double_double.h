@@ -5,12 +5,12 @@
 
 namespace poinsot::physics {
 
-/// The unevaluated sum hi + lo of two doubles, |lo| <= ulp(hi)/2: about 106 significant bits.
+/// Unevaluated sum hi + lo of two doubles with |lo| <= ulp(hi)/2, about 106 significant bits.
 ///
-/// Only + - * / and sqrt of IEEE doubles, so every CPU computes the same bits. Needed where a phase of 1e14 rad is
-/// reduced modulo a turn, and where the distance to the separatrix is a small difference.
-/// Source: T. J. Dekker, Numer. Math. 18 (1971) 224 (products); Knuth, TAOCP 2, 4.2.2 (sums).
-/// Error of each operation below 2^-103 relative (measured in tests/physics/double_double_test.cpp).
+/// Only + - * / and sqrt of IEEE doubles are used, so every CPU computes the same bits. The precision is needed to
+/// reduce a phase of 1e14 rad modulo a turn, and for the distance to the separatrix, a small difference. Source:
+/// T. J. Dekker, Numer. Math. 18 (1971) 224 (products); Knuth, TAOCP 2, 4.2.2 (sums). The relative error of each
+/// operation is below 2^-103 (measured in tests/physics/double_double_test.cpp).
 struct DoubleDouble {
   double hi = 0;
   double lo = 0;
@@ -21,20 +21,20 @@ struct DoubleDouble {
   constexpr DoubleDouble(double high, double low) : hi(high), lo(low) {}
 };
 
-/// a + b exactly.
+/// Returns a + b exactly.
 constexpr DoubleDouble twoSum(double a, double b) {
   const double sum = a + b;
   const double bPart = sum - a;
   return {sum, (a - (sum - bPart)) + (b - bPart)};
 }
 
-/// a + b exactly, for |a| >= |b| or a = 0.
+/// Returns a + b exactly, for |a| >= |b| or a = 0.
 constexpr DoubleDouble quickTwoSum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
 }
 
-/// The upper 26 bits of a as hi, the rest as lo. @pre |a| < 2^996.
+/// Splits a into its upper 26 bits (hi) and the rest (lo). @pre |a| < 2^996.
 constexpr DoubleDouble splitInHalves(double a) {
   constexpr double kSplitter = 134217729;  // 2^27 + 1
   const double scaled = kSplitter * a;
@@ -42,8 +42,8 @@ constexpr DoubleDouble splitInHalves(double a) {
   return {high, a - high};
 }
 
-/// a * b exactly, unless the error term underflows (|a b| < 2^-968). @pre |a|, |b| < 2^996.
-/// Not std::fma: without the instruction that is a slow library call.
+/// Returns a * b exactly, unless the error term underflows (|a b| < 2^-968). std::fma would be a slow library call
+/// on CPUs without the instruction. @pre |a|, |b| < 2^996.
 constexpr DoubleDouble twoProduct(double a, double b) {
   const double product = a * b;
   const DoubleDouble x = splitInHalves(a), y = splitInHalves(b);
@@ -70,7 +70,6 @@ constexpr DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
 }
 
 constexpr DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
-  // Long division, one double at a time.
   const double first = a.hi / b.hi;
   const DoubleDouble rest = a - b * DoubleDouble(first);
   const double second = rest.hi / b.hi;
@@ -92,23 +91,22 @@ constexpr bool operator==(const DoubleDouble& a, const DoubleDouble& b) { return
 
 constexpr DoubleDouble abs(const DoubleDouble& a) { return a.hi < 0 ? -a : a; }
 
-/// @pre a >= 0.
+/// Returns the square root. @pre a >= 0.
 inline DoubleDouble sqrt(const DoubleDouble& a) {
   if (a.hi == 0) return {};
-  // One Newton step from the double root; it squares the relative error of 2^-53.
+  // One Newton step from the double root squares its relative error of 2^-53.
   const double root = std::sqrt(a.hi);
   const DoubleDouble rest = a - twoProduct(root, root);
   return quickTwoSum(root, rest.hi / (2 * root));
 }
 
-/// The exponent e of x = m 2^e with 1/2 <= |m| < 1; 0 for x = 0.
+/// Returns the exponent e of x = m 2^e with 1/2 <= |m| < 1, or 0 for x = 0.
 inline int exponentOf(double x) {
   int exponent = 0;
   std::frexp(x, &exponent);
   return exponent;
 }
 
-/// a times 2^exponent.
 inline DoubleDouble scaled(const DoubleDouble& a, int exponent) {
   return {std::ldexp(a.hi, exponent), std::ldexp(a.lo, exponent)};
 }
@@ -117,19 +115,21 @@ inline constexpr DoubleDouble kPi{3.141592653589793, 1.2246467991473532e-16};
 inline constexpr DoubleDouble kTwoPi{2 * kPi.hi, 2 * kPi.lo};
 inline constexpr DoubleDouble kHalfPi{kPi.hi / 2, kPi.lo / 2};
 
-/// x minus the nearest multiple of `period`, and which multiple that was (rounded to a double; its parity exact
-/// below 2^53).
+/// Result of reducing a number by a period: the rest, and the nearest multiple that was subtracted. The multiple
+/// is rounded to a double; its parity is exact below 2^53.
 struct Reduced {
   DoubleDouble rest;
   double multiple = 0;
 };
 
-/// @pre period > 0, x finite. Beyond |x| = 2^100 periods the rest is in range but has no meaning.
+/// Subtracts the nearest multiple of `period` from x. Beyond |x| = 2^100 periods the rest is in range but
+/// meaningless.
+/// @pre period > 0, x finite.
 inline Reduced reduced(DoubleDouble x, const DoubleDouble& period) {
   double multiple = std::round(x.hi / period.hi);
   double total = multiple;
   x -= period * DoubleDouble(multiple);
-  // A multiple above 2^53 is itself rounded: what is left is reduced again. 1100 bits of exponent, 50 a round.
+  // A multiple above 2^53 is itself rounded, so the rest is reduced again: 1100 bits of exponent, 50 bits a round.
   for (int round = 0; round < 24 && std::abs(x.hi) > 0.5000001 * period.hi; ++round) {
     multiple = std::round(x.hi / period.hi);
     total += multiple;

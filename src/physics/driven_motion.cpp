@@ -16,7 +16,6 @@
 namespace poinsot::physics {
 namespace {
 
-/// Drag of one rate, or nothing at all.
 bool hasClosedForm(const Forcing& f) {
   Forcing other = f;
   other.dragRate_P.setZero();
@@ -33,10 +32,10 @@ void requireSpan(const TimeSpan& span, double tolerance) {
 
 Rotor<DoubleDouble> exact(const Quaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
-/// The start as the integrator wants it, worked out to 100 bits.
+/// Converts the start to the integrator's state, to 100 bits.
 DrivenState startOf(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Quaternion& q0_WB) {
   DrivenState state;
-  // As FreeMotion does, a power of two taken out: no square overflows.
+  // Takes out a power of two, as FreeMotion does, so that no square overflows.
   int exponent = 0;
   std::frexp(q0_WB.coeffs().cwiseAbs().maxCoeff(), &exponent);
   Rotor<DoubleDouble> q =
@@ -105,7 +104,7 @@ void DrivenMotion::Solution::solveInClosedForm(const Eigen::Vector3d& omega0_B, 
                     "start the run later",
                     -span.from_s, d));
   report.method = d == 0 ? "closed form" : "closed form in the time (1 - exp(-d t))/d";
-  // FreeMotion's bound, and one rounding of its time.
+  // FreeMotion's error bound, plus one rounding of its time.
   const double latest = std::max(-span.from_s, span.to_s);
   const double turned = axes.toP(omega0_B).cwiseAbs().maxCoeff() *
                         (d == 0 ? 0 : std::max(exponentialLessOne(-d * span.from_s) / d, std::min(latest, 1 / d)));
@@ -137,7 +136,7 @@ std::optional<double> DrivenMotion::Solution::energyDrift(const TimeSpan& span) 
   double largest = 0, scale = 0;
   for (int i = 0; i <= kSamples; ++i) {
     const double t = span.from_s + (span.to_s - span.from_s) * i / kSamples;
-    const RigidBodyState state = at(std::clamp(t, span.from_s, span.to_s));  // rounding may have left the span
+    const RigidBodyState state = at(std::clamp(t, span.from_s, span.to_s));  // rounding may step outside the span
     largest = std::max(largest, std::abs(totalEnergy(state) - start));
     scale = std::max({scale, state.kineticEnergy, std::abs(potentialEnergy(forcing, state.q_WB))});
   }
@@ -152,7 +151,7 @@ RigidBodyState DrivenMotion::Solution::at(double t_s) const {
         fmt::format("t = {} s: this driven motion is known from {} s to {} s", t_s, from_s, to_s));
   const DrivenTrajectory& side = t_s < 0 ? run->backward : run->forward;
   const RigidBodyState state = bodyState(axes, side.at(t_s), t_s);
-  if (!std::isfinite(state.kineticEnergy)) refuseTime(t_s);  // L alone is in range
+  if (!std::isfinite(state.kineticEnergy)) refuseTime(t_s);  // L may be in range while the energy is not
   return state;
 }
 
@@ -161,7 +160,7 @@ DrivenMotion::DrivenMotion(const PrincipalAxes& axes, const Eigen::Vector3d& ome
                            double allowedSteps) {
   validate(forcing);
   requireSpan(span, tolerance_rad);
-  const FreeMotion checked(axes, omega0_B, q0_WB);  // refuses an impossible start
+  const FreeMotion checked(axes, omega0_B, q0_WB);  // throws if the start is impossible
   const TimeSpan whole = {std::min({span.from_s, span.to_s, 0.0}), std::max({span.from_s, span.to_s, 0.0})};
   auto solution = std::make_unique<Solution>(axes, forcing);
   solution->report.tolerance_rad = tolerance_rad;
@@ -177,7 +176,7 @@ DrivenMotion::DrivenMotion(DrivenMotion&&) noexcept = default;
 DrivenMotion& DrivenMotion::operator=(DrivenMotion&&) noexcept = default;
 
 const DrivenMotion::Solution& DrivenMotion::solution() const {
-  POINSOT_EXPECT(solution_ != nullptr);  // not moved from
+  POINSOT_EXPECT(solution_ != nullptr);
   return *solution_;
 }
 

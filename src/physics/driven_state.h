@@ -8,26 +8,26 @@
 
 namespace poinsot::physics {
 
-/// A turn as its unit quaternion less 1: of a small turn all digits are kept.
+/// Turn as its unit quaternion minus 1, which keeps all digits of a small turn.
 struct TurnLessOne {
   Rotor<double> q{0, 0, 0, 0};
 };
 
-/// What is integrated of a driven body: the attitude and the angular momentum in space. Both are sums of many
-/// small terms, kept to about 100 bits so that their roundings do not add up (compensated summation: G. Vilmart,
-/// J. Comput. Phys. 227 (2008) 7083); what is worked out from them is in double.
+/// Integrated state of a driven body: its attitude and its angular momentum in space, in kg·m²/s. Both are sums of
+/// many small terms, kept to about 100 bits so that their roundings do not add up (compensated summation: G.
+/// Vilmart, J. Comput. Phys. 227 (2008) 7083). Quantities computed from them are doubles.
 struct DrivenState {
   Rotor<DoubleDouble> q_WP;
-  std::array<DoubleDouble, 3> L_W;  ///< kg·m²/s
+  std::array<DoubleDouble, 3> L_W;
 
-  /// Angular momentum along the principal axes, kg·m²/s. Each component to its own last digits: that along the
-  /// axis of a thin rod is small, and what turns the rod fastest.
+  /// Returns the angular momentum along the principal axes, kg·m²/s, with each component accurate to its own last
+  /// digits. A thin rod needs this: the component along its axis is small and yet turns the rod fastest.
   std::array<double, 3> momentum_P() const {
     const auto m = rotated(conjugate(q_WP), L_W);
     return {m[0].hi, m[1].hi, m[2].hi};
   }
 
-  /// q becomes q (1 + turn): a turn about axes of the body.
+  /// Turns the attitude about axes of the body: q becomes q (1 + turn).
   void turn(const TurnLessOne& turn) {
     const Rotor<double> high = toDouble(q_WP) * turn.q;
     const Rotor<double> low = Rotor<double>{q_WP.w.lo, q_WP.x.lo, q_WP.y.lo, q_WP.z.lo} * turn.q;
@@ -43,7 +43,7 @@ struct DrivenState {
 
   void stop() { L_W = {}; }
 
-  /// Brings |q| back to 1 from a few roundings off.
+  /// Restores |q| = 1 after a few roundings, to first order.
   void normalize() {
     auto& q = q_WP;
     const DoubleDouble excess = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - DoubleDouble(1);

@@ -13,7 +13,7 @@
 namespace poinsot::physics {
 namespace {
 
-constexpr std::size_t kMostCheckpoints = std::size_t{1} << 18;  // 30 MB
+constexpr std::size_t kMostCheckpoints = std::size_t{1} << 18;  // 30 MB of states
 
 void requireFiniteState(const DrivenState& state, double t) {
   const auto& q = state.q_WP;
@@ -75,14 +75,14 @@ DrivenState DrivenTrajectory::integrated(const Run& run, DrivenState state) {
   return state;
 }
 
-/// Step `index` of the run, from index h to (index + 1) h after its begin.
+/// Advances the state by step `index` of the run, from index * h to (index + 1) * h after the run's start.
 void DrivenTrajectory::step(DrivenState& state, const Run& run, std::size_t index) const {
   if (run.stretch.atRest) return state.stop();
   const double since = run.stretch.begin_s - run.stretch.piece.begin_s + static_cast<double>(index) * run.h_s;
   splitting_.step(state, *composition_, run.stretch.piece, since, run.h_s);
 }
 
-/// From where step `index` begins to t_s, the distance worked out without rounding.
+/// Advances the state from the start of step `index` to t_s. The distance is computed without rounding.
 void DrivenTrajectory::sideStep(DrivenState& state, const Run& run, std::size_t index, double t_s) const {
   if (run.stretch.atRest) return state.stop();
   const DoubleDouble gone = twoProduct(static_cast<double>(index), run.h_s);

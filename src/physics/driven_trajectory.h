@@ -8,17 +8,18 @@
 
 namespace poinsot::physics {
 
-/// The integrated motion from 0 to one end of the run: the state after every so many steps. Between, at() goes on
-/// from the state before, by whole steps and one shorter, on a copy. Immutable, thread-safe.
+/// Integrated motion from time 0 to one end of the run, stored as checkpoints at intervals of a fixed number of
+/// steps. at() continues from the checkpoint before t_s, on a copy, by whole steps and a shorter one. Immutable,
+/// thread-safe.
 class DrivenTrajectory {
  public:
-  /// Every stretch of the plan in steps of `scale` times the plan's length: `finer` by a third or more than
-  /// without, so that the two can be compared.
-  /// @throws core::Error(kLimit) for more than mostSteps(), (kPhysics) where the state is no longer finite.
+  /// Integrates every stretch of the plan in steps of `scale` times the planned length.
+  /// @param finer takes at least a third more steps, so that a finer and a coarser trajectory can be compared
+  /// @throws core::Error(kLimit) for more than mostSteps(), (kPhysics) if the state is no longer finite.
   DrivenTrajectory(const Splitting& splitting, const Composition& composition, const DrivenState& start,
                    const StepPlan& plan, double scale, bool finer, double allowedSteps = kMostSteps);
 
-  /// @pre t_s is between 0 and the end.
+  /// Returns the state at time t_s. @pre t_s is between 0 and end_s().
   DrivenState at(double t_s) const;
 
   double end_s() const { return runs_.empty() ? 0 : runs_.back().stretch.end_s; }
@@ -28,9 +29,9 @@ class DrivenTrajectory {
  private:
   struct Run {
     Stretch stretch;
-    double h_s = 0;          // signed
-    std::size_t whole = 0;   // steps of exactly h_s; one more, of h_s to rounding, ends at the stretch's end
-    std::size_t stored = 0;  // where its checkpoints begin
+    double h_s = 0;
+    std::size_t whole = 0;   // steps of exactly h_s (signed); one more ends at the stretch's end
+    std::size_t stored = 0;  // index of its first checkpoint
   };
 
   std::vector<Run> plannedRuns(const StepPlan& plan, double scale, bool finer, double allowedSteps);
@@ -45,7 +46,7 @@ class DrivenTrajectory {
   std::vector<DrivenState> checkpoints_;
   DrivenState start_;
   std::size_t steps_ = 0;
-  std::size_t stride_ = 1;  // steps from checkpoint to checkpoint
+  std::size_t stride_ = 1;  // steps between checkpoints
 };
 
 }  // namespace poinsot::physics

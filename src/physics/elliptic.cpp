@@ -13,13 +13,14 @@ namespace {
 using std::abs;
 using std::sqrt;
 
-/// Limits at which an iteration of error order 2 or 8 has reached the rounding of T.
+/// Thresholds at which an iteration with an error of order 2 or 8 has reached the rounding of T. In double, the
+/// next step of the means has an error of (2e-9)^2/8, and (5e-3)^8 = 4e-19.
 template <typename T>
 struct Limits;
 template <>
 struct Limits<double> {
-  static constexpr double kQuadratic = 2e-9;  // the next step of the means has (2e-9)^2/8
-  static constexpr double kCarlson = 5e-3;    // (5e-3)^8 = 4e-19
+  static constexpr double kQuadratic = 2e-9;
+  static constexpr double kCarlson = 5e-3;
 };
 template <>
 struct Limits<DoubleDouble> {
@@ -43,7 +44,7 @@ T ratio(int numerator, int denominator) {
   return T(numerator) / T(denominator);
 }
 
-/// The tail of R_F in the elementary symmetric functions of the deviations.
+/// Returns the series of R_F in the elementary symmetric functions of the deviations from the mean.
 template <typename T>
 T seriesRF(const T& e2, const T& e3) {
   const T e22 = e2 * e2;
@@ -51,14 +52,13 @@ T seriesRF(const T& e2, const T& e3) {
          e22 * e2 * ratio<T>(5, 208) + e3 * e3 * ratio<T>(3, 104) + e22 * e3 * ratio<T>(1, 16);
 }
 
-/// The tail of R_J, likewise.
 double seriesRJ(double e2, double e3, double e4, double e5) {
   const double e22 = e2 * e2;
   return 1 + (-3 * e2 / 14 + e3 / 6 + 9 * e22 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26 - e22 * e2 / 16 +
               3 * e3 * e3 / 40 + 3 * e2 * e4 / 20 + 45 * e22 * e3 / 272 - 9 * (e3 * e4 + e2 * e5) / 68);
 }
 
-/// (sqrt a - sqrt b)/(sqrt a + sqrt b) from the difference a - b and the two roots.
+/// Returns (sqrt a - sqrt b)/(sqrt a + sqrt b) from the difference a - b and the two roots.
 double rootContrast(double difference, double rootA, double rootB) {
   const double sum = rootA + rootB;
   return difference / sum / sum;
@@ -74,7 +74,7 @@ T completeK(const T& mc) {
     b = sqrt(a * b);
     a = mean;
   }
-  return pi<T>() / (a + b);  // 2 AGM to the rounding of T
+  return pi<T>() / (a + b);  // a + b is twice the AGM, to the rounding of T
 }
 
 template <typename T>
@@ -83,7 +83,7 @@ T carlsonRF(T x, T y, T z) {
   const T deviationX = mean0 - x, deviationY = mean0 - y;
   const double spread = std::max({abs(toDouble(deviationX)), abs(toDouble(deviationY)), abs(toDouble(mean0 - z))});
   T mean = mean0;
-  double power = 1;  // 4^-n
+  double power = 1;
   while (power * spread > Limits<T>::kCarlson * toDouble(mean)) {
     const T lambda = sqrt(x) * sqrt(y) + sqrt(x) * sqrt(z) + sqrt(y) * sqrt(z);
     x = (x + lambda) * T(0.25);
@@ -104,7 +104,7 @@ double carlsonRJ(double x, double y, double z, double p) {
   double mean = mean0, power = 1, sum = 0;
   while (power * spread > Limits<double>::kCarlson * mean) {
     const double rx = sqrt(x), ry = sqrt(y), rz = sqrt(z), rp = sqrt(p);
-    // e as a product of contrasts: delta/d^2 of the textbook form underflows near the separatrix.
+    // e is a product of contrasts, because delta/d^2 of the textbook form underflows near the separatrix.
     const double e =
         rootContrast(power * px, rp, rx) * rootContrast(power * py, rp, ry) * rootContrast(power * pz, rp, rz);
     sum += power / ((rp + rx) * (rp + ry) * (rp + rz)) * arcTangentQuotient(std::max(e, 0.0));  // R_C(1, 1 + e)
@@ -147,7 +147,7 @@ template DoubleDouble carlsonRF(DoubleDouble, DoubleDouble, DoubleDouble);
 template double cel(double, double, double, double);
 template DoubleDouble cel(DoubleDouble, DoubleDouble, DoubleDouble, DoubleDouble);
 
-// The means are taken in double-double and rounded once: they are constants, and each enters every value.
+// The means are constants that enter every value, so they are computed in double-double and rounded once.
 JacobiFunctions::JacobiFunctions(const DoubleDouble& mc) : mc_(toDouble(mc)) {
   POINSOT_EXPECT(mc.hi >= 0 && mc.hi <= 1);
   if (mc_ == 0) return;
@@ -164,14 +164,15 @@ JacobiFunctions::JacobiFunctions(const DoubleDouble& mc) : mc_(toDouble(mc)) {
   agm_ = toDouble(a);
 }
 
-// Descending Landen transformation on the cotangent of the amplitude, from the level where the functions are
-// circular upwards. Source: R. Bulirsch, Numer. Math. 7 (1965) 78.
+// Descending Landen transformation on the cotangent of the amplitude, upwards from the level at which the
+// functions are circular. Source: R. Bulirsch, Numer. Math. 7 (1965) 78.
 SnCnDn JacobiFunctions::at(double u) const {
   if (mc_ == 0) {
     const HyperbolicPair h = hyperbolicPair(u);
     return {h.tanh, h.sech, h.sech};
   }
-  constexpr double kTiny = 0x1p-28;  // below it sn = u and cn = dn = 1 to rounding, and the cotangent may overflow
+  // Below kTiny, sn = u and cn = dn = 1 to rounding, and the cotangent may overflow.
+  constexpr double kTiny = 0x1p-28;
   if (abs(u) < kTiny) return {u, 1, 1};
   const SineCosine angle = sineCosine(u * agm_);
   double cotangent = angle.cosine / angle.sine;

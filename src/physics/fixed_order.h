@@ -5,7 +5,7 @@
 
 namespace poinsot::physics {
 
-// Sums written out: the order of Eigen's own depends on the vector unit compiled for, and with it the last bit.
+// These sums are written out, because the order of Eigen's sums, and so the last bit, depends on the vector unit.
 
 inline double dotProduct(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -9,29 +9,29 @@
 
 namespace poinsot::physics {
 
-/// A torque as a function of time: its value at `t_s`, ascending. Between two times it is the first's, or, where
-/// `linear`, what lies on the line; zero before the first. After the last it is zero where linear, else the
-/// last's.
+/// Torque as a function of time, given by `torque` (N·m) at each of the ascending times `t_s`. Between two times,
+/// the torque keeps the value of the first, or is interpolated if `linear`. Before the first time the torque is
+/// zero. After the last time the torque is zero if `linear`, otherwise it keeps the last value.
 struct TorqueHistory {
   std::vector<double> t_s;
-  std::vector<Eigen::Vector3d> torque;  ///< N·m, as many as times
+  std::vector<Eigen::Vector3d> torque;
   bool linear = false;
 
   bool empty() const { return t_s.empty(); }
 };
 
-/// What acts on a rotating body. All zero: free motion.
+/// Torques, drag and energy loss that act on a rotating body. If all are zero, the motion is free.
 struct Forcing {
-  /// M g r: weight times the centre of mass from the fixed point, in B, N·m; gravity pulls along -z of W, so the
-  /// torque is (R_WB r) × (-M g z).
+  /// M g r: weight times the vector from the fixed point to the centre of mass, in B, N·m. Gravity pulls along -z
+  /// of W, so the torque is (R_WB r) × (-M g z).
   Eigen::Vector3d gravity_B = Eigen::Vector3d::Zero();
   Eigen::Vector3d torque_B = Eigen::Vector3d::Zero();  ///< constant in body axes, N·m
   Eigen::Vector3d torque_W = Eigen::Vector3d::Zero();  ///< constant in space axes, N·m
-  TorqueHistory torqueHistory_B, torqueHistory_W;      ///< besides
-  /// Drag: m_i' = ... - rate_i m_i for the components along the principal axes P, 1/s, each >= 0.
+  TorqueHistory torqueHistory_B, torqueHistory_W;      ///< added to the constant torques
+  /// Drag rates, 1/s, each >= 0: m_i' = ... - rate_i m_i for the components of m along the principal axes P.
   Eigen::Vector3d dragRate_P = Eigen::Vector3d::Zero();
-  /// Energy loss at constant L: m' = m × omega + alpha m × (m × omega), alpha >= 0 in s/(kg·m²), so that
-  /// alpha |m| is a bare number: about the part of the spin's angle that the axis turns by.
+  /// Energy loss at constant L: m' = m × omega + alpha m × (m × omega), alpha >= 0 in s/(kg·m²). The number alpha
+  /// |m| has no unit; the axis turns by about this fraction of the angle of spin.
   double dissipation = 0;
 
   bool none() const {
@@ -40,11 +40,12 @@ struct Forcing {
   }
 };
 
+/// Checks that all values of a forcing are possible.
 /// @throws core::Error(kPhysics) naming what is not finite, negative, of unequal length or out of order.
 void validate(const Forcing& forcing);
 
-/// M g z of the centre of mass above the fixed point, J; with the kinetic energy it is constant under gravity
-/// alone.
+/// Returns M g z of the centre of mass above the fixed point, J. Under gravity alone, potential plus kinetic
+/// energy is constant.
 double potentialEnergy(const Forcing& forcing, const Quaternion& q_WB);
 
 }  // namespace poinsot::physics

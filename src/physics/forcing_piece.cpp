@@ -8,7 +8,7 @@ namespace {
 
 std::array<double, 3> components(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
-/// Value at `reference` and slope of the table in the open interval that holds `inside`.
+/// Straight part of a torque table: its value at a reference time and its slope.
 struct Line {
   Eigen::Vector3d value = Eigen::Vector3d::Zero();
   Eigen::Vector3d slope = Eigen::Vector3d::Zero();
@@ -24,7 +24,6 @@ Line lineOf(const TorqueHistory& history, double inside, double reference) {
   return {value + (reference - t[next - 1]) * slope, slope};
 }
 
-/// 0, the knots strictly between, end_s.
 std::vector<double> boundaries(const Forcing& forcing, double end_s) {
   std::vector<double> times = {0, end_s};
   for (const TorqueHistory* history : {&forcing.torqueHistory_B, &forcing.torqueHistory_W})

@@ -8,34 +8,35 @@
 #include "physics/transcendental.h"
 
 // Taylor series of the rotation in a frame that suits a short time. With n = m/|m| in body components, n0 its
-// start and gamma_i = |L| h / I_i (the angle turned per unit of n_i), time running from 0 to 1:
+// start and gamma_i = |L| h / I_i (the angle turned per unit of n_i), and with time from 0 to 1:
 //
 //   n' = n × (gamma n)                                                  (eq 24 to 26, no torque)
 //   R(t) = R0 Rot(n0, phi) M(n),      M(n) the shortest turn that takes n to n0
 //   phi' = (gamma n)·(n + n0)/(1 + n·n0)
 //
-// R n = R0 n0 for every phi: the angular momentum stays where it is. M turns about an axis normal to n + n0 (its
-// angular velocity in body components has no part along n + n0), hence phi'. Split off phi'(0) = sum gamma n0^2;
-// what is left, g, starts at 0 and is as slow as n. Four series instead of the seven of n and a quaternion, and an
-// exact M: nothing is singular while n turns by less than half a turn, which the step is cut to.
+// R n = R0 n0 for every phi, so the angular momentum stays fixed. M turns about an axis normal to n + n0: its
+// angular velocity in body components has no part along n + n0, which gives phi'. The constant phi'(0) = sum gamma
+// n0^2 is split off; the rest, g, starts at 0 and is as slow as n. This takes four series instead of the seven of
+// n and a quaternion, with an exact M. Nothing is singular while n turns by less than half a turn, and steps are
+// cut to that.
 
 namespace poinsot::physics {
 namespace {
 
 constexpr std::size_t kMaxOrder = 40;
-// Of |omega| h. The series converges up to pi/2 over the rate at which n moves, and no body's n moves faster than
-// 2 |omega|: terms fall at least like 0.32^n.
+// Limit of |omega| h. The series converges up to pi/2 divided by the rate at which n moves. No body's n moves
+// faster than 2 |omega|, so terms fall at least like 0.32^n.
 constexpr double kLongestStep = 0.25;
-// A step this long is only ever tried, and found too long, after a torque that is far too strong for it: not worth
-// following.
+// Limit of the parts of one step. Longer steps are only ever tried after a torque that is far too strong for them,
+// and are then rejected.
 constexpr double kMostParts = 1e4;
-// Of the first term: what is left out is below the rounding of the change.
+// Limit of omitted terms, relative to the first one: they are below the rounding of the change.
 constexpr double kNegligible = 0x1p-56;
 
-/// Term k of everything that is expanded.
+/// Terms of order k of the expanded quantities; `along` belongs to n0·n.
 struct Term {
   std::array<double, 3> n{};
-  double along = 0;  // of n0·n
+  double along = 0;
   double g = 0;
 };
 
@@ -55,7 +56,7 @@ double largest(const std::array<double, 3>& v) {
   return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
 }
 
-/// The Cauchy products of n with itself to order k - 1, and of n0·n with g to order k.
+/// Returns the Cauchy products of n with itself to order k - 1, and of n0·n with g to order k.
 Term products(const Series& s, std::size_t k) {
   const auto& t = s.terms;
   Term sum{{t[0].n[1] * t[k - 1].n[2], t[0].n[2] * t[k - 1].n[0], t[0].n[0] * t[k - 1].n[1]}, 0, 0};
@@ -69,7 +70,7 @@ Term products(const Series& s, std::size_t k) {
   return sum;
 }
 
-/// n and g to the order at which two terms of n in a row are negligible:
+/// Expands n and g until two terms of n in a row are negligible:
 ///   n_i' = (gamma_k - gamma_j) n_j n_k,     (1 + n·n0) g = sum (gamma_i - mean) n0_i n_i
 Series expanded(const std::array<double, 3>& n0, const std::array<double, 3>& gamma,
                 const std::array<double, 3>& rate, double mean) {
@@ -89,7 +90,7 @@ Series expanded(const std::array<double, 3>& n0, const std::array<double, 3>& ga
   return s;
 }
 
-/// n(1) - n(0), and what phi gains beyond its mean; smallest terms first.
+/// Change n(1) - n(0), and the gain of phi beyond its mean rate; both are summed from the smallest terms up.
 struct Gain {
   std::array<double, 3> n{};
   double phi = 0;
@@ -116,9 +117,10 @@ double norm(const std::array<double, 3>& v) {
 }
 
 TurnLessOne turnKeeping(const std::array<double, 3>& m0, const std::array<double, 3>& change, double phi) {
-  // M = (1 + c + change × m0)/sqrt(2 (1 + c)), c = m·m0 = 1 - |change|^2/2.
+  // M = (1 + c + change × m0)/sqrt(2 (1 + c)) with c = m·m0 = 1 - |change|^2/2.
   const auto& d = change;
-  const double cosine = std::sqrt(1 - 0.25 * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));  // of half M's angle
+  // Cosine of half of M's angle.
+  const double cosine = std::sqrt(1 - 0.25 * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
   const double scale = 0.5 / cosine;
   const std::array<double, 3> u = {scale * (d[1] * m0[2] - d[2] * m0[1]), scale * (d[2] * m0[0] - d[0] * m0[2]),
                                    scale * (d[0] * m0[1] - d[1] * m0[0])};
@@ -128,7 +130,7 @@ TurnLessOne turnKeeping(const std::array<double, 3>& m0, const std::array<double
   const double x = c * u[0] + sw * m0[0] + s * (m0[1] * u[2] - m0[2] * u[1]);
   const double y = c * u[1] + sw * m0[1] + s * (m0[2] * u[0] - m0[0] * u[2]);
   const double z = c * u[2] + sw * m0[2] + s * (m0[0] * u[1] - m0[1] * u[0]);
-  // w - 1 without cancellation, where there would be one.
+  // If w > 0, this form of w - 1 does not cancel.
   return {{w > 0 ? -(x * x + y * y + z * z) / (1 + w) : w - 1, x, y, z}};
 }
 
@@ -137,7 +139,7 @@ TurnLessOne FreeFlow::turnOver(const std::array<double, 3>& m, double h) const {
   if (L == 0) return {};
   const std::array<double, 3> n0 = {m[0] / L, m[1] / L, m[2] / L};
   const std::array<double, 3> gamma = {L / I_[0] * h, L / I_[1] * h, L / I_[2] * h};
-  // gamma_k - gamma_j, from the difference of the moments themselves: small for a rod.
+  // gamma_k - gamma_j is computed from the difference of the moments, which is small for a rod.
   const std::array<double, 3> rate = {L * h * ((I_[1] - I_[2]) / I_[1] / I_[2]),
                                       L * h * ((I_[2] - I_[0]) / I_[2] / I_[0]),
                                       L * h * ((I_[0] - I_[1]) / I_[0] / I_[1])};

@@ -14,33 +14,34 @@
 #include "physics/rotor.h"
 #include "physics/transcendental.h"
 
-// The closed form. The body sees m = I omega run along its polhode as Jacobi functions of u = lambda t + u0
-// (free_motion_constants.h). Let F(u) be the node frame of m in body axes: z along m, x along the node line e_c ×
-// m. L is fixed in space, so F turns about it by an angle phi alone:
+// The closed form. In the body, m = I omega runs along its polhode as Jacobi functions of u = lambda t + u0
+// (free_motion_constants.h). F(u) is the node frame of m in body axes: z along m, x along the node line e_c × m. L
+// is fixed in space, so F turns about L by an angle phi alone:
 //
 //   R(t) = R0 F(u0) Rz(phi) F(u)^-1,       phi = (L/I2) t + s [H(u) - H(u0)]
 //   H(u) = atan(p sn cn / dn) + p (mc/(3g)) sn^3 R_J(cn^2, dn^2, 1, cn^2 + (mc/g) sn^2)      |u| <= K
 //   H(u + 2K) = H(u) + 2Q
 //
-// phi' = L (A_a^2 cn^2/I_a + A_2^2 sn^2/I_2)/(A_a^2 cn^2 + A_2^2 sn^2) is a mean of L/I_a and L/I_2. L/I_2 is the
-// part split off because |omega - (L/I_2) L^| <= lambda for every body and start: what is left then moves the
-// attitude by no more than du for an error du of the phase. Splitting off L/I_a, L/I_c or 2T/L instead (as
-// textbooks do) loses digits near the separatrix, for near-spheres and for rods. The half turn of the node line
-// near the middle axis is the arctangent, with coefficient exactly 1; the R_J term is a sum of positive terms.
+// phi' = L (A_a^2 cn^2/I_a + A_2^2 sn^2/I_2)/(A_a^2 cn^2 + A_2^2 sn^2) is a weighted mean of L/I_a and L/I_2.
+// L/I_2 is split off because |omega - (L/I_2) L^| <= lambda for every body and start: an error du of the phase
+// then moves the attitude by at most du. Splitting off L/I_a, L/I_c or 2T/L, as textbooks do, loses digits near
+// the separatrix, for near-spheres and for rods. The arctangent is the half turn of the node line near the middle
+// axis, with coefficient exactly 1. The R_J term is a sum of positive terms.
 //
-// Everything that grows with t ((L/I2) t, u, N Q) is kept to ~100 bits until it is reduced; the rest is in double.
-// Verified in tests/physics/free_motion_oracle_test.cpp (Taylor integrator, 34 and 60 digits).
+// Everything that grows with t ((L/I2) t, u, N Q) is kept to about 100 bits until it is reduced; the rest is in
+// double. Verified in tests/physics/free_motion_oracle_test.cpp (Taylor integrator, 34 and 60 digits).
 
 namespace poinsot::physics {
 namespace {
 
-/// sn, cn, dn of the reduced phase, and what the half periods taken off did.
+/// Functions sn, cn, dn of the reduced phase. `halfTurn` is -1 after an odd number of half periods, which changes
+/// the sign of m_a and m_2.
 struct PolhodePoint {
   SnCnDn f;
-  double halfTurn = 1;  // -1 after an odd number of half periods: m_a and m_2 have changed sign
+  double halfTurn = 1;
 };
 
-/// Components of a sorted-axes vector in the node axes (x, y, z = c), a cyclic change of axes.
+/// Converts components along the sorted axes to the node axes (x, y, z = c), a cyclic change of axes.
 template <typename T>
 std::array<T, 3> toNodeAxes(const std::array<T, 3>& v, std::size_t c) {
   return {v[(c + 1) % 3], v[(c + 2) % 3], v[c]};
@@ -59,7 +60,7 @@ bool isOdd(double integer) { return std::fmod(integer, 2) != 0; }
 
 Rotor<double> aboutZ(const SineCosine& half) { return {half.cosine, 0, 0, half.sine}; }
 
-/// q0 to 106 bits: any nonzero quaternion of the user, the one place where length is not trusted.
+/// Normalizes a user's quaternion, which may have any nonzero length, to 106 bits.
 Rotor<DoubleDouble> unitRotor(const Quaternion& q) {
   const double largest = q.coeffs().cwiseAbs().maxCoeff();
   if (!q.coeffs().allFinite() || largest == 0)
@@ -86,7 +87,7 @@ struct FreeMotion::Solution {
   double kineticEnergy = 0;
 
  private:
-  // The attitude relative to the start, in sorted axes of the body at t = 0, and omega in sorted axes.
+  // Attitude relative to the start, in sorted axes of the body at t = 0, and omega in sorted axes.
   struct Relative {
     Rotor<double> q;
     std::array<double, 3> omega;
@@ -99,14 +100,14 @@ struct FreeMotion::Solution {
   std::array<double, 3> momentum(const PolhodePoint& point) const;
   double H(const SnCnDn& f) const;
 
-  // Roundings of k, for what is done in double.
+  // Constants of k, rounded to double.
   double p_ = 0, mcOver3g_ = 0, mcOverG_ = 0;
   DoubleDouble meanRate_;  // L/I2, or |omega| of a steady spin
-  double fastest_ = 0;     // of the rates of the phases
+  double fastest_ = 0;     // largest rate of a phase
   DoubleDouble twoK_, twoQ_;
-  std::array<double, 3> amplitude_{};  // of m in sorted axes, with sign
-  Rotor<double> frame0_;               // F(u0)
-  double N0_ = 0, H0_ = 0;             // half periods in u0, H of the rest
+  std::array<double, 3> amplitude_{};  // amplitudes of m in sorted axes, with sign
+  Rotor<double> frame0_;               // node frame at the start, F(u0)
+  double N0_ = 0, H0_ = 0;             // half periods in u0, and H of the rest
 };
 
 FreeMotion::Solution::Solution(const PrincipalAxes& axes_, const Eigen::Vector3d& omega0_B, const Quaternion& q0)
@@ -114,7 +115,7 @@ FreeMotion::Solution::Solution(const PrincipalAxes& axes_, const Eigen::Vector3d
       k(freeMotionConstants(axes_.moments(), axes_.toP(omega0_B))),
       jacobi(k.periodic() ? k.mc : DoubleDouble(0)) {
   using DD = DoubleDouble;
-  Rotor<DD> q0_exact = unitRotor(q0);  // of P
+  Rotor<DD> q0_exact = unitRotor(q0);
   if (!axes.aligned()) q0_exact = q0_exact * unitRotor(axes.q_BP());
   q0_WP = toDouble(q0_exact);
   std::array<DD, 3> m0_P;
@@ -139,7 +140,7 @@ void FreeMotion::Solution::setStart() {
     return;
   }
   meanRate_ = k.L / I[1];
-  fastest_ = std::max({1.0, toDouble(meanRate_), toDouble(k.lambda)});  // 1: about |omega| in these units
+  fastest_ = std::max({1.0, toDouble(meanRate_), toDouble(k.lambda)});  // 1 is about |omega| in these units
   twoK_ = k.K * 2.0;
   twoQ_ = k.Q * (2.0 * k.s);
   p_ = toDouble(k.p);
@@ -152,14 +153,14 @@ void FreeMotion::Solution::setStart() {
       toNodeAxes(std::array<DD, 3>{twoProduct(I[0], w[0]), twoProduct(I[1], w[1]), twoProduct(I[2], w[2])}, k.c);
   frame0_ = toDouble(nodeFrame(m0[0], m0[1], m0[2]));
   N0_ = k.periodic() ? reduced(k.u0, twoK_).multiple : 0;
-  // From sn u0 itself, not from u0 rounded: frame0_ belongs to the exact start too, and only an error that both
+  // H0_ uses sn u0 itself, not the rounded u0. frame0_ belongs to the exact start too, and only an error that both
   // share is a harmless shift of the phase.
   const double sign = isOdd(N0_) ? -1 : 1;
   H0_ = H({sign * toDouble(k.sn0), sign * toDouble(k.cn0), toDouble(sqrt(k.cn0 * k.cn0 + k.mc * k.sn0 * k.sn0))});
 }
 
 double FreeMotion::Solution::H(const SnCnDn& f) const {
-  const double quotient = f.dn == 0 ? 1 : f.cn / f.dn;  // on the separatrix both are sech u, which underflows
+  const double quotient = f.dn == 0 ? 1 : f.cn / f.dn;  // both are sech u on the separatrix and may underflow
   const double turn = arcTangent(p_ * f.sn * quotient);
   if (mcOver3g_ == 0 || p_ == 0) return turn;
   const double cn2 = f.cn * f.cn, sn2 = f.sn * f.sn;
@@ -197,7 +198,6 @@ FreeMotion::Solution::Relative FreeMotion::Solution::steadyAt(double tau) const 
   return {{half.cosine, s * w[0] / rate, s * w[1] / rate, s * w[2] / rate}, w};
 }
 
-/// q_WB with w >= 0.
 Quaternion FreeMotion::Solution::attitude_B(Rotor<double> q) const {
   if (!axes.aligned()) {
     const Quaternion& q_BP = axes.q_BP();
@@ -234,7 +234,7 @@ FreeMotion::FreeMotion(FreeMotion&&) noexcept = default;
 FreeMotion& FreeMotion::operator=(FreeMotion&&) noexcept = default;
 
 const FreeMotion::Solution& FreeMotion::solution() const {
-  POINSOT_EXPECT(solution_ != nullptr);  // not moved from
+  POINSOT_EXPECT(solution_ != nullptr);
   return *solution_;
 }
 

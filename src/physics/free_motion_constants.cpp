@@ -10,11 +10,11 @@ namespace {
 
 using DD = DoubleDouble;
 
-constexpr double kLargestRatioOfMoments = 1e20;  // with kSmallestComponent (scaled_start.cpp): no underflow
+constexpr double kLargestRatioOfMoments = 1e20;  // prevents underflow, with kSmallestComponent (scaled_start.cpp)
 
 DD square(const DD& x) { return x * x; }
 
-/// m x omega = 0, decided without rounding.
+/// Returns whether m × omega = 0, decided without rounding.
 bool isSteady(const ScaledStart& start) {
   const auto couples = [&](std::size_t j, std::size_t k) {
     return start.I[j] != start.I[k] && start.omega[j] != 0 && start.omega[k] != 0;
@@ -22,7 +22,6 @@ bool isSteady(const ScaledStart& start) {
   return !couples(0, 1) && !couples(1, 2) && !couples(0, 2);
 }
 
-/// Ij (Ij - Ik) wj^2, exactly.
 Expansion moment(double Ij, double Ik, double wj) {
   Expansion product;
   product.add(Ij);
@@ -33,8 +32,8 @@ Expansion moment(double Ij, double Ik, double wj) {
   return product;
 }
 
-/// The invariants as sums of terms of one sign; only D is a difference, and that one is taken exactly: near the
-/// separatrix the period goes as log(1/|D|) and after many periods every digit of D shows.
+/// Sets the invariants as sums of terms of one sign. Only D is a difference, and it is exact: near the separatrix
+/// the period goes as log(1/|D|), and after many periods every digit of D shows.
 void setInvariants(FreeMotionConstants& k) {
   const auto& I = k.start.I;
   const auto& w = k.start.omega;
@@ -51,11 +50,11 @@ void setInvariants(FreeMotionConstants& k) {
   k.D1 = I12 * I[1] * w2 + I13 * I[2] * w3;
   k.D3 = I13 * I[0] * w1 + I23 * I[1] * w2;
   Expansion difference = moment(I[2], I[1], w[2]);
-  difference.add(moment(I[0], I[1], w[0]));  // not positive: I1 <= I2
+  difference.add(moment(I[0], I[1], w[0]));  // not positive, because I1 <= I2
   k.D = difference.value();
 }
 
-/// The constants of a rotation that is not steady. In both regimes the formulas are the same with the axes 1 and 3
+/// Sets the constants of a rotation that is not steady. Both regimes use the same formulas, with axes 1 and 3
 /// exchanged and the differences taken positive.
 void setEllipticConstants(FreeMotionConstants& k) {
   const auto& I = k.start.I;
@@ -77,8 +76,8 @@ void setEllipticConstants(FreeMotionConstants& k) {
   k.sigma = k.start.omega[k.c] < 0 ? -1 : 1;
 }
 
-/// u0 from (sn, cn)(u0) by the integral R_F, never through an angle: near the middle axis cn is tiny and an
-/// arctangent would throw its relative accuracy away.
+/// Sets u0 from sn u0 and cn u0 by the integral R_F. Near the middle axis cn u0 is tiny, and an arctangent would
+/// lose its relative accuracy.
 void setPhase(FreeMotionConstants& k) {
   const auto& I = k.start.I;
   const auto& w = k.start.omega;

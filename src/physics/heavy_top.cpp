@@ -15,11 +15,11 @@
 namespace poinsot::physics {
 namespace {
 
-// What turning r into the principal axes leaves of a component that is 0.
+// Largest component of r, relative to |r|, that counts as 0: the rounding of the turn into the principal axes.
 constexpr double kRounding = 1e-14;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// f(u0 + v) = f0 + f1 v + f2 v² + a v³, f0 >= 0: nothing cancels where the swing is small.
+/// Cubic f(u0 + v) = f0 + f1 v + f2 v² + a v³ with f0 >= 0, in which nothing cancels if the swing is small.
 struct Cubic {
   double f0, f1, f2, a;
 
@@ -30,7 +30,6 @@ struct Roots {
   double v1, v2, v3;
 };
 
-/// The root between a place where f >= 0 and one where f <= 0, to the last bit.
 double rootBetween(const Cubic& f, double positive, double negative) {
   for (;;) {
     const double middle = positive + (negative - positive) / 2;
@@ -39,7 +38,7 @@ double rootBetween(const Cubic& f, double positive, double negative) {
   }
 }
 
-/// The roots of f/v for f0 = 0, ascending: f1 + f2 v + a v² = 0.
+/// Returns the roots of f/v for f0 = 0, ascending, from f1 + f2 v + a v² = 0.
 std::array<double, 2> otherRoots(const Cubic& f) {
   const double root = std::sqrt(std::max(0.0, f.f2 * f.f2 - 4 * f.a * f.f1));
   const double q = -0.5 * (f.f2 + std::copysign(root, f.f2));
@@ -47,9 +46,10 @@ std::array<double, 2> otherRoots(const Cubic& f) {
   return {std::min(first, second), std::max(first, second)};
 }
 
-/// Least and greatest v that the swing from v = 0 reaches, and the third root. `lowest` and `highest`: u = -1, 1.
+/// Returns the least and the greatest v of the swing from v = 0, and the third root. `lowest` and `highest` are at
+/// u = -1, 1.
 Roots rootsOf(const Cubic& f, double lowest, double highest) {
-  if (f.f0 == 0) {  // let go at rest: an end of the swing is known
+  if (f.f0 == 0) {  // u' = 0 at the start, which is an end of the swing
     const auto [lower, upper] = otherRoots(f);
     const bool atTheLowEnd = f.f1 > 0 || (f.f1 == 0 && f.f2 <= 0);
     return atTheLowEnd ? Roots{0, std::min(lower, highest), upper} : Roots{std::max(lower, lowest), 0, upper};
@@ -59,11 +59,11 @@ Roots rootsOf(const Cubic& f, double lowest, double highest) {
   return roots;
 }
 
-/// theta from 1 - cos theta and 1 + cos theta.
+/// Returns theta from 1 - cos theta and 1 + cos theta.
 double tilt(double below, double above) { return 2 * arcTangent(std::sqrt(std::max(0.0, below) / above)); }
 
-/// Integral over half a swing of rate/(1 ∓ u), in the unit of the caller: 1 ∓ u is `near` at one end and `far` at
-/// the other. 0 for a swing through the pole, whose two sides turn opposite ways.
+/// Integrates rate/(1 ∓ u) over half a swing, in the caller's unit. 1 ∓ u is `near` at one end and `far` at the
+/// other. Returns 0 for a swing through the pole, whose two sides turn opposite ways.
 double turning(double mc, double rate, double near, double far) {
   if (rate == 0 || !(near > 0 && far > 0)) return 0;
   return rate / near * cel<double>(std::sqrt(mc), far / near, 1, 1);
@@ -92,23 +92,23 @@ double HeavyTop::sleepingSpin() const { return 2 * std::sqrt(across * weight) / 
 std::optional<SteadyPrecession> HeavyTop::steadyPrecession(double tilt_rad, double spin) const {
   requireFinite(tilt_rad, "the tilt");
   requireFinite(spin, "the spin");
-  constexpr double kLevel = 1e-15;  // cosine of a right angle, as double has it
+  constexpr double kLevel = 1e-15;  // larger than the cosine of pi/2 in double
   const double cosine = sineCosine(tilt_rad).cosine, stiffness = std::abs(cosine) < kLevel ? 0 : across * cosine;
   const double L3 = along * spin;
   const double square = L3 * L3 - 4 * stiffness * weight;
   if (square < 0 || (L3 == 0 && square == 0)) return std::nullopt;
-  const double sum = L3 + std::copysign(std::sqrt(square), L3);  // of one sign
+  const double sum = L3 + std::copysign(std::sqrt(square), L3);  // both terms have the same sign
   return SteadyPrecession{2 * weight / sum, stiffness == 0 ? kInfinity : sum / (2 * stiffness)};
 }
 
 Nutation HeavyTop::nutation(const Eigen::Vector3d& omega_P, const Eigen::Vector3d& up_P) const {
-  constexpr double kUnit = 1e-12;  // of a length squared, some roundings off
+  constexpr double kUnit = 1e-12;  // tolerance of a squared length
   POINSOT_EXPECT(std::abs(dotProduct(up_P, up_P) - 1) < kUnit);
   requireFinite(omega_P, "omega");
   const double u0 = dotProduct(k_P, up_P), spin = dotProduct(omega_P, k_P), c = along * spin / across;
   const Eigen::Vector3d across_P = omega_P - spin * k_P, down_P = up_P - k_P, sum_P = up_P + k_P;
   const double below = dotProduct(down_P, down_P) / 2, above = dotProduct(sum_P, sum_P) / 2;  // 1 - u0, 1 + u0
-  const double speed = dotProduct(crossProduct(omega_P, k_P), up_P);                          // u'
+  const double speed = dotProduct(crossProduct(omega_P, k_P), up_P);                          // u' at the start
   const double excess = dotProduct(across_P, across_P), twist = dotProduct(across_P, up_P);   // (1 - u0²) phi'
   const double a = 2 * weight / across;
   const Cubic f{speed * speed, -2 * u0 * excess - a * below * above + 2 * c * twist, 2 * a * u0 - excess - c * c,
@@ -119,7 +119,7 @@ Nutation HeavyTop::nutation(const Eigen::Vector3d& omega_P, const Eigen::Vector3
   if (!(mc > 0)) return swing;
   const double unit = 4 / std::sqrt(a * span);
   swing.period_s = unit * completeK(mc);
-  // phi' = (b - c u)/(1 - u²) in partial fractions, b = L_z/I1: b - c and b + c without cancellation.
+  // phi' = (b - c u)/(1 - u²) in partial fractions, with b = L_z/I1; b - c and b + c do not cancel.
   swing.precession_rad = unit / 2 *
                          (turning(mc, twist - c * below, below - v.v1, below - v.v2) +
                           turning(mc, twist + c * above, above + v.v1, above + v.v2));

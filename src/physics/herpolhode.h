@@ -9,41 +9,46 @@
 
 namespace poinsot::physics {
 
-/// The herpolhode closes after so many radial periods, in so many turns about L.
+/// Closure of a herpolhode: the numbers of radial periods and of turns about L after which the curve repeats.
 struct HerpolhodeClosure {
   int radialPeriods = 0;
   int turns = 0;
 };
 
-/// The curve that omega draws in space, on the invariable plane, about the foot of L: its radius swings between
-/// two values, and every radial period is the last one turned about L by the same angle. Draw one, copy the rest.
+/// Herpolhode: the curve that omega draws in space, on the invariable plane, about the foot of L. Its radius
+/// swings between two values. Every radial period is the previous one turned about L by the same angle, so that
+/// one drawn period can be copied.
 class Herpolhode {
  public:
-  /// omega0_P in rad/s, in principal axes. @throws core::Error(kPhysics) if it is not finite.
+  /// @param omega0_P in principal axes, rad/s
+  /// @throws core::Error(kPhysics) if omega0_P is not finite.
   Herpolhode(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_P);
 
   PolhodeRegime regime() const { return regime_; }
 
-  /// Smallest and largest distance of omega from the axis of L, rad/s. Both 0 when steady; equal for a symmetric
-  /// top (a circle); the smallest 0 on the separatrix.
+  /// Returns the smallest distance of omega from the axis of L, rad/s; largestRadius() returns the largest. Both
+  /// are 0 if steady and equal for a symmetric top (a circle). On the separatrix the smallest is 0.
   double smallestRadius() const { return smallestRadius_; }
   double largestRadius() const { return largestRadius_; }
 
-  /// Time from one largest radius to the next, s: half the polhode's period. 0 steady, infinite on the separatrix.
+  /// Returns the time from one largest radius to the next, s: half the polhode's period. 0 if steady, infinite on
+  /// the separatrix.
   double radialPeriod() const { return radialPeriod_; }
 
-  /// Angle that omega turns about L in a radial period, rad, positive: (L/I2)(2K/lambda) +- 2Q.
-  /// 0 steady, infinite on the separatrix.
+  /// Returns the positive angle that omega turns about L in a radial period, rad: (L/I2)(2K/lambda) +- 2Q. 0 if
+  /// steady, infinite on the separatrix.
   double anglePerRadialPeriod() const { return anglePerRadialPeriod_; }
 
-  /// chi': rate at which omega turns about L where the radius is `radius` rad/s; rad/s, between L/I3 and L/I1.
+  /// Returns chi', the rate at which omega turns about L at the radius `radius`, both in rad/s:
   ///   chi' = 2T/L + (L² - 2T I1)(L² - 2T I2)(2T I3 - L²)/(I1 I2 I3 L³ radius²)
-  /// derived in herpolhode.cpp. 0 when steady. Means nothing outside the curve's two radii. @pre radius > 0 of a
-  /// curve that is no circle.
+  /// chi' lies between L/I3 and L/I1, is 0 if steady, and has no meaning outside the curve's two radii. Derived in
+  /// herpolhode.cpp.
+  /// @pre radius > 0 of a curve that is no circle.
   double rate(double radius) const;
 
-  /// The least number of radial periods, up to `longest`, after which the curve meets itself to `tolerance_rad` of
-  /// angle; empty if there is none, or no period. (The circle of a symmetric top is closed whatever this says.)
+  /// Returns the least number of radial periods, up to `longest`, after which the curve meets itself to
+  /// `tolerance_rad`. Returns nullopt if there is none, or no period. (The circle of a symmetric top is always
+  /// closed.)
   std::optional<HerpolhodeClosure> closure(int longest, double tolerance_rad) const;
 
  private:
@@ -52,9 +57,10 @@ class Herpolhode {
   double largestRadius_ = 0;
   double radialPeriod_ = 0;
   double anglePerRadialPeriod_ = 0;
-  int rateExponent_ = 0;  // of the two below, and of a radius beside them
-  double meanRate_ = 0;   // 2T/L
-  double areaTerm_ = 0;   // rate = 2T/L + areaTerm/radius²
+  int rateExponent_ = 0;
+  // meanRate_ is 2T/L, and rate() is meanRate_ + areaTerm_/radius², all scaled by 2^rateExponent_.
+  double meanRate_ = 0;
+  double areaTerm_ = 0;
 };
 
 }  // namespace poinsot::physics

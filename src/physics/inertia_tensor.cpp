@@ -15,7 +15,8 @@ namespace {
 
 using Matrix = std::array<std::array<DoubleDouble, 3>, 3>;
 
-/// Of a rotor of unit length; the diagonal as a difference of squares, so that a quarter turn has exact zeros.
+/// Returns the matrix of a rotor of unit length. The diagonal is a difference of squares, so that a quarter turn
+/// has exact zeros.
 Matrix rotationMatrix(const Rotor<DoubleDouble>& q) {
   const DoubleDouble ww = q.w * q.w, xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
   const DoubleDouble xy = q.x * q.y, xz = q.x * q.z, yz = q.y * q.z;
@@ -62,7 +63,7 @@ Eigen::Matrix3d symmetricTensor(const Eigen::Matrix3d& inertia) {
 
 Eigen::Matrix3d turnedTensor(const Quaternion& q, const Eigen::Matrix3d& inertia) {
   const Matrix R = rotationMatrix(q);
-  Matrix RI;  // row j: R times column j of I, so that RI is (R I)ᵀ
+  Matrix RI;  // (R I)ᵀ: row j is R times column j of I
   for (std::size_t j = 0; j < 3; ++j) {
     const int column = static_cast<int>(j);
     RI[j] = product(R, {inertia(0, column), inertia(1, column), inertia(2, column)});

@@ -23,8 +23,9 @@ void requirePlace(double mass_kg, const Eigen::Vector3d& centre_B) {
   requireFinite(centre_B, "centre of mass", " m");
 }
 
-/// Matter has moments ∫(y² + z²)dm, never negative and each at most the sum of the other two.
-/// `scale_kgm2`: the largest moment whose rounding the tensor may hold, beside its own.
+/// Checks that matter can have a tensor: moments ∫(y² + z²)dm are never negative, and each is at most the sum of
+/// the other two.
+/// @param scale_kgm2 largest moment, beside the tensor's own, whose rounding the tensor may hold
 void requireMatter(const Eigen::Matrix3d& inertia_B, double scale_kgm2) {
   const SymmetricEigen eigen = symmetricEigen(inertia_B);
   std::array moments{toDouble(eigen.values[0]), toDouble(eigen.values[1]), toDouble(eigen.values[2])};
@@ -39,14 +40,15 @@ void requireMatter(const Eigen::Matrix3d& inertia_B, double scale_kgm2) {
                   low, middle, high));
 }
 
-/// Adds tensors and M(a² - a a) for a = (x, y, z), about whose tip they then are (eq 14).
+/// Sum of tensors displaced to one point (eq 14): each piece adds its tensor and M(a² - a a), with a from the
+/// point to the piece's centre of mass.
 class DisplacedSum {
  public:
   void add(const MassProperties& piece, const Eigen::Vector3d& point_B) {
     add(piece.inertia_B(), piece.mass_kg(), piece.centre_B(), point_B);
   }
 
-  /// A negative mass takes M(a² - a a) away.
+  /// Adds a tensor; a negative mass takes M(a² - a a) away.
   void add(const Eigen::Matrix3d& inertia_B, double mass_kg, const Eigen::Vector3d& centre_B,
            const Eigen::Vector3d& point_B) {
     const std::array a{twoSum(centre_B[0], -point_B[0]), twoSum(centre_B[1], -point_B[1]),
@@ -74,7 +76,7 @@ class DisplacedSum {
     return inertia_B(static_cast<int>(i), static_cast<int>(j));
   }
 
-  std::array<DoubleDouble, 3> diagonal_, opposite_;  // I_xx.. and I_yz, I_zx, I_xy
+  std::array<DoubleDouble, 3> diagonal_, opposite_;  // I_xx, I_yy, I_zz and I_yz, I_zx, I_xy
 };
 
 }  // namespace

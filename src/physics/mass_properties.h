@@ -11,28 +11,30 @@
 
 namespace poinsot::physics {
 
-/// Mass, centre of mass and inertia tensor of a piece of matter in some axes B. Valid by construction: a point, a
-/// rod and a plate are allowed (moments of zero), impossible matter is not.
+/// Mass, centre of mass and inertia tensor of a piece of matter in axes B. Valid by construction: a point, a rod
+/// and a plate are allowed (moments of zero), impossible matter is not.
 class MassProperties {
  public:
-  /// inertia_B in kg·m² about the centre of mass, in B; mass_kg > 0; centre_B in m.
-  /// @throws core::Error(kPhysics) naming what cannot be: not finite, not symmetric, negative, I3 > I1 + I2.
+  /// @param inertia_B about the centre of mass, in B, kg·m²
+  /// @throws core::Error(kPhysics) naming what is not finite, not symmetric, not positive (the mass) or impossible
+  /// (a negative moment, I3 > I1 + I2).
   MassProperties(double mass_kg, const Eigen::Vector3d& centre_B, const Eigen::Matrix3d& inertia_B);
 
   static MassProperties ofPoint(double mass_kg, const Eigen::Vector3d& position_B);
 
-  /// Matter whose tensor was measured about another point: I_cm = I - M(a² - a a) for a from the centre of mass to
-  /// `point_B` (eq 14).
-  /// @param inertia_B  about point_B, in B, kg·m²
-  /// @throws core::Error(kPhysics) as the constructor: what is left about the centre of mass is no matter's.
+  /// Returns matter whose tensor was measured about another point: I_cm = I - M(a² - a a), with a from the centre
+  /// of mass to `point_B` (eq 14).
+  /// @param inertia_B about point_B, in B, kg·m²
+  /// @throws core::Error(kPhysics) as the constructor does, if the tensor about the centre of mass is impossible.
   static MassProperties fromInertiaAbout(const Eigen::Vector3d& point_B, double mass_kg,
                                          const Eigen::Vector3d& centre_B, const Eigen::Matrix3d& inertia_B);
 
   double mass_kg() const { return mass_kg_; }
   const Eigen::Vector3d& centre_B() const { return centre_B_; }
-  /// About the centre of mass (eq 7).
+  /// Returns the tensor about the centre of mass, kg·m² (eq 7).
   const Eigen::Matrix3d& inertia_B() const { return inertia_B_; }
-  /// About another point: I_cm + M(a² - a a) for a from the centre of mass (eq 14).
+  /// Returns the tensor about another point: I_cm + M(a² - a a), with a from the centre of mass to `point_B` (eq
+  /// 14).
   /// @throws core::Error(kPhysics) if the point is not finite, or so far away that the tensor is not.
   Eigen::Matrix3d inertiaAbout(const Eigen::Vector3d& point_B) const;
 
@@ -41,7 +43,7 @@ class MassProperties {
   MassProperties moved(const Quaternion& q, const Eigen::Vector3d& offset_B) const;
 
  private:
-  /// `scale_kgm2`: the largest moment whose rounding the tensor may hold.
+  /// @param scale_kgm2 largest moment whose rounding the tensor may hold
   MassProperties(double mass_kg, const Eigen::Vector3d& centre_B, const Eigen::Matrix3d& inertia_B,
                  double scale_kgm2);
 
@@ -50,33 +52,36 @@ class MassProperties {
   Eigen::Matrix3d inertia_B_;
 };
 
-/// Both pieces together, each by the displaced-axis theorem (eq 14).
+/// Joins two pieces by the displaced-axis theorem (eq 14).
 MassProperties operator+(const MassProperties& a, const MassProperties& b);
 
-/// Several pieces as one. Summed in double-double, so that pieces in a symmetric arrangement give a symmetric body
-/// to the last bit. @pre at least one piece.
+/// Joins several pieces. The sums are in double-double, so that a symmetric arrangement of pieces gives a body
+/// that is symmetric to the last bit. @pre at least one piece.
 MassProperties combined(const std::vector<MassProperties>& pieces);
 
-/// A solid of `mass_kg`, in its own axes S. @throws core::Error(kPhysics) for a mass or a length that is not
-/// positive and finite, lengths that do not fit together, or a kind of polyhedron that does not exist.
+/// Returns the mass properties of a solid in its own axes S.
+/// @throws core::Error(kPhysics) for a mass or a length that is not positive and finite, lengths that do not fit
+/// together, or a kind of polyhedron that does not exist.
 MassProperties massProperties(const Solid& solid, double mass_kg);
 
-/// Volume, m³; 0 of shells, plates, hoops and rods, which have no density per volume. @throws as massProperties.
+/// Returns the volume, m³; 0 for shells, plates, hoops and rods, which have no density per volume.
+/// @throws as massProperties().
 double volume(const Solid& solid);
 
-/// A solid placed in a body.
+/// Solid placed in a body: turned by q_BS, then moved so that the origin of S is at offset_B (m).
 struct SolidPart {
   Solid solid;
   double mass_kg = 1;
   Quaternion q_BS = Quaternion::Identity();
-  Eigen::Vector3d offset_B = Eigen::Vector3d::Zero();  ///< where S has its origin, m
+  Eigen::Vector3d offset_B = Eigen::Vector3d::Zero();
 };
 
-/// In the body's axes. @throws as massProperties() of the solid and MassProperties::moved().
+/// Returns the part's mass properties in the body's axes.
+/// @throws as massProperties() of the solid and MassProperties::moved().
 MassProperties massProperties(const SolidPart& part);
 
-/// The simple solids that a composite solid (L plate, T-handle, racket, wing nut) is made of, masses adding up to
-/// `mass_kg`; any other solid alone.
+/// Returns the simple solids of a composite solid (L plate, T-handle, racket, wing nut), with masses that add up
+/// to `mass_kg`. Any other solid is returned alone.
 std::vector<SolidPart> partsOf(const Solid& solid, double mass_kg);
 
 static_assert(core::laidOut<MassProperties, 104>() && core::laidOut<SolidPart, 128>());

@@ -8,45 +8,46 @@
 
 namespace poinsot::physics {
 
+/// Point mass, with its position from the origin of W in m and its velocity in m/s.
 struct Particle {
   double mass_kg = 1;
-  Eigen::Vector3d position_W = Eigen::Vector3d::Zero();  ///< m, from the origin of W
-  Eigen::Vector3d velocity_W = Eigen::Vector3d::Zero();  ///< m/s
+  Eigen::Vector3d position_W = Eigen::Vector3d::Zero();
+  Eigen::Vector3d velocity_W = Eigen::Vector3d::Zero();
 };
 
-/// Point masses and what the lecture sums over them, eq (1) to (14), every quantity by its definition. The
-/// yardstick for rigid bodies: nothing here knows of a moment of inertia but inertiaAbout().
+/// Point masses and the lecture's sums over them, eq (1) to (14), each computed by its definition. The class is
+/// the reference for rigid bodies: only inertiaAbout() involves moments of inertia.
 class ParticleSystem {
  public:
-  /// @throws core::Error(kPhysics) for no particle, a mass that is not positive and finite, or a place or velocity
-  /// that is not finite.
+  /// @throws core::Error(kPhysics) for no particle, a mass that is not positive and finite, or a position or
+  /// velocity that is not finite.
   explicit ParticleSystem(std::vector<Particle> particles);
 
   const std::vector<Particle>& particles() const { return particles_; }
 
   double mass_kg() const { return mass_kg_; }
-  const Eigen::Vector3d& centre_W() const { return centre_W_; }  ///< of mass, m
+  const Eigen::Vector3d& centre_W() const { return centre_W_; }  ///< centre of mass, m
   Eigen::Vector3d centreVelocity_W() const { return momentum_W_ / mass_kg_; }
 
-  /// P = sum m v, kg·m/s (eq 1).
+  /// Returns P = sum m v, kg·m/s (eq 1).
   const Eigen::Vector3d& momentum_W() const { return momentum_W_; }
 
-  /// About a point at rest: sum m (r - point) × v, kg·m²/s. About the origin: L_tot (eq 2, 4).
+  /// Returns sum m (r - point) × v, kg·m²/s, for a point at rest. About the origin, the sum is L_tot (eq 2, 4).
   Eigen::Vector3d angularMomentumAbout(const Eigen::Vector3d& point_W) const;
-  /// R_cm × P, kg·m²/s (eq 5).
+  /// Returns R_cm × P, kg·m²/s (eq 5).
   Eigen::Vector3d orbitalAngularMomentum() const;
-  /// L = sum m (r - R_cm) × (v - V_cm), kg·m²/s (eq 6).
+  /// Returns L = sum m (r - R_cm) × (v - V_cm), kg·m²/s (eq 6).
   Eigen::Vector3d intrinsicAngularMomentum() const;
 
-  /// sum m v²/2, J, and its two parts (eq 10): M V_cm²/2 and sum m (v - V_cm)²/2.
+  /// Returns sum m v²/2, J: translationalEnergy() M V_cm²/2 plus rotationalEnergy() sum m (v - V_cm)²/2 (eq 10).
   double kineticEnergy() const;
   double translationalEnergy() const;
   double rotationalEnergy() const;
 
-  /// sum m (r² 1 - r r), r from the point, kg·m² (eq 3, 7, 13).
+  /// Returns sum m (r² 1 - r r) with r from the point, kg·m² (eq 3, 7, 13).
   Eigen::Matrix3d inertiaAbout(const Eigen::Vector3d& point_W) const;
 
-  /// sum (r - point) × F, N·m (eq 8, 9). forces_W in N. @pre one force for each particle.
+  /// Returns sum (r - point) × F, N·m, for forces F in N (eq 8, 9). @pre one force for each particle.
   Eigen::Vector3d torqueAbout(const Eigen::Vector3d& point_W, const std::vector<Eigen::Vector3d>& forces_W) const;
 
  private:
@@ -56,8 +57,8 @@ class ParticleSystem {
   Eigen::Vector3d momentum_W_ = Eigen::Vector3d::Zero();
 };
 
-/// The particles given the velocities of a rigid body: v = V_K + omega × (r - R_K) (eq 4), K any point of the
-/// body. In m, m/s, rad/s; the velocities that the particles had do not matter. @throws as ParticleSystem.
+/// Returns the particles with the velocities of a rigid body: v = V_K + omega × (r - R_K) (eq 4), in m, m/s,
+/// rad/s. K is any point of the body. The particles' own velocities are ignored. @throws as ParticleSystem.
 ParticleSystem rigidlyMoving(std::vector<Particle> particles, const Eigen::Vector3d& K_W,
                              const Eigen::Vector3d& velocityOfK_W, const Eigen::Vector3d& omega_W);
 

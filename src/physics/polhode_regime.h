@@ -5,11 +5,11 @@
 
 namespace poinsot::physics {
 
-/// The kind of a free rotation: which curve the angular velocity draws on the energy ellipsoid.
+/// Kind of a free rotation, by the curve that the angular velocity draws on the energy ellipsoid.
 enum class PolhodeRegime {
   kSteady,         ///< a point: rest, spin about a principal axis, any spin of a sphere
-  kAboutLargest,   ///< a closed curve round the axis of largest moment (L^2 > 2 T I_mid)
-  kAboutSmallest,  ///< a closed curve round the axis of smallest moment (L^2 < 2 T I_mid)
+  kAboutLargest,   ///< a closed curve about the axis of largest moment (L^2 > 2 T I_mid)
+  kAboutSmallest,  ///< a closed curve about the axis of smallest moment (L^2 < 2 T I_mid)
   kSeparatrix,     ///< L^2 = 2 T I_mid exactly: half a curve, from the middle axis to its opposite
 };
 

@@ -10,7 +10,6 @@
 namespace poinsot::physics {
 namespace {
 
-/// Sorted index of the symmetry axis; empty if no two moments are equal.
 std::optional<std::size_t> symmetryAxis(const ScaledStart& start) {
   if (start.I[0] == start.I[1]) return 2;
   if (start.I[1] == start.I[2]) return 0;
@@ -33,7 +32,7 @@ std::optional<PrecessionCones> precessionCones(const PrincipalMoments& moments, 
   const double across = std::sqrt(u * u + v * v), along = std::abs(s.omega[*c]);
   if (across == 0 && along == 0) return std::nullopt;
   const auto rate = [&](double scaled) { return std::ldexp(scaled, s.rateExponent); };
-  const double momentumAlong = I3 / I1 * along;  // over I1
+  const double momentumAlong = I3 / I1 * along;  // component of L along k, divided by I1
   PrecessionCones cones;
   cones.axis = s.axis[*c];
   cones.k_P = (omega_P[cones.axis] < 0 ? -1 : 1) * Eigen::Vector3d::Unit(cones.axis);

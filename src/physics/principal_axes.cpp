@@ -19,9 +19,9 @@ namespace {
 
 using Vector = std::array<DoubleDouble, 3>;
 
-/// Sets components to 0 that are no more than the rounding of a turn there and back, so that a spin along a
-/// principal axis stays exactly steady; about the middle axis the rounding would grow into a flip. Measured: 5.4
-/// units in the last place of the largest component in 2e7 random turns, hence 8.
+/// Sets to 0 all components within the rounding of a turn there and back, so that a spin along a principal axis
+/// stays exactly steady. About the middle axis the rounding would grow into a flip. Measured: 5.4 units in the
+/// last place of the largest component in 2e7 random turns, hence 8.
 Eigen::Vector3d withoutRounding(const Eigen::Vector3d& v) {
   const double rounding = 8 * std::numeric_limits<double>::epsilon() * v.cwiseAbs().maxCoeff();
   return v.unaryExpr([&](double component) { return std::abs(component) <= rounding ? 0.0 : component; });
@@ -42,7 +42,6 @@ double offDiagonal(const Eigen::Matrix3d& I) {
   return std::max({std::fabs(I(1, 0)), std::fabs(I(2, 0)), std::fabs(I(2, 1))});
 }
 
-/// Moments, ascending, with their axes.
 struct Sorted {
   std::array<double, 3> moments;
   std::array<Vector, 3> axes_B;
@@ -59,7 +58,7 @@ Sorted sorted(const SymmetricEigen& eigen) {
   return result;
 }
 
-/// Moments that differ by the rounding of a tensor only become one number. Ascending.
+/// Makes moments equal that differ by the rounding of a tensor only. The moments ascend.
 void equalize(std::array<double, 3>& moments) {
   auto& [a, b, c] = moments;
   const bool low = b - a <= kTensorRounding * c, high = c - b <= kTensorRounding * c;
@@ -71,11 +70,12 @@ void equalize(std::array<double, 3>& moments) {
     b = c = b + (c - b) / 2;
 }
 
-/// The axes that three different moments have, each of the sign that leaves the smallest turn from B: of the four
-/// proper rotations, whose w are the four components of any one of them, that with the largest.
+/// Returns the rotation to the axes of three different moments, with the signs that leave the smallest turn from
+/// B. Four proper rotations are possible; their w are the four components of any one of them, and the largest w
+/// wins.
 Quaternion nearestOfFour(std::array<Vector, 3> axes_B) {
   axes_B[2] = cross(axes_B[0], axes_B[1]);
-  const auto traceWith = [&](std::size_t kept) {  // the other two axes turned round; 3: none
+  const auto traceWith = [&](std::size_t kept) {  // reverses the axes other than `kept`; none for 3
     DoubleDouble trace;
     for (std::size_t i = 0; i < 3; ++i) trace += kept == 3 || kept == i ? axes_B[i][i] : -axes_B[i][i];
     return trace;
@@ -85,12 +85,13 @@ Quaternion nearestOfFour(std::array<Vector, 3> axes_B) {
     if (traceWith(kept) > traceWith(best)) best = kept;
   for (std::size_t i = 0; i < 3; ++i)
     if (best != 3 && best != i) axes_B[i] = -axes_B[i];
-  const auto& [x, y, z] = axes_B;  // columns of R_BP
+  const auto& [x, y, z] = axes_B;
   const DoubleDouble w = sqrt(1 + x[0] + y[1] + z[2]) / 2, fourW = 4 * w;
   return toQuaternion({w, (y[2] - z[1]) / fourW, (z[0] - x[2]) / fourW, (x[1] - y[0]) / fourW});
 }
 
-/// Only one axis exists: the shortest turn that brings B's axis number `which` to its line, and no other.
+/// Returns the shortest turn that brings B's axis number `which` to the line of axis_B, for a body whose other two
+/// axes are arbitrary.
 Quaternion shortestTurn(std::size_t which, Vector axis_B) {
   if (axis_B[which].hi < 0) axis_B = -axis_B;
   Vector from{0, 0, 0};
@@ -103,7 +104,7 @@ PrincipalMoments momentsOf(const std::array<double, 3>& moments) {
   return PrincipalMoments({moments[0], moments[1], moments[2]});
 }
 
-/// A thin rod's tensor, turned, has a moment of a few roundings in place of 0. Ascending.
+/// Refuses a moment of a few roundings instead of 0, as in the turned tensor of a thin rod. The moments ascend.
 void requireThickness(const std::array<double, 3>& moments) {
   const auto& [low, middle, high] = moments;
   if (low > 0 && low <= kTensorRounding * high)
@@ -113,7 +114,7 @@ void requireThickness(const std::array<double, 3>& moments) {
                     low, middle, high));
 }
 
-/// The axes are B's own up to rounding: moments in the order of B's axes.
+/// Returns moments in the order of B's axes, which are principal up to rounding.
 PrincipalMoments keptMoments(const Eigen::Matrix3d& inertia_B) {
   const std::array<double, 3> diagonal{inertia_B(0, 0), inertia_B(1, 1), inertia_B(2, 2)};
   if (offDiagonal(inertia_B) == 0) return momentsOf(diagonal);

@@ -9,13 +9,13 @@
 
 namespace poinsot::physics {
 
-/// The three principal moments of inertia about the centre of mass, in kg·m², in the order of the body's axes
-/// (any order). Valid by construction: finite, positive, no moment above the sum of the other two.
+/// Principal moments of inertia about the centre of mass, kg·m², in the order of the body's axes (any order).
+/// Valid by construction: finite, positive, and no moment above the sum of the other two.
 class PrincipalMoments {
  public:
-  /// PrincipalMoments(1, 2, 2.5). @throws core::Error(kPhysics) naming the violated condition and the values.
+  /// Takes three moments, kg·m². @throws core::Error(kPhysics) naming the violated condition and the values.
   PrincipalMoments(double I1, double I2, double I3);
-  /// Takes the three moments from a vector. A template, so that braces mean the three numbers.
+  /// Takes the moments from a vector. This is a template, so that braces mean three numbers.
   /// @throws core::Error(kPhysics) as PrincipalMoments(double, double, double) does.
   template <typename Derived>
   explicit PrincipalMoments(const Eigen::EigenBase<Derived>& moments) : moments_(moments.derived()) {
@@ -29,13 +29,13 @@ class PrincipalMoments {
     return moments_[axis];
   }
 
-  /// The axes from the smallest moment to the largest; equal ones keep their order.
+  /// Returns the axes from the smallest moment to the largest; axes of equal moments keep their order.
   std::array<int, 3> ascendingAxes() const;
 
-  /// I·omega in principal axes: body components of the angular momentum, in kg·m²/s.
+  /// Returns I·omega, the angular momentum along the principal axes, kg·m²/s.
   Eigen::Vector3d angularMomentum(const Eigen::Vector3d& omega_B) const;
 
-  /// T = ½ ω·I·ω (eq 12), in joules.
+  /// Returns the kinetic energy T = ½ ω·I·ω, J (eq 12).
   double kineticEnergy(const Eigen::Vector3d& omega_B) const;
 
  private:

@@ -11,14 +11,13 @@
 
 namespace poinsot::physics {
 
-/// @throws core::Error(kPhysics) "NAME must be finite, got VALUE", if it is not. @param unit  after the value,
-/// with its blank
+/// Requires a finite number. @param unit follows the value in the message; begins with a blank
+/// @throws core::Error(kPhysics) "NAME must be finite, got VALUE" if the value is not finite.
 inline void requireFinite(double value, std::string_view name, std::string_view unit = "") {
   if (!std::isfinite(value))
     throw core::physicsError(fmt::format("{} must be finite, got {}{}", name, value, unit));
 }
 
-/// Likewise of a vector, of which it shows all three components.
 inline void requireFinite(const Eigen::Vector3d& v, std::string_view name, std::string_view unit = "") {
   if (!v.allFinite())
     throw core::physicsError(fmt::format("{} must be finite, got ({}, {}, {}){}", name, v[0], v[1], v[2], unit));

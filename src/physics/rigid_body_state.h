@@ -9,14 +9,14 @@
 
 namespace poinsot::physics {
 
-/// All that varies of a rotating rigid body, at one time. B: the axes the body was described in, W: inertial axes.
+/// State of a rotating rigid body at one time. B are the axes of the body's description, W are inertial axes.
 struct RigidBodyState {
-  double t_s = 0;                                     ///< motion time, s
+  double t_s = 0;
   Quaternion q_WB = Quaternion::Identity();           ///< unit, takes B components to W components
   Eigen::Vector3d omega_B = Eigen::Vector3d::Zero();  ///< angular velocity, rad/s
-  Eigen::Vector3d omega_W = Eigen::Vector3d::Zero();  ///< the same vector in W
-  Eigen::Vector3d L_W = Eigen::Vector3d::Zero();      ///< angular momentum, kg·m²/s
-  double kineticEnergy = 0;                           ///< of rotation, J (eq 12)
+  Eigen::Vector3d omega_W = Eigen::Vector3d::Zero();
+  Eigen::Vector3d L_W = Eigen::Vector3d::Zero();  ///< angular momentum, kg·m²/s
+  double kineticEnergy = 0;                       ///< kinetic energy of rotation, J (eq 12)
 };
 
 static_assert(core::laidOut<RigidBodyState, 120>());

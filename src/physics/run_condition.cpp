@@ -14,13 +14,13 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-/// |omega| in the units of the start.
+/// Returns |omega| in the units of the start.
 double size(const ScaledStart& start) {
   const auto& w = start.omega;
   return std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
 }
 
-/// dD/eps: the sum of what the rounding of each input does to D = I3 (I3 - I2) w3² - I1 (I2 - I1) w1².
+/// Returns dD/eps: the sum of the effects of each input's rounding on D = I3 (I3 - I2) w3² - I1 (I2 - I1) w1².
 double sensitivity(const ScaledStart& start, bool aligned) {
   const auto& I = start.I;
   const auto& w = start.omega;
@@ -31,17 +31,16 @@ double sensitivity(const ScaledStart& start, bool aligned) {
   return of(0) + of(2);
 }
 
-/// e^x - 1 for x >= 0; infinite where a double cannot hold it.
 double growth(double x) {
   return x > kLargestExponent ? std::numeric_limits<double>::infinity() : exponential(x) - 1;
 }
 
-/// The uncertainty that the passages of the middle axis bring, over eps.
+/// Returns the uncertainty due to the passages of the middle axis, divided by eps.
 double ofPassages(const FreeMotionConstants& k, bool aligned, double tau, double flips) {
   if (k.regime == PolhodeRegime::kSteady) return 0;
   const double dD = sensitivity(k.start, aligned), D = std::abs(toDouble(k.D));
   const auto& I = k.start.I;
-  const double unit = (I[k.c] - I[1]) / (I[k.c] - I[k.a]) * toDouble(k.c == 2 ? k.D1 : k.D3);  // D = mc times this
+  const double unit = (I[k.c] - I[1]) / (I[k.c] - I[k.a]) * toDouble(k.c == 2 ? k.D1 : k.D3);  // D = mc * unit
   const double grown = dD / unit * growth(toDouble(k.lambda) * tau);
   return k.periodic() ? std::min(grown, flips * dD / D) : grown;
 }

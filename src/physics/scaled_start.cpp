@@ -9,8 +9,9 @@
 namespace poinsot::physics {
 namespace {
 
-// A component this much smaller than the largest is taken as 0: its square would leave the range of the products
-// below. It moves the attitude by less than 1e-105 rad, or, on the middle axis, would need 240 e-foldings to show.
+// A component that is smaller than this, relative to the largest, counts as 0, because its square would leave the
+// range of the products below. This moves the attitude by less than 1e-105 rad; on the middle axis it would need
+// 240 e-foldings to show.
 constexpr double kSmallestComponent = 0x1p-350;
 
 bool isOdd(const std::array<int, 3>& p) {

@@ -10,7 +10,7 @@
 namespace poinsot::physics {
 namespace {
 
-// Wings may touch the hub; 1.1 - 1.2/2 is not 0.5 in doubles.
+// Relative tolerance: wings may touch the hub, and 1.1 - 1.2/2 is not 0.5 in doubles.
 constexpr double kTouching = 1e-12;
 
 template <typename Vector>

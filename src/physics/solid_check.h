@@ -5,11 +5,12 @@
 
 namespace poinsot::physics {
 
+/// Checks that a solid is possible.
 /// @throws core::Error(kPhysics) naming a length that is not positive and finite, lengths that do not fit
 /// together, or a kind of polyhedron that does not exist.
 void requirePossible(const Solid& solid);
 
-/// @throws core::Error(kPhysics) "NAME must be positive and finite, got VALUE".
+/// @throws core::Error(kPhysics) "NAME must be positive and finite, got VALUE" if the value is not.
 void requirePositive(double value, const char* name);
 
 }  // namespace poinsot::physics

@@ -10,7 +10,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// M (b² + c²)/n and cyclic.
 Vector3d threeLengths(double M, const Vector3d& lengths_m, double n) {
   const Vector3d squares = lengths_m.cwiseAbs2();
   return M / n * Vector3d(squares[1] + squares[2], squares[2] + squares[0], squares[0] + squares[1]);
@@ -18,7 +17,6 @@ Vector3d threeLengths(double M, const Vector3d& lengths_m, double n) {
 
 Vector3d aboutZ(double across, double along) { return {across, across, along}; }
 
-/// Of the regular polyhedra, per mass and edge squared; phi is the golden ratio.
 double momentPerSquare(PolyhedronKind kind) {
   const double phi = (1 + std::sqrt(5.0)) / 2;
   switch (kind) {
@@ -37,13 +35,13 @@ double momentPerSquare(PolyhedronKind kind) {
 }
 
 /// Principal moments about the centre of mass, in the solid's own axes, kg·m². Sources: Landau & Lifshitz,
-/// Mechanics, section 32 (box, ellipsoid, cylinder, cone, rod); the rest are the integrals ∫(y² + z²)dm of their
-/// definitions, each checked against a mesh or a sum in tests/physics/solid_test.cpp.
+/// Mechanics, section 32 (box, ellipsoid, cylinder, cone, rod); the others are the integrals ∫(y² + z²)dm, each
+/// checked against a mesh or a sum in tests/physics/solid_test.cpp.
 struct Moments {
   double M;
 
   Vector3d operator()(const Box& s) const { return threeLengths(M, s.edges_m, 12); }
-  /// (V b² - V'b'²)/(V - V') = b² + (b² - b'²) V'/(V - V'), so that thin walls keep their digits.
+  /// Uses (V b² - V'b'²)/(V - V') = b² + (b² - b'²) V'/(V - V'), so that thin walls keep their digits.
   Vector3d operator()(const HollowBox& s) const {
     const Vector3d inner = s.edges_m - Vector3d::Constant(2 * s.wall_m);
     const double ratio = volume(Box{inner}) / volume(s);
@@ -55,7 +53,7 @@ struct Moments {
   Vector3d operator()(const Plate& s) const { return threeLengths(M, {s.edges_m[0], s.edges_m[1], 0}, 12); }
   Vector3d operator()(const Ellipsoid& s) const { return threeLengths(M, s.semiAxes_m, 5); }
   Vector3d operator()(const EllipsoidShell& s) const { return threeLengths(M, s.semiAxes_m, 3); }
-  /// 2(r⁵ - i⁵)/(5(r³ - i³)), both divided by r - i.
+  /// Evaluates 2(r⁵ - i⁵)/(5(r³ - i³)) with both differences divided by r - i.
   Vector3d operator()(const Sphere& s) const {
     const double r = s.radius_m, i = s.innerRadius_m;
     const double fourth = r * r * r * r + r * r * r * i + r * r * i * i + r * i * i * i + i * i * i * i;
@@ -109,7 +107,6 @@ struct Moments {
   }
 };
 
-/// Where the centre of mass is, in the solid's own axes, unless at their origin.
 struct Centre {
   Vector3d operator()(const Hemisphere& s) const { return {0, 0, 3 * s.radius_m / 8}; }
   template <typename Other>
@@ -128,7 +125,7 @@ MassProperties combined(const std::vector<SolidPart>& pieces, double mass_kg) {
     placed.push_back(massProperties(piece));
   }
   const MassProperties whole = combined(placed);
-  return {mass_kg, whole.centre_B(), whole.inertia_B()};  // the shares' sum may miss the mass by a rounding
+  return {mass_kg, whole.centre_B(), whole.inertia_B()};  // the sum of the pieces may miss mass_kg by a rounding
 }
 
 template <typename S>

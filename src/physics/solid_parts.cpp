@@ -10,14 +10,14 @@ using Eigen::Vector3d;
 
 // Turns that are exact in doubles.
 const Quaternion kUnturned(1, 0, 0, 0);
-const Quaternion kZtoX(.5, .5, .5, .5);     // x to y to z to x
-const Quaternion kZtoY(.5, -.5, -.5, -.5);  // z to y to x to z
-const Quaternion kUpsideDown(0, 1, 0, 0);   // half a turn about x
+const Quaternion kZtoX(.5, .5, .5, .5);
+const Quaternion kZtoY(.5, -.5, -.5, -.5);
+const Quaternion kUpsideDown(0, 1, 0, 0);
 
-// Of the two pieces of a racket, in units of 0.01 kg.
+// Mass shares of a racket's pieces, in units of 0.01 kg.
 constexpr double kHoopShare = 17, kHandleShare = 16;
 
-/// At one density: the mass is the volume.
+/// Returns a part whose mass is its volume, for bodies of one density.
 SolidPart ofVolume(const Solid& solid, const Quaternion& q_BS, const Vector3d& offset_B) {
   return {solid, volume(solid), q_BS, offset_B};
 }

@@ -7,8 +7,8 @@
 
 namespace poinsot::physics {
 
-// The pieces of the solids that have no short formula of their own: masses in any common unit, only their ratios
-// count. Internal to this layer; partsOf() is for others.
+// Pieces of the solids that have no short formula of their own. Masses are in any common unit, because only their
+// ratios count. Internal to this library; other libraries call partsOf().
 
 std::vector<SolidPart> piecesOf(const Capsule& solid);
 std::vector<SolidPart> piecesOf(const LPlate& solid);

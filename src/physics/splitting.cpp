@@ -14,8 +14,8 @@ using Components = std::array<double, 3>;
 
 Components componentsOf(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
-/// Points of a step, each rounded to a multiple of one unit in the last place of h: what lies between them adds up
-/// to h exactly, else a step would be longer or shorter by the same rounding every time.
+/// Points of a step, each rounded to a multiple of one ulp of h, so that the intervals between them add up to h
+/// exactly. Otherwise every step would be longer or shorter by the same rounding.
 class StepGrid {
  public:
   explicit StepGrid(double h) : h_(h) {
@@ -52,7 +52,7 @@ double Splitting::fastestRate(const DrivenState& state) const {
   return std::max({angularSpeed(state), loss, dragRate_[0], dragRate_[1], dragRate_[2]});
 }
 
-// |L| decays at least like e^(-d t), d the slowest drag, so the turn that is left is at most |L|/(I_min d).
+// |L| decays at least like e^(-d t) with the slowest drag d, so the turn that is left is at most |L|/(I_min d).
 double Splitting::untilRest_s(const DrivenState& state, const ForcingPiece& piece) const {
   constexpr double kNoTurn_rad = 1e-290;
   const double slowest = std::min({dragRate_[0], dragRate_[1], dragRate_[2]});
@@ -114,24 +114,24 @@ void Splitting::drag(DrivenState& state, double h) const {
   state.addMomentum(1, rotated(toDouble(state.q_WP), change));
 }
 
-// m_i ~ m_i(0) e^(-alpha L^2 t/I_i), brought back to the length L. The attitude goes the shortest way: its error
+// m_i ~ m_i(0) e^(-alpha L^2 t/I_i), brought back to the length L. The attitude takes the shortest turn; its error
 // is of third order in h and odd, as a symmetric step needs.
 void Splitting::dissipate(DrivenState& state, double h) const {
   if (alpha_ == 0) return;
   Components n = state.momentum_P();
   const double L = norm(n);
   if (L == 0) return;
-  // Of the axis that gains, so that no exponential exceeds 1.
+  // Moment of the axis that gains, so that no exponential exceeds 1.
   const double gaining = h > 0 ? *std::max_element(I_.begin(), I_.end()) : *std::min_element(I_.begin(), I_.end());
   Components lost;
-  double square = 0;  // of the new length, less 1
+  double square = 0;  // squared new length, minus 1
   for (std::size_t i = 0; i < 3; ++i) {
     n[i] /= L;
     lost[i] = exponentialLessOne(-(alpha_ * L * L * h) * ((gaining - I_[i]) / (gaining * I_[i])));
     square += n[i] * n[i] * (lost[i] * (2 + lost[i]));
   }
   const double length = std::sqrt(1 + square);
-  const double rescaling = -square / (length * (1 + length));  // 1/length - 1
+  const double rescaling = -square / (length * (1 + length));
   for (std::size_t i = 0; i < 3; ++i) lost[i] = n[i] * (lost[i] + rescaling * (1 + lost[i]));
   state.turn(turnKeeping(n, lost, 0));
 }

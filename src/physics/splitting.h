@@ -11,12 +11,12 @@
 
 namespace poinsot::physics {
 
-/// The motion of a driven body taken apart into flows that are each exactly solvable:
+/// Motion of a driven body, split into flows that can each be solved exactly:
 ///
-///   drift        the free rotation, with drag where its rates are equal; time runs in it alone
-///   kick         L += h N(R, t), the attitude and the time fixed
-///   drag         m_i -> e^(-d_i h) m_i, the attitude fixed
-///   dissipation  m' = alpha m × (m × omega), the attitude following so that L stays
+///   drift        the free rotation, with drag if its rates are equal; the only flow in which time runs
+///   kick         L += h N(R, t), at fixed attitude and time
+///   drag         m_i -> e^(-d_i h) m_i, at fixed attitude
+///   dissipation  m' = alpha m × (m × omega), the attitude following so that L is constant
 ///
 /// The flow of the whole is R' = R [omega + alpha m × omega], L' = N - R d R^-1 L (m = R^-1 L = I omega).
 class Splitting {
@@ -24,22 +24,21 @@ class Splitting {
   /// @pre forcing is valid.
   Splitting(const PrincipalAxes& axes, const Forcing& forcing);
 
-  /// One step of h_s seconds (either sign) from the time `since_s` after the piece's begin. @pre the composition
-  /// is one of symmetric steps where dependsOnMomentum().
+  /// Advances the state by one step of h_s seconds (either sign), from the time `since_s` after the piece's begin.
+  /// @pre the composition is one of symmetric steps if dependsOnMomentum().
   void step(DrivenState& state, const Composition& composition, const ForcingPiece& piece, double since_s,
             double h_s) const;
 
-  /// |omega|, rad/s.
   double angularSpeed(const DrivenState& state) const;
-  /// The fastest of |omega|, the drag and the dissipation, 1/s: stages that run backwards undo the latter two, and
-  /// would blow up in steps much longer than their time.
+  /// Returns the fastest of |omega|, the drag and the dissipation, 1/s. Stages that run backwards undo drag and
+  /// dissipation, and would blow up in steps much longer than the inverse of their rates.
   double fastestRate(const DrivenState& state) const;
 
-  /// The time after which the body is at rest, s: drag is all that acts, and no turn above 1e-290 rad is left. Not
-  /// positive: it is at rest now. Infinite where something else acts, or time runs backwards.
+  /// Returns the time until the body is at rest, s: only drag acts, and at most a turn of 1e-290 rad is left. 0 if
+  /// the body is at rest now, infinite if anything else acts or time runs backwards.
   double untilRest_s(const DrivenState& state, const ForcingPiece& piece) const;
 
-  /// Whether the kicks are joined by flows that depend on the angular momentum, so that only compositions of
+  /// Returns whether the step has flows that depend on the angular momentum, so that only compositions of
   /// symmetric steps keep their order.
   bool dependsOnMomentum() const { return anisotropic_ || alpha_ > 0; }
 

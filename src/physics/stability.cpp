@@ -12,7 +12,6 @@
 namespace poinsot::physics {
 namespace {
 
-/// Whether I·omega is parallel to omega, to 1e-12.
 bool isAlongPrincipalAxis(const PrincipalMoments& moments, const Eigen::Vector3d& omega_P) {
   constexpr double kParallel = 1e-12;
   const double largest = omega_P.cwiseAbs().maxCoeff();
@@ -46,7 +45,7 @@ namespace {
 
 constexpr double kTangentOfFlip = 0.36397023426620234;  // tan 20 deg, see FlipTimes::turnsOver
 
-/// |m_c/m_2| at m_a = 0: eq (38) and |m| = L, solved for the two.
+/// Returns |m_c/m_2| at m_a = 0, from eq (38) and |m| = L.
 double tangentFromMiddle(const FreeMotionConstants& k) {
   const DoubleDouble& other = k.c == 2 ? k.D3 : k.D1;
   return toDouble(sqrt(abs(k.D) * k.start.I[k.c] / (other * k.start.I[1])));

@@ -22,12 +22,12 @@ namespace {
 
 using DD = DoubleDouble;
 
-/// A given |L| and T, and the moments in ascending order, all divided by powers of two that leave |L| and I3 in
-/// [1/2, 1): squares stay in range whatever the units.
+/// Given |L| and T, and the moments in ascending order, divided by powers of two that bring |L| and I3 into [1/2,
+/// 1). Squares then stay in range in any units. rateExponent is the power of omega = m/I.
 struct ScaledEnergy {
   double L = 0, T = 0;
   std::array<double, 3> I{};
-  int rateExponent = 0;  ///< of omega = m/I
+  int rateExponent = 0;
 };
 
 ScaledEnergy scaledEnergy(const PrincipalMoments& moments, const EnergyStart& start) {
@@ -41,10 +41,11 @@ ScaledEnergy scaledEnergy(const PrincipalMoments& moments, const EnergyStart& st
   return s;
 }
 
-/// L² - 2 T I, exactly; 0 where that may be the rounding of decimals (a spin about the axis was meant).
+/// Returns L² - 2 T I exactly, or 0 if the difference may be the rounding of decimals (a spin about the axis was
+/// meant).
 DD excess(const ScaledEnergy& s, double I) {
   constexpr double kRoundingOfGiven =
-      8 * std::numeric_limits<double>::epsilon();  // of T, L² and I, each given rounded
+      8 * std::numeric_limits<double>::epsilon();  // T, L² and I are each given rounded
   Expansion square, energy;
   square.add(s.L);
   square.scale(s.L);
@@ -55,7 +56,7 @@ DD excess(const ScaledEnergy& s, double I) {
   return std::abs(difference.hi) <= kRoundingOfGiven * s.L * s.L ? DD(0) : difference;
 }
 
-/// That the polhode goes round the axis of smallest moment, or is a point on it.
+/// Returns whether the polhode goes round the axis of smallest moment, or is a point on it.
 bool circlesSmallest(const ScaledEnergy& s) {
   return excess(s, s.I[2]) < DD(0) && (excess(s, s.I[0]) == DD(0) || excess(s, s.I[1]) < DD(0));
 }
@@ -82,18 +83,17 @@ void requireValid(const PrincipalMoments& moments, const EnergyStart& start) {
   if ((start.kineticEnergy == 0) != (start.angularMomentum == 0)) refuseMomentum(moments, start);
 }
 
-/// omega_P at phase 0. @throws core::Error(kPhysics) if no state has this energy and momentum.
 Eigen::Vector3d omegaAtPhaseZero(const PrincipalMoments& moments, const EnergyStart& start) {
   const ScaledEnergy s = scaledEnergy(moments, start);
   const auto axis = moments.ascendingAxes();
   const DD D1 = excess(s, s.I[0]), D3 = -excess(s, s.I[2]), gap = twoSum(s.I[2], -s.I[0]);
-  constexpr double kBeyondAnyBody = 0x1p200;  // of T: the differences are no numbers where it overflows
+  constexpr double kBeyondAnyBody = 0x1p200;  // limit of T; above, the differences overflow to NaN
   if (s.T > kBeyondAnyBody || D1 < DD(0) || D3 < DD(0)) refuseMomentum(moments, start);
   Eigen::Vector3d omega_P = Eigen::Vector3d::Zero();
   const auto set = [&](std::size_t i, const DD& omega) {
     omega_P[axis[i]] = std::ldexp(toDouble(omega), s.rateExponent);
   };
-  if (D1 == DD(0) && D3 == DD(0)) {  // a sphere, as far as can be told
+  if (D1 == DD(0) && D3 == DD(0)) {  // a sphere, to rounding
     set(2, DD(s.L) / s.I[2]);
   } else {
     set(0, sqrt(D3 / (gap * s.I[0])));

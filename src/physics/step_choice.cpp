@@ -9,13 +9,13 @@
 namespace poinsot::physics {
 namespace {
 
-constexpr int kSamples = 200;          // of the difference of two runs, on each side of 0
-constexpr double kShrinkMost = 0.125;  // in one go: the first differences may be too large to obey the order
-constexpr double kAsymptotic_rad =
-    1e-3;                             // below this the order is obeyed, so that what does not shrink is rounding
-constexpr double kWorthless = 1e-18;  // a local error far below a rounding
-// Of the angle turned: what may be wrong in the same way all along, in a run of any step. Measured for free bodies
-// after 1400 rad: 0.1 to 3.8 of it, mostly below 1; for the heavy top after 2e4 rad: 0.3.
+constexpr int kSamples = 200;          // samples of the difference of two runs, on each side of 0
+constexpr double kShrinkMost = 0.125;  // per attempt: the first differences may be too large to obey the order
+/// Smaller differences obey the order of the method, so that what does not shrink is rounding.
+constexpr double kAsymptotic_rad = 1e-3;
+constexpr double kWorthless = 1e-18;  // a local error far below rounding
+// Error that runs of any step may have in common, as a fraction of the angle turned. Measured for free bodies
+// after 1400 rad: 0.1 to 3.8 times this, mostly below 1; for the heavy top after 2e4 rad: 0.3 times.
 constexpr double kCommonRounding = 0x1p-53;
 
 double angleBetween(const DrivenState& a, const DrivenState& b) {
@@ -39,7 +39,8 @@ double power(double x, int n) {
   return result;
 }
 
-/// The largest of 1, 0.95, 0.95^2, ... whose n-th power is at most `bound`: the n-th root without a logarithm.
+/// Returns the n-th root of `bound` without a logarithm: the largest of 1, 0.95, 0.95^2, ... whose n-th power is
+/// at most `bound`.
 double rootBelow(double bound, int n, double least) {
   double root = 1;
   while (root > least && power(root, n) > bound) root *= 0.95;
@@ -91,7 +92,7 @@ ChosenRun StepChoice::attempt(double scale) const {
   return run;
 }
 
-// A difference as small as the common rounding is small enough: less would not make the estimate much smaller.
+// A difference as small as the common rounding is small enough: less would hardly reduce the estimate.
 ChosenRun StepChoice::run() const {
   const double goal = std::max(tolerance_, 2 * rounding_rad_);
   const double shortest = rootBelow(kWorthless / kPilotError, composition_.order + 1, 0);

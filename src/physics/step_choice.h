@@ -5,30 +5,30 @@
 
 namespace poinsot::physics {
 
-/// A driven body, its start and the span of time wanted of it.
+/// Driven body with its start and the span of time to compute: from_s <= 0 <= to_s.
 struct DrivenProblem {
   PrincipalAxes axes;
   Forcing forcing;
   DrivenState start;
-  double from_s = 0;  ///< <= 0
-  double to_s = 0;    ///< >= 0
+  double from_s = 0;
+  double to_s = 0;
   double allowedSteps = kMostSteps;
 };
 
-/// A run that meets a tolerance, or the best that was found.
+/// Run that meets a tolerance, or the best run that was found.
 struct ChosenRun {
   const Composition* composition = nullptr;
-  DrivenTrajectory forward, backward;  ///< from 0 to either end
-  /// Largest angle between this run and one of longer steps, over the whole span, plus what roundings common to
-  /// both may hide: an estimate of the error of the attitude.
+  DrivenTrajectory forward, backward;  ///< from time 0 to the two ends
+  /// Estimated error of the attitude: the largest angle between this run and one of longer steps, over the whole
+  /// span, plus the roundings that may be common to both.
   double error_rad = 0;
   bool limitedByRounding = false;  ///< the tolerance is not met, and shorter steps would not help
 };
 
-/// Integrates the whole span with two step lengths, shorter and shorter until the two agree to the tolerance, or
-/// rounding alone is left. Chaos, growth by an unstable motion and the roundings themselves are all in that
-/// difference, as they are in the error.
-/// @throws core::Error(kLimit) if that needs more than mostSteps(); (kPhysics) as pilotPlan().
+/// Integrates the whole span with two step lengths, and shortens both until the results agree to the tolerance or
+/// only rounding is left. The difference includes chaos, the growth of an unstable motion and the roundings
+/// themselves, as the error does.
+/// @throws core::Error(kLimit) if this needs more than mostSteps(), (kPhysics) as pilotPlan() does.
 ChosenRun chosenRun(const DrivenProblem& problem, double tolerance_rad);
 
 }  // namespace poinsot::physics

@@ -12,27 +12,29 @@
 namespace poinsot::physics {
 namespace {
 
-// A torque fixed in the body is a torque of (R, t) that varies as fast as the body turns: longer steps could find
-// it where it was a turn ago and see no error.
+// A torque fixed in the body is a torque of (R, t) that varies as fast as the body turns. Longer steps could meet
+// it one turn later and see no error.
 constexpr double kLongestTurn_rad = 1;
 
-// Steps of the pilot for one part of a piece, where energy is not conserved; and the most parts.
+// Pilot steps for each part of a piece, and the largest number of parts, if energy is not conserved.
 constexpr std::size_t kStepsPerPart = 32, kMostPartsOfPiece = 16;
 
-// Angular momentum below this part of the largest yet is as good as none: else the pilot would follow the decay of
-// a body at rest down to the smallest doubles, whose digits are few.
+// Angular momentum below this fraction of the largest so far counts as none. Otherwise the pilot would follow the
+// decay of a body at rest down to the smallest doubles, whose digits are few.
 constexpr double kAtRest = 1e-12;
 
-// A run has at least so many steps for each of the pilot's (DrivenTrajectory, `finer`).
+// Least number of steps in a run for each pilot step (DrivenTrajectory, `finer`).
 constexpr double kFiner = 4.0 / 3;
 
+/// Step of the pilot: its start, counted from the start of the piece; the length that was accepted, which may pass
+/// the end of the piece; and whether the body is at rest until that end.
 struct PilotStep {
-  double since_s = 0;   // from the piece's begin, at the start of the step
-  double length_s = 0;  // that would have been good, were the piece long enough
-  bool atRest = false;  // to the end of the piece
+  double since_s = 0;
+  double length_s = 0;
+  bool atRest = false;
 };
 
-/// |a - b| in radians plus the part of the angular momentum by which they differ.
+/// Returns the angle between two attitudes in rad, plus the difference of the angular momenta divided by `scale`.
 double difference(const DrivenState& a, const DrivenState& b, double scale) {
   const Rotor<double> turn = conjugate(toDouble(a.q_WP)) * toDouble(b.q_WP);
   const double angle = 2 * std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
@@ -51,7 +53,6 @@ class Pilot {
         state_(start),
         largest_(size(start)) {}
 
-  /// The steps over one piece.
   std::vector<PilotStep> over(const ForcingPiece& piece);
 
   double turned_rad() const { return turned_; }
@@ -63,10 +64,10 @@ class Pilot {
 
   const Splitting& splitting_;
   const Composition& composition_;
-  double most_;  // steps
+  double most_;
   DrivenState state_;
-  double largest_;  // |L| so far
-  double h_ = 0;    // > 0, carried from piece to piece
+  double largest_;
+  double h_ = 0;  // > 0, carried from piece to piece
   double taken_ = 0;
   double turned_ = 0;
 };
@@ -76,7 +77,7 @@ double Pilot::longest() const {
   return rate > 0 ? kLongestTurn_rad / rate : HUGE_VAL;
 }
 
-/// The error of a step of signed length h; `after` it, from two halves.
+/// Returns the error of a step of signed length h. `after` becomes the state after two half steps.
 double Pilot::tried(const ForcingPiece& piece, double since, double h, DrivenState& after) const {
   DrivenState once = state_;
   after = state_;
@@ -132,7 +133,6 @@ std::vector<PilotStep> Pilot::over(const ForcingPiece& piece) {
   return steps;
 }
 
-/// The steps [first, last) of a piece as one stretch.
 Stretch stretchOf(const ForcingPiece& piece, const std::vector<PilotStep>& steps, std::size_t first,
                   std::size_t last) {
   Stretch stretch{piece, piece.begin_s + steps[first].since_s,

@@ -8,40 +8,40 @@
 
 namespace poinsot::physics {
 
-/// The most steps of a run, unless its caller allows others. As many take half a minute to a minute and a half on
-/// one core, the search for the length of the steps included (measured: 12 us a step of the run; with losses, 200
-/// us, so that of those there are a fifth).
+/// Default limit of the steps of a run. This many steps take 0.5 to 1.5 minutes on one core, including the search
+/// for their length. Measured: 12 us for each step of the run; 200 us with losses, which therefore get a fifth of
+/// the steps.
 inline constexpr double kMostSteps = 2e6;
 
-/// Of so many the most with this composition; a run that needs more is refused.
+/// Returns the limit of steps with a composition: a fifth of `allowed` for symmetric steps, otherwise `allowed`.
 double mostSteps(const Composition& composition, double allowed);
 
-/// A stretch of time that is integrated in equal steps.
+/// Stretch of time within one forcing piece, integrated in equal steps.
 struct Stretch {
-  ForcingPiece piece;  ///< holds the stretch
-  double begin_s = 0;  ///< the end nearer to 0
+  ForcingPiece piece;
+  double begin_s = 0;  ///< end nearer to time 0
   double end_s = 0;
-  double step_s = 0;    ///< > 0; the longest that the pilot found good, perhaps longer than the stretch
-  bool atRest = false;  ///< nothing changes any more
+  double step_s = 0;  ///< > 0; accepted by the pilot, may exceed the stretch
+  bool atRest = false;
 };
 
-/// From 0 to one end of the run.
+/// Step lengths from time 0 to one end of the run, in the order of integration.
 struct StepPlan {
-  std::vector<Stretch> stretches;  ///< in the order in which they are met
-  double turned_rad = 0;           ///< integral of |omega|, about
+  std::vector<Stretch> stretches;
+  double turned_rad = 0;  ///< approximate integral of |omega|
 };
 
-/// Local error that the pilot allows itself, as a part of a radian and of the angular momentum.
+/// Largest local error of a pilot step: angle in rad plus relative error of the angular momentum.
 inline constexpr double kPilotError = 1e-7;
 
-/// Goes from 0 to end_s in steps of such lengths that each is good to kPilotError, and notes the lengths: one for
-/// each piece of the forcing where energy is conserved (a structure-preserving method must not change its step
-/// then), else one for each part of it.
-/// @throws core::Error(kPhysics) where no step is short enough; (kLimit) where mostSteps() are too few.
+/// Integrates the pieces in steps that are each accurate to kPilotError, and records the step lengths. If energy
+/// is conserved, each piece gets one length, because a structure-preserving method must not change its step.
+/// Otherwise each part of a piece gets its own length.
+/// @throws core::Error(kPhysics) if no step is short enough, (kLimit) if mostSteps() are too few.
 StepPlan pilotPlan(const Splitting& splitting, const Composition& composition, const DrivenState& start,
                    const std::vector<ForcingPiece>& pieces, bool conservative, double allowedSteps = kMostSteps);
 
-/// The number of equal steps for a stretch whose step is scaled: at least `fewest`.
+/// Returns the number of equal steps, at least `fewest`, for a stretch whose step is scaled.
 double stepsIn(const Stretch& stretch, double scale, double fewest);
 
 }  // namespace poinsot::physics

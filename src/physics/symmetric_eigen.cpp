@@ -7,11 +7,12 @@
 namespace poinsot::physics {
 namespace {
 
-// Four or five sweeps are usual; the bound only ends the loop for a matrix that is not positive.
+// Four or five sweeps are usual; the limit only ends the loop for a matrix that is not positive.
 constexpr int kMostSweeps = 40;
-// An entry this small beside both its diagonal entries no longer changes them in double-double.
+// An entry that is smaller than this, relative to both its diagonal entries, no longer changes them in
+// double-double.
 constexpr double kNegligibleEntry = 0x1p-110;
-// And one this small beside the largest entry changes nothing that a tensor can be asked for.
+// An entry that is smaller than this, relative to the largest entry, changes no result.
 constexpr double kVanishing = 0x1p-300;
 
 using Row = std::array<DoubleDouble, 3>;
@@ -20,7 +21,8 @@ struct Iteration {
   std::array<Row, 3> a;
   std::array<Row, 3> vectors{Row{1, 0, 0}, Row{0, 1, 0}, Row{0, 0, 1}};
 
-  /// The rotation of at most 45° in the plane (p, q) that makes a[p][q] zero; false if it is already.
+  /// Zeroes a[p][q] by a rotation of at most 45° in the plane (p, q). Returns false if a[p][q] is already
+  /// negligible.
   bool annihilate(std::size_t p, std::size_t q) {
     const DoubleDouble off = a[p][q];
     const double least = std::min(std::fabs(a[p][p].hi), std::fabs(a[q][q].hi));

@@ -7,7 +7,6 @@
 namespace poinsot::physics {
 namespace {
 
-/// sum c[k] x^k by Horner.
 template <std::size_t N>
 double polynomial(const std::array<double, N>& c, double x) {
   double sum = c[N - 1];
@@ -15,7 +14,7 @@ double polynomial(const std::array<double, N>& c, double x) {
   return sum;
 }
 
-/// sign^k / (first + step... )!: Taylor coefficients 1/first!, sign/(first+2)!, ...
+/// Returns the Taylor coefficients 1/first!, sign/(first + step)!, 1/(first + 2 step)!, ...
 template <std::size_t N>
 constexpr std::array<double, N> inverseFactorials(int first, int step, double sign) {
   std::array<double, N> c{};
@@ -30,13 +29,13 @@ constexpr std::array<double, N> inverseFactorials(int first, int step, double si
   return c;
 }
 
-// The first term left out is below 1e-19 of the result on the interval named.
+// On the named interval, the first omitted term is below 1e-19 of the result.
 constexpr auto kSine = inverseFactorials<8>(3, 2, -1);         // (x - sin x)/x^3, |x| <= pi/4
 constexpr auto kCosine = inverseFactorials<8>(4, 2, -1);       // (cos x - 1 + x^2/2)/x^4, |x| <= pi/4
 constexpr auto kExponential = inverseFactorials<12>(3, 1, 1);  // (e^x - 1 - x - x^2/2)/x^3, |x| <= ln2/2
 constexpr auto kSinh = inverseFactorials<6>(3, 2, 1);          // (sinh x - x)/x^3, |x| <= 1/4
 
-/// 1/3, sign/5, 1/7, ...: of the arc tangent and its hyperbolic brother.
+/// Returns first/3, sign first/5, first/7, ...: the series of the arctangent and of artanh.
 template <std::size_t N>
 constexpr std::array<double, N> oddInverses(double first, double sign) {
   std::array<double, N> c{};
@@ -47,23 +46,22 @@ constexpr std::array<double, N> oddInverses(double first, double sign) {
 constexpr auto kArcTangent = oddInverses<11>(-1, -1);  // (atan t - t)/t^3, |t| <= 3/16
 constexpr auto kArcTanh = oddInverses<11>(1, 1);       // (artanh t - t)/t^3, |t| <= 3 - sqrt 8
 
-/// sin(x + tail), |x| <= pi/4; the tail enters to first order.
+/// Returns sin(x + tail) for |x| <= pi/4; the tail enters to first order.
 double sineNearZero(double x, double tail) {
   const double square = x * x;
   const double correction = -square * x * polynomial(kSine, square);
   return x + (correction + tail * (1 - 0.5 * square));
 }
 
-/// cos(x + tail), |x| <= pi/4.
+/// Returns cos(x + tail) for |x| <= pi/4; the tail enters to first order.
 double cosineNearZero(double x, double tail) {
   const double square = x * x;
   const double half = 0.5 * square;
   const double leading = 1 - half;
-  const double lost = (1 - leading) - half;  // what rounding took from 1 - x^2/2
+  const double lost = (1 - leading) - half;
   return leading + (lost + (square * square * polynomial(kCosine, square) - x * tail));
 }
 
-/// atan(k/8) as hi + lo, k = 0..8.
 constexpr std::array<DoubleDouble, 9> kArcTangentOfEighths = {{{0, 0},
                                                                {0.12435499454676144, -3.1253241424539383e-18},
                                                                {0.24497866312686414, 1.0698755618734451e-17},
@@ -74,8 +72,8 @@ constexpr std::array<DoubleDouble, 9> kArcTangentOfEighths = {{{0, 0},
                                                                {0.7188299996216245, -2.1478388444456983e-17},
                                                                {0.7853981633974483, 3.061616997868383e-17}}};
 
-/// atan of numerator/denominator in [0, 1] as hi + lo: atan(k/8) plus the series of what is left. That is at most
-/// 1/16, or 3/16 where k would be 1 and the two would cancel.
+/// Returns atan of numerator/denominator in [0, 1] as hi + lo: atan(k/8) plus the series of the rest. The rest is
+/// at most 1/16, or 3/16 where k would be 1 and the two terms would cancel.
 DoubleDouble arcTangentOfFraction(double numerator, double denominator) {
   double nearest = std::round(8 * numerator / denominator);
   if (nearest == 1) nearest = 0;
@@ -95,13 +93,13 @@ DoubleDouble arcTangentOfFraction(double numerator, double denominator) {
 constexpr DoubleDouble kLn2{0.6931471805599453, 2.3190468138462996e-17};
 constexpr double kSmallestExponent = -746;  // e^-746 is below half the smallest subnormal
 
-/// 2^exponent (hi + lo), hi + lo between 0.7 and 1.42.
+/// Value 2^exponent (hi + lo), with hi + lo between 0.7 and 1.42.
 struct ScaledValue {
   DoubleDouble significand;
   int exponent = 0;
 };
 
-/// e^x to 2^-60. @pre x > -2^30. Above 2^30 it is infinite or not a number.
+/// Returns e^x to 2^-60. For x above 2^30 the result is infinite or NaN. @pre x > -2^30.
 ScaledValue scaledExponential(double x) {
   const double n = std::round(x / kLn2.hi);
   const DoubleDouble r = DoubleDouble(x) - kLn2 * DoubleDouble(n);
@@ -111,9 +109,9 @@ ScaledValue scaledExponential(double x) {
   return {DoubleDouble(1) + (r + (DoubleDouble(0.5 * square.hi) + tail)), exponent};
 }
 
-// Beyond it e^-2|u| is below half an ulp of 1: tanh is 1, sech is 2 e^-|u|.
+// For larger |u|, e^-2|u| is below half an ulp of 1: tanh is 1, sech is 2 e^-|u|.
 constexpr double kTanhIsOne = 20;
-// Below it sinh is a series: 1 - e^-2|u| would cancel.
+// For smaller |u|, sinh is a series, because 1 - e^-2|u| would cancel.
 constexpr double kSinhIsASeries = 0.25;
 
 }  // namespace
@@ -131,13 +129,13 @@ SineCosine sineCosine(const DoubleDouble& angle) {
 double arcTangent(double x) {
   const double size = std::abs(x);
   if (size <= 1) return std::copysign(arcTangentOfFraction(size, 1).hi, x);
-  // Beyond 2^60 the complement is below half an ulp of pi/2 (and its halves would overflow in the end).
+  // Beyond 2^60 the complement is below half an ulp of pi/2, and splitting a huge `size` in halves would overflow.
   const DoubleDouble complement = size > 0x1p60 ? DoubleDouble(0) : arcTangentOfFraction(1, size);
   return std::copysign((kHalfPi - complement).hi, x);
 }
 
 double arcTangentQuotient(double e) {
-  constexpr double kSeriesEnds = 9.0 / 256;  // of kArcTangent
+  constexpr double kSeriesEnds = 9.0 / 256;  // square of 3/16, the range of kArcTangent
   if (e <= kSeriesEnds) return 1 + e * polynomial(kArcTangent, e);
   const double root = std::sqrt(e);
   return arcTangent(root) / root;
@@ -156,7 +154,7 @@ double exponentialLessOne(double x) {
   return (scaled(e.significand, e.exponent) - DoubleDouble(1)).hi;
 }
 
-// ln x = n ln 2 + 2 artanh t,  t = (f - 1)/(f + 1),  x = 2^n f,  f within sqrt 2 of 1.
+// ln x = n ln 2 + 2 artanh t, with t = (f - 1)/(f + 1), x = 2^n f, and f within a factor of sqrt 2 of 1.
 double logarithm(double x) {
   constexpr double kRootHalf = 0.7071067811865476;
   int n = 0;

@@ -5,37 +5,38 @@
 
 namespace poinsot::physics {
 
-// The transcendental functions of the motion, from + - * / sqrt only. The C library's choose their code (and so
-// their last bit) by the CPU they find; these give one trajectory on every machine. Within 1 ulp; the measured
-// errors stand in tests/physics/transcendental_test.cpp. A NaN gives a NaN: that is how the
-// integrator finds a step too long.
+// Transcendental functions of the motion, from + - * / sqrt only. The C library chooses its code, and so the last
+// bit, by the CPU; these functions give one trajectory on every machine. They are accurate to 1 ulp (measured in
+// tests/physics/transcendental_test.cpp). A NaN gives a NaN, by which the integrator detects a step that is too
+// long.
 
 struct SineCosine {
   double sine = 0;
   double cosine = 1;
 };
 
-/// Of an angle in radians: to 1 ulp, or, where the result is near 0, to 2^-103 of the angle. @pre |angle| < 2^53.
+/// Returns sine and cosine of an angle in rad, to 1 ulp or, where the result is near 0, to 2^-103 of the angle.
+/// @pre |angle| < 2^53.
 SineCosine sineCosine(const DoubleDouble& angle);
 
-/// In radians, within [-pi/2, pi/2]; atan(+-inf) = +-pi/2.
+/// Returns the arctangent in rad, within [-pi/2, pi/2]; atan(+-inf) = +-pi/2.
 double arcTangent(double x);
 
 inline constexpr double kLargestExponent = 700;
 
-/// atan(sqrt e)/sqrt e, which is R_C(1, 1 + e) of Carlson; 1 at 0. Within 2 ulp. @pre e >= 0.
+/// Returns atan(sqrt e)/sqrt e, which is Carlson's R_C(1, 1 + e); 1 at 0. Within 2 ulp. @pre e >= 0.
 double arcTangentQuotient(double e);
 
-/// e^x; 0 below the smallest double. @pre x <= kLargestExponent.
+/// Returns e^x, or 0 below the smallest double. @pre x <= kLargestExponent.
 double exponential(double x);
 
-/// e^x - 1, all digits kept near 0. @pre x <= kLargestExponent.
+/// Returns e^x - 1 with all digits near 0. @pre x <= kLargestExponent.
 double exponentialLessOne(double x);
 
-/// ln x. @pre x > 0.
+/// Returns ln x. @pre x > 0.
 double logarithm(double x);
 
-/// tanh u and sech u = 1/cosh u, consistent with each other; sech underflows to 0, nothing overflows.
+/// tanh u and sech u = 1/cosh u, consistent with each other. sech underflows to 0; nothing overflows.
 struct HyperbolicPair {
   double tanh = 0;
   double sech = 1;

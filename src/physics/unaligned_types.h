@@ -7,11 +7,11 @@
 #include "core/abi.h"
 #include "core/vector2.h"
 
-// Eigen aligns types of 16 and 32 bytes by the vector unit that a file is compiled for, and so changes the layout
-// of everything that holds them. Vector3d (24 bytes) and Matrix3d (72) are never aligned.
+// Eigen aligns types of 16 and 32 bytes by the vector unit that a file is compiled for, which changes the layout
+// of all classes that hold them. Vector3d (24 bytes) and Matrix3d (72) are never aligned.
 namespace poinsot::physics {
 
-/// A rotation; Eigen::Quaterniond converts to it and from it.
+/// Unaligned rotation; Eigen::Quaterniond converts to it and from it.
 using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
 
 using core::Vector2;

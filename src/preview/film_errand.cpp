@@ -24,7 +24,7 @@ namespace {
   throw core::graphicsError("no process can be started: " + core::systemReason(why));
 }
 
-/// Its standard error goes to `errors`; it reads nothing and prints nothing else.
+/// Starts poinsot with `errors` as standard error. Standard input and output are /dev/null.
 pid_t startProgram(const std::vector<std::string>& words, int errors) {
   const std::string program = core::programPath();
   std::vector<std::string> all{"poinsot"};
@@ -44,7 +44,6 @@ pid_t startProgram(const std::vector<std::string>& words, int errors) {
   return process;
 }
 
-/// A line of --progress=json, or last words.
 void take(const std::string& line, FilmState& state) {
   const auto json = nlohmann::json::parse(line, nullptr, false);
   if (!json.is_object()) {
@@ -65,7 +64,7 @@ FilmErrand::~FilmErrand() {
 bool FilmErrand::start(const std::vector<std::string>& words, std::vector<std::string> changes) {
   const std::scoped_lock lock(mutex_);
   if (state_.stage == FilmState::Stage::kMaking) return false;
-  if (follower_.joinable()) follower_.join();  // it is over
+  if (follower_.joinable()) follower_.join();
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) refuseFilm(errno);
   const core::FileHandle errors(ends[1]);
@@ -101,7 +100,7 @@ void FilmErrand::follow(const core::FileHandle& errors) {
       line.clear();
     }
   }
-  const std::scoped_lock lock(mutex_);  // its number is nobody's once it was waited for
+  const std::scoped_lock lock(mutex_);  // waitpid() frees the process ID, which stop() must not signal then
   int status = 0;
   while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
   }

@@ -13,17 +13,16 @@
 
 namespace poinsot::preview {
 
-/// Where the making of a film is.
 struct FilmState {
   enum class Stage { kNone, kMaking, kReady, kFailed };
   Stage stage = Stage::kNone;
   std::int64_t done = 0, total = 0;  ///< frames
-  std::string text;                  ///< once it ended: the program's last words
-  std::vector<std::string> changes;  ///< that the page made to the scene, in the user's words
+  std::string text;                  ///< messages of the program
+  std::vector<std::string> changes;  ///< changes that the page made to the scene, as the page lists them
 };
 
-/// Makes a film by `poinsot` in a process of its own, so that the preview goes on whatever becomes of it.
-/// One at a time. Destroying it asks the process to stop, which keeps what is complete for --resume.
+/// Makes a film with `poinsot` in a process of its own, so that a failure does not end the preview. Makes one film
+/// at a time. The destructor stops the process, which keeps its completed segments for --resume.
 class FilmErrand {
  public:
   FilmErrand() = default;
@@ -31,12 +30,12 @@ class FilmErrand {
   FilmErrand(const FilmErrand&) = delete;
   FilmErrand& operator=(const FilmErrand&) = delete;
 
-  /// @param words  after "poinsot"
-  /// @param changes  for FilmState
-  /// @returns false where a film is being made.
+  /// @param words  arguments after "poinsot"
+  /// @param changes  value of FilmState::changes
+  /// @returns false if a film is being made already
   /// @throws core::Error(kGraphics) if no process can be started.
   bool start(const std::vector<std::string>& words, std::vector<std::string> changes);
-  /// Like Ctrl-C in its terminal.
+  /// Interrupts the process with SIGINT, like Ctrl-C.
   void stop();
   FilmState state() const;
 

@@ -17,17 +17,17 @@ namespace {
 
 constexpr time_t kTimeout_s = 5;
 
-/// The answer of the library's queue to a job: nothing in early versions, later whether the queue took it.
+/// Return type of the library's enqueue(): void in early versions, later whether the queue took the job.
 using Taken = decltype(std::declval<httplib::TaskQueue&>().enqueue({}));
 
-/// Runs each job on the thread that adds it: a job only hands a connection over.
+/// Task queue that runs each job on the calling thread. A job only hands a connection over.
 class AtOnce : public httplib::TaskQueue {
  public:
   Taken enqueue(std::function<void()> job) override { return job(), Taken(true); }
   void shutdown() override {}
 };
 
-/// Threads that end with the scope, an exception included: the library's must be shut down before their
+/// Thread pool that ends with its scope, also after an exception. The library requires shutdown() before the
 /// destructor.
 class ScopedThreads {
  public:
@@ -42,8 +42,8 @@ class ScopedThreads {
   httplib::ThreadPool pool_;
 };
 
-/// A connection as the library reads and writes it. Its functions are those of all versions of the library, so
-/// none is marked as overriding.
+/// Connection in the form that the library reads and writes. Has the functions of all versions of the library, so
+/// none is marked override.
 class Connection : public httplib::Stream {
  public:
   explicit Connection(int socket) : socket_(socket) {}
@@ -52,7 +52,7 @@ class Connection : public httplib::Stream {
   bool is_writable() const { return true; }
   bool wait_readable() const { return true; }
   bool wait_writable() const { return true; }
-  time_t duration() const { return 0; }  // the deadline is PendingConnections'
+  time_t duration() const { return 0; }  // PendingConnections enforces the deadline
 
   ssize_t read(char* to, std::size_t most) {
     if (taken_ == arrived_) {
@@ -100,7 +100,7 @@ void Listener::widen() { ::listen(svr_sock_, SOMAXCONN); }
 void Listener::serve() {
   ScopedThreads threads(kThreads);
   PendingConnections pending([&](core::FileHandle socket) {
-    auto shared = std::make_shared<core::FileHandle>(std::move(socket));  // a job can be copied
+    auto shared = std::make_shared<core::FileHandle>(std::move(socket));  // jobs must be copyable
     threads.enqueue([this, shared] { answer(*shared); });
   });
   pending_ = &pending;
@@ -126,12 +126,12 @@ void Listener::process(Self& self, httplib::Stream& connection) {
   bool closed = false;
   if constexpr (requires { self.process_request(connection, true, closed, nullptr); })
     self.process_request(connection, true, closed, nullptr);
-  else  // from 0.15 on it wants to know who is connected
+  else  // from version 0.15 on, the addresses of both ends are parameters
     self.process_request(connection, "", 0, "", 0, true, closed, nullptr);
 }
 
 void Listener::answer(const core::FileHandle& socket) {
-  const timeval timeout{kTimeout_s, 0};  // of a read or a write
+  const timeval timeout{kTimeout_s, 0};  // per read or write
   for (const int which : {SO_RCVTIMEO, SO_SNDTIMEO})
     setsockopt(socket.get(), SOL_SOCKET, which, &timeout, sizeof timeout);
   Connection connection(socket.get());

@@ -19,7 +19,6 @@ constexpr int kPause_ms = 100;
 
 enum class Header { kComplete, kIncomplete, kNone };
 
-/// Looks at the bytes that have arrived, and leaves them in the socket.
 Header headerAt(int socket) {
   static thread_local std::array<char, PendingConnections::kLongestHeader> bytes;
   const ssize_t count = recv(socket, bytes.data(), bytes.size(), MSG_PEEK | MSG_DONTWAIT);
@@ -43,7 +42,7 @@ PendingConnections::~PendingConnections() = default;
 void PendingConnections::add(core::FileHandle socket) {
   const std::scoped_lock lock(mutex_);
   if (pending_.size() >= kMostPending) pending_.erase(pending_.begin());
-  // Edge-triggered: bytes that have arrived stay in the socket until the header is complete.
+  // Edge-triggered, because bytes stay in the socket until the header is complete.
   epoll_event event{};
   event.events = EPOLLIN | EPOLLRDHUP | EPOLLET;
   event.data.u64 = next_;
@@ -66,7 +65,7 @@ void PendingConnections::look(std::uint64_t number) try {
   if (found == pending_.end()) return;  // closed meanwhile
   const Header header = headerAt(found->second.socket.get());
   if (header == Header::kIncomplete) return;
-  core::FileHandle socket = std::move(found->second.socket);  // closed here unless it is admitted
+  core::FileHandle socket = std::move(found->second.socket);  // closed on return unless admitted
   pending_.erase(found);
   if (header != Header::kComplete) return;
   epoll_ctl(events_.get(), EPOLL_CTL_DEL, socket.get(), nullptr);

@@ -19,17 +19,16 @@ class PendingConnections {
  public:
   static constexpr std::chrono::seconds kTimeout{5};
   static constexpr std::size_t kMostPending = 256;
-  static constexpr std::size_t kLongestHeader = 32 << 10;  ///< bytes of a request before its body
+  static constexpr std::size_t kLongestHeader = 32 << 10;  ///< bytes
 
   /// @param admit  takes a connection whose header can be read without waiting, and owns the socket from then on.
   ///               Called by the watching thread.
   explicit PendingConnections(std::function<void(core::FileHandle)> admit);
-  /// Closes all connections that are still held.
   ~PendingConnections();
   PendingConnections(const PendingConnections&) = delete;
   PendingConnections& operator=(const PendingConnections&) = delete;
 
-  /// Holds one more connection. Any thread may call it.
+  /// Adds a connection. Any thread may call this function.
   void add(core::FileHandle socket);
 
  private:
@@ -46,9 +45,9 @@ class PendingConnections {
   std::function<void(core::FileHandle)> admit_;
   core::FileHandle events_;
   std::mutex mutex_;
-  Pending pending_;  // by number, which grows: the oldest first
+  Pending pending_;  // by increasing number, so the oldest comes first
   std::uint64_t next_ = 0;
-  std::jthread watcher_;  // last: it uses the others
+  std::jthread watcher_;  // declared last, because the thread uses the other members
 };
 
 }  // namespace poinsot::preview

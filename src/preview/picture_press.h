@@ -15,18 +15,17 @@ namespace poinsot::preview {
 
 /// Changes that a page makes to the scene, for its pictures and for its film.
 struct PageChanges {
-  std::vector<std::string> overrides;  ///< after those of the command line
-  std::optional<std::size_t> view;     ///< that view alone; none: the whole picture
+  std::vector<std::string> overrides;  ///< applied after those of the command line
+  std::optional<std::size_t> view;     ///< index of the only view to draw; nullopt draws the whole picture
 };
 
-/// A picture that a page asks for.
 struct PictureAsk {
-  std::int64_t frame = 0;  ///< the last one where the film has fewer
-  image::PixelSize size;   ///< in place of the scene's
+  std::int64_t frame = 0;  ///< clamped to the frames of the film
+  image::PixelSize size;   ///< replaces the scene's size
   PageChanges changes;
 };
 
-/// Draws frames as a film's worker does, one after the other, on a thread that has the one OpenGL context.
+/// Draws frames as a film's worker does, one at a time, on the thread that owns the only OpenGL context.
 class PicturePress {
  public:
   PicturePress(const WatchedScene& scene, gl::Backend backend);
@@ -34,8 +33,8 @@ class PicturePress {
   PicturePress(const PicturePress&) = delete;
   PicturePress& operator=(const PicturePress&) = delete;
 
-  /// The picture as PNG, of the newest scene without a mistake.
-  /// @throws core::Error of the overrides or the back end, or when there was no such scene yet.
+  /// Returns a picture of the newest scene without errors, as PNG.
+  /// @throws core::Error of the overrides or the back end, or if no scene without errors exists yet
   std::string png(const PictureAsk& ask);
 
  private:

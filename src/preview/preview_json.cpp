@@ -24,14 +24,13 @@ using nlohmann::json;
 
 constexpr std::size_t kMostPoints = 1000;
 
-/// ASCII, whatever the texts hold.
+/// Returns JSON in ASCII, even if the texts are not valid UTF-8.
 std::string text(const json& value) { return value.dump(-1, ' ', true, json::error_handler_t::replace); }
 
 json quantityJson(const scene::StateQuantity& quantity) {
   return {{"name", quantity.name}, {"help", quantity.help}, {"unit", scene::unitText(quantity.unit)}};
 }
 
-/// What `info` prints, as sections.
 json physicsOf(const scene::Scene& scene, const request::UnitChoice& units) {
   json sections = json::array();
   const describe::Report report = describe::inUnits(describe::sceneReport(scene), units);
@@ -53,7 +52,6 @@ json cameraJson(const scene::Camera& camera) {
           {"zoom", camera.zoom}};
 }
 
-/// Of those that can be looked at alone.
 json viewsOf(const scene::Scene& scene) {
   json views = json::array();
   for (const scene::View& view : scene.views)
@@ -61,14 +59,13 @@ json viewsOf(const scene::Scene& scene) {
   return views;
 }
 
-/// What the file says and may be a slip.
 json notesOf(const scene::Scene& scene) {
   json notes = json::array();
   for (const scene::Doubt& doubt : scene.doubts) notes.push_back(toString(doubt));
   return notes;
 }
 
-/// `sweep`: of its first cell; all of them are turned together.
+/// @param sweep  whether `scene` is the first cell of a sweep; the page turns all cells together
 json filmOf(const scene::Scene& scene, bool sweep, const request::UnitChoice& units) {
   json quantities = json::array();
   for (const scene::StateQuantity& quantity : scene::stateQuantities())
@@ -95,7 +92,7 @@ int indexOf(const std::string& name) {
   return static_cast<int>(found - all.begin());
 }
 
-/// JSON has no NaN.
+/// Returns null for a value that is not finite, because JSON has no NaN.
 json numberOrNull(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
 }  // namespace

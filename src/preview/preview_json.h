@@ -8,16 +8,17 @@
 #include "preview/watched_scene.h"
 #include "request/user_files.h"
 
-/// What the page is told.
+/// JSON answers to the page of the preview.
 namespace poinsot::preview {
 
-/// Number, mistake; of the last scene without one its film, its size, the physics and the quantities to plot.
-/// @param units  that the physics is told in.
+/// Returns the number and the error of a version, and of the last scene without errors its film, size, physics and
+/// quantities to plot.
+/// @param units  units of the physics
 std::string sceneJson(const SceneVersion& version, const request::UnitChoice& units);
 
-/// Quantities of the motion over the film, by their names in a scene: times and values, at most a thousand of
-/// each.
-/// @throws core::Error(kUsage) of a name that is none, kPhysics
+/// Returns quantities of the motion over the film: at most 1000 samples of each, with their times.
+/// @param names  names of the quantities, as in a scene
+/// @throws core::Error(kUsage) for an unknown name; core::Error(kPhysics)
 std::string seriesJson(const scene::Scene& scene, const std::vector<std::string>& names);
 
 std::string filmJson(const FilmState& state);

@@ -24,7 +24,7 @@
 #include "preview/watched_scene.h"
 #include "request/sweep_cells.h"
 
-// Of page.html.
+// Content of page.html.
 extern "C" const char poinsot_preview_page[];
 
 namespace poinsot::preview {
@@ -34,11 +34,10 @@ using httplib::Request;
 using httplib::Response;
 
 constexpr auto kLongestWait = std::chrono::seconds(20);
-constexpr std::ptrdiff_t kMostWaiting = Listener::kThreads / 2;  // pages; each holds a thread
+constexpr std::ptrdiff_t kMostWaiting = Listener::kThreads / 2;  // pages that wait; each occupies a thread
 constexpr int kLeastSide = 16, kMostSide = 4096;
 constexpr std::size_t kMostOverrides = 64, kLongestOverride = 1000;
 
-/// 128 random bits in the letters of an address.
 std::string randomToken() {
   std::array<std::uint8_t, 16> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
@@ -48,7 +47,7 @@ std::string randomToken() {
   return token;
 }
 
-/// Takes as long for any other token.
+/// Compares tokens of equal length in a time that does not depend on their content.
 bool isSame(std::string_view a, std::string_view b) {
   unsigned difference = a.size() == b.size() ? 0u : 1u;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
@@ -56,8 +55,8 @@ bool isSame(std::string_view a, std::string_view b) {
   return difference == 0;
 }
 
-/// Whether the browser was told to come here by a name of this machine itself. Another name that leads here is a
-/// stranger's page (DNS rebinding); the port may differ, behind ssh -L.
+/// Returns whether the Host header names this machine itself. Another name that leads here may be a stranger's
+/// page (DNS rebinding). The port may differ, behind ssh -L.
 bool isLocalName(std::string_view host) {
   constexpr std::string_view kNames[] = {"127.0.0.1", "localhost", "[::1]"};
   return std::ranges::any_of(kNames, [&](std::string_view name) {
@@ -74,7 +73,6 @@ void refuse(Response& response, int status, const std::string& why) {
   response.set_content(why + "\n", "text/plain; charset=utf-8");
 }
 
-/// Reads the changes of a request; empty if the request was refused, with the reason in `response`.
 std::optional<PageChanges> changesAsked(const Request& request, Response& response) {
   PageChanges changes;
   const std::size_t count = request.get_param_value_count("D");
@@ -91,7 +89,6 @@ std::optional<PageChanges> changesAsked(const Request& request, Response& respon
   return changes;
 }
 
-/// Nothing, after it was refused.
 std::optional<PictureAsk> pictureAsk(const Request& request, Response& response) {
   const auto frame = number(request, "frame"), width = number(request, "width"),
              height = number(request, "height");
@@ -107,8 +104,8 @@ std::optional<PictureAsk> pictureAsk(const Request& request, Response& response)
   return PictureAsk{*frame, {static_cast<int>(*width), static_cast<int>(*height)}, std::move(*changes)};
 }
 
-/// Returns the changes as words of `render`. Option and value are one word, so that no value is taken for an
-/// option.
+/// Returns the changes as arguments of `render`. Option and value form one argument, so that a value is never
+/// taken for an option.
 std::vector<std::string> wordsOf(const PageChanges& changes) {
   std::vector<std::string> words;
   for (const std::string& override : changes.overrides) words.push_back("-D" + override);
@@ -134,7 +131,7 @@ class PreviewServer::Site {
         press_(scene_, request.backend) {
     configure();
     addRoutes();
-    // Without SO_REUSEPORT, by which another process of this user could listen in.
+    // The library would also set SO_REUSEPORT, by which another process of this user could use the same port.
     server_.set_socket_options([](socket_t socket) {
       const int yes = 1;
       setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
@@ -200,7 +197,7 @@ class PreviewServer::Site {
 
   static void json(Response& response, const std::string& text) { response.set_content(text, "application/json"); }
 
-  /// Waits for a change, unless as many pages wait already as may.
+  /// Waits for a change of the scene, unless kMostWaiting pages wait already.
   void scene(const Request& request, Response& response) {
     const auto known = static_cast<int>(number(request, "after").value_or(-1));
     const bool mayWait = places_.try_acquire();
@@ -233,9 +230,10 @@ class PreviewServer::Site {
     }
   }
 
-  /// As `sweep` calls its pictures. The folder is made here: a film's that has a name is not.
+  /// Returns the path of a sweep's film, named like the pictures of `sweep`. Makes the folder, because `sweep`
+  /// makes none if a path is given.
   std::string sweepFilm() const {
-    std::error_code ignored;  // if it cannot be made, the making of the film says so
+    std::error_code ignored;  // the process that makes the film reports a missing folder
     std::filesystem::create_directory("out", ignored);
     return "out/" + std::filesystem::path(request_.fileName).stem().string() + "_sweep.mp4";
   }
@@ -265,8 +263,8 @@ class PreviewServer::Site {
   WatchedScene scene_;
   PicturePress press_;
   FilmErrand film_;
-  std::counting_semaphore<> places_{kMostWaiting};  // of pages that wait for a change
-  Listener server_;                                 // last: its threads use the others
+  std::counting_semaphore<> places_{kMostWaiting};
+  Listener server_;  // declared last, because its threads use the other members
 };
 
 PreviewServer::PreviewServer(const PreviewRequest& request) : site_(std::make_unique<Site>(request)) {}

@@ -13,29 +13,29 @@ namespace poinsot::preview {
 
 struct PreviewRequest {
   std::string fileName;
-  std::vector<std::string> overrides;  ///< after -D
+  std::vector<std::string> overrides;  ///< values of -D
   scene::Allowance allowance;
-  std::vector<std::string> filmWords = {};  ///< besides file and overrides, for what makes the film
-  request::UnitChoice units = {};           ///< that the physics is told in
+  std::vector<std::string> filmWords = {};  ///< more arguments for the process that makes the film
+  request::UnitChoice units = {};           ///< units of the physics
   gl::Backend backend = gl::Backend::kAuto;
-  int port = 0;  ///< 0: any that is free
+  int port = 0;  ///< 0 chooses a free port
 };
 
-/// Shows a scene in a browser on this machine: pictures drawn by the renderer that makes the films, a time line,
-/// the numbers, mistakes as they are made. Only who knows the address, which holds a token, is answered.
+/// Shows a scene in a browser on this machine: pictures of the renderer that makes the films, a time line,
+/// numbers, and mistakes as they are made. The address holds a secret token; requests without the token are
+/// refused.
 class PreviewServer {
  public:
-  /// Begins to listen. @throws core::Error(kIo) if the port is taken.
+  /// Starts to listen. @throws core::Error(kIo) if the port is taken.
   explicit PreviewServer(const PreviewRequest& request);
   ~PreviewServer();
 
   int port() const;
-  /// "http://127.0.0.1:8437/q8Zx.../".
+  /// Returns "http://127.0.0.1:8437/q8Zx.../".
   std::string address() const;
 
-  /// Answers until stop().
   void run();
-  /// From any thread.
+  /// Ends run(). Any thread may call this function.
   void stop();
 
  private:

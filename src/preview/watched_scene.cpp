@@ -18,15 +18,15 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kPause{40};
-// Who saves a file may write it in pieces: it is read when it has been the same for this long, which is also
-// longer than the steps of a file system's clock. What never rests is read in between.
+// An editor may write a file in pieces, so a file is read after it was unchanged for this time, which also exceeds
+// the steps of a file system's clock. A file that keeps changing is read after kMostCalms checks.
 constexpr milliseconds kCalm{15};
 constexpr int kMostCalms = 20;
-// A file that a scene names and that was missing may come: while there is a mistake, all is tried again.
+// A scene with an error is read again after this many pauses, because a missing file that it names may appear.
 constexpr int kPausesToTryAgain = 25;
 
-/// Returns a text that changes when one of the files is written, replaced or removed, also if its size and time of
-/// writing are restored: the time of change is the kernel's.
+/// Returns a text that changes if a file is written, replaced or removed, even if size and modification time are
+/// restored, because the kernel sets the time of change.
 std::string fingerprint(const std::vector<std::filesystem::path>& files) {
   std::string all;
   for (const auto& file : files) {
@@ -82,7 +82,7 @@ SceneVersion WatchedScene::load() const {
     loaded.request = request::readSceneRequest(fileName_, overrides_, allowance_);
     request::askForSweep(loaded.request);
     auto requested = request::requestedScene(loaded.request);
-    if (!loaded.request.sweep) const stage::Stage stage(requested.scene);  // what the motion lacks is found here
+    if (!loaded.request.sweep) const stage::Stage stage(requested.scene);  // throws if the motion lacks something
     loaded.scene = std::make_shared<const scene::Scene>(std::move(requested.scene));
   } catch (const core::Error& error) {
     loaded.error = core::printableLines(error.what());
@@ -91,8 +91,8 @@ SceneVersion WatchedScene::load() const {
 }
 
 void WatchedScene::read() {
-  // The files are looked at before they are read: what changes meanwhile is seen next time. Those that only this
-  // version names were not looked at: it is read again.
+  // The fingerprint is taken before reading, so a change during reading is noticed next time. Files that only this
+  // version names had no fingerprint, so the scene is read again.
   const auto look = [this] { seen_ = fingerprint(files_); };
   look();
   SceneVersion next = load();
@@ -106,7 +106,7 @@ void WatchedScene::read() {
 
 void WatchedScene::publish(SceneVersion next) {
   const std::scoped_lock lock(mutex_);
-  if (!next.scene && next.error == version_.error) return;  // tried again in vain
+  if (!next.scene && next.error == version_.error) return;  // another attempt had the same error
   next.number = version_.number + 1;
   if (!next.scene) {
     next.request = version_.request;

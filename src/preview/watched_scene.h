@@ -15,16 +15,16 @@
 
 namespace poinsot::preview {
 
-/// What a scene's files said when they last changed.
 struct SceneVersion {
-  int number = 0;                             ///< grows with each change
-  request::SceneRequest request;              ///< of `scene`
-  std::shared_ptr<const scene::Scene> scene;  ///< the last one without a mistake; null before there was one
-  std::string error;                          ///< of the newest, with its place; empty where it is `scene`
+  int number = 0;  ///< grows with each change
+  request::SceneRequest request;
+  std::shared_ptr<const scene::Scene> scene;  ///< last scene without errors; null if there was none yet
+  std::string error;  ///< error of the newest files, with its place; empty if there is none
 };
 
-/// A scene file under an editor: read again whenever it, or a file that it names, changes. Looks every few
-/// hundredths of a second, which works on every file system, and costs nothing beside a picture.
+/// Scene file that an editor changes. Reads the file again if it, or a file that it names, changes. Polls the
+/// files every few hundredths of a second, which works on every file system and costs little compared with
+/// drawing.
 class WatchedScene {
  public:
   WatchedScene(std::string fileName, std::vector<std::string> overrides, scene::Allowance allowance);
@@ -32,11 +32,11 @@ class WatchedScene {
   WatchedScene(const WatchedScene&) = delete;
   WatchedScene& operator=(const WatchedScene&) = delete;
 
-  /// Nobody waits any longer: after() returns at once.
+  /// Ends all waiting: after() returns at once.
   void stop();
 
   SceneVersion now() const;
-  /// The newest, as soon as its number is above `known`; after `most` in any case.
+  /// Waits for a version with a number above `known`, but not longer than `most`. Returns the newest version.
   SceneVersion after(int known, std::chrono::milliseconds most) const;
 
  private:
@@ -49,12 +49,12 @@ class WatchedScene {
   const std::string fileName_;
   const std::vector<std::string> overrides_;
   const scene::Allowance allowance_;
-  std::vector<std::filesystem::path> files_;  // that the newest scene without a mistake was read from
-  std::string seen_;                          // what they were like when it was
+  std::vector<std::filesystem::path> files_;  // files of the newest scene without errors
+  std::string seen_;                          // fingerprint() of files_ before they were read
   mutable std::mutex mutex_;
   mutable std::condition_variable_any changed_;
   SceneVersion version_;
-  std::jthread watcher_;  // last: it uses the others
+  std::jthread watcher_;  // declared last, because the thread uses the other members
 };
 
 }  // namespace poinsot::preview

@@ -33,12 +33,12 @@ constexpr int kForbidden[] = {
     SCMP_SYS(setresuid), SCMP_SYS(setresgid), SCMP_SYS(setgroups), SCMP_SYS(setfsuid), SCMP_SYS(setfsgid),
     SCMP_SYS(capset), SCMP_SYS(chown), SCMP_SYS(fchown), SCMP_SYS(lchown), SCMP_SYS(fchownat), SCMP_SYS(add_key),
     SCMP_SYS(request_key), SCMP_SYS(keyctl),
-    // the machine
+    // administration of the machine
     SCMP_SYS(reboot), SCMP_SYS(kexec_load), SCMP_SYS(kexec_file_load), SCMP_SYS(init_module),
     SCMP_SYS(finit_module), SCMP_SYS(delete_module), SCMP_SYS(settimeofday), SCMP_SYS(clock_settime),
     SCMP_SYS(clock_adjtime), SCMP_SYS(adjtimex), SCMP_SYS(sethostname), SCMP_SYS(setdomainname), SCMP_SYS(acct),
     SCMP_SYS(syslog), SCMP_SYS(iopl), SCMP_SYS(ioperm),
-    // doors where the kernel's own mistakes were found
+    // interfaces with a history of kernel vulnerabilities
     SCMP_SYS(bpf), SCMP_SYS(perf_event_open), SCMP_SYS(userfaultfd), SCMP_SYS(io_uring_setup),
     SCMP_SYS(io_uring_enter), SCMP_SYS(io_uring_register), SCMP_SYS(personality), SCMP_SYS(modify_ldt),
     SCMP_SYS(vmsplice), SCMP_SYS(lookup_dcookie), SCMP_SYS(nfsservctl), SCMP_SYS(memfd_secret)};
@@ -48,14 +48,13 @@ struct Release {
 };
 using Filter = std::unique_ptr<void, Release>;
 
-/// libseccomp answers with -errno.
 void expect(int status) {
   if (status < 0)
     throw core::graphicsError("--untrusted: the kernel takes no filter of system calls: " +
                               core::systemReason(-status));
 }
 
-/// All is allowed that it does not forbid. A call by another architecture's numbers would not be told by them.
+/// Makes a filter that allows every call without a rule, and kills the process on calls of another architecture.
 Filter makeFilter() {
   Filter filter(seccomp_init(SCMP_ACT_ALLOW));
   expect(filter ? 0 : -ENOMEM);
@@ -63,7 +62,7 @@ Filter makeFilter() {
   return filter;
 }
 
-/// Refuses a call whose argument `index` is `value` in the bits of `mask`.
+/// Forbids a call if its argument `index` equals `value` in the bits of `mask`.
 void forbid(const Filter& filter, int call, unsigned index, scmp_datum_t mask, scmp_datum_t value) {
   expect(seccomp_rule_add(filter.get(), SCMP_ACT_ERRNO(EPERM), call, 1,
                           scmp_arg_cmp{index, SCMP_CMP_MASKED_EQ, mask, value}));
@@ -74,11 +73,12 @@ void forbid(const Filter& filter, int call, unsigned index, scmp_datum_t mask, s
 void forbidCalls() {
   const Filter filter = makeFilter();
   for (const int call : kForbidden)
-    if (call >= 0) expect(seccomp_rule_add(filter.get(), SCMP_ACT_ERRNO(EPERM), call, 0));  // below 0: not here
-  // Typing into the terminal that the program was started from.
+    if (call >= 0) expect(seccomp_rule_add(filter.get(), SCMP_ACT_ERRNO(EPERM), call, 0));  // < 0: not on this CPU
+  // Requests that type into the terminal from which the program was started.
   constexpr scmp_datum_t kTypeIn = 0x5412, kPasteIn = 0x541c;  // TIOCSTI, TIOCLINUX
   for (const scmp_datum_t request : {kTypeIn, kPasteIn}) forbid(filter, SCMP_SYS(ioctl), 1, 0xffffffff, request);
-  // Its flags may hold a new namespace, and a filter cannot see them: the C library then takes clone.
+  // The flags of clone3() can create a namespace, but no filter can see them. With ENOSYS the C library uses
+  // clone().
   expect(seccomp_rule_add(filter.get(), SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0));
   for (const int flag : {CLONE_NEWNS, CLONE_NEWUSER, CLONE_NEWPID, CLONE_NEWNET, CLONE_NEWIPC, CLONE_NEWUTS,
                          CLONE_NEWCGROUP, CLONE_PTRACE}) {

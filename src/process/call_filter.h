@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-/// System calls that a renderer has no use for, refused by the kernel from here on, for good, in this process and
-/// in all that it starts (seccomp). They fail with EPERM.
+/// Filters of system calls (seccomp), which stay for good in this process and all that it starts. A forbidden call
+/// fails with EPERM.
 namespace poinsot::process {
 
-/// Networks, other programs, other processes, file systems, privileges, and the kernel's rarer doors.
-/// @pre the process can gain no privileges. @throws core::Error(kGraphics) where the kernel has no filters.
+/// Forbids calls for networks, other programs and processes, mounting, privileges and rare parts of the kernel.
+/// @pre the process can gain no privileges. @throws core::Error(kGraphics) if the kernel has no such filters
 void forbidCalls();
 
-/// Besides these, new processes; threads may be started.
+/// Forbids new processes, in addition to forbidCalls(). Threads may still be started.
 void forbidProcesses();
 
 }  // namespace poinsot::process

@@ -22,22 +22,22 @@ namespace poinsot::process {
 
 namespace {
 
-// `timeout` signals its child and then the child's whole group, so one wish to end may arrive twice within
-// microseconds; a person who presses Ctrl-C again out of impatience takes longer than this.
+// `timeout` signals its child and then the child's process group, so one request may arrive twice within
+// microseconds. A person who presses Ctrl-C again takes longer than this.
 constexpr std::int64_t kSameWish_ms = 500;
 
 constexpr int kNoted[] = {SIGINT, SIGTERM, SIGHUP};
 
-std::atomic<int> firstSignal = 0;  // threads of the preview look at it, too
+std::atomic<int> firstSignal = 0;  // read by threads of the preview, too
 static_assert(std::atomic<int>::is_always_lock_free, "a handler may touch no other");
-std::int64_t firstAt_ms = 0;  // touched only in the handler, which the signals never interrupt
+std::int64_t firstAt_ms = 0;  // used only in the handler, which blocks the other signals
 int wakePipe[2] = {-1, -1};
 volatile std::sig_atomic_t watching = 0;
-std::int64_t allowed_s = 0;  // by the clock
+std::int64_t allowed_s = 0;
 int exitCodeOfLimit = EXIT_FAILURE;
-char tooLong[80] = "";  // what is said where nobody can throw
+char tooLong[80] = "";  // message of noteAlarm(), which may not allocate
 
-/// Safe in a handler, as clock_gettime is.
+/// Returns a monotonic time. Safe in a signal handler, as clock_gettime() is.
 std::int64_t now_ms() {
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
@@ -50,7 +50,7 @@ void noteSignal(int signal) {
   if (firstSignal != 0) return;
   firstAt_ms = now_ms();
   firstSignal = signal;
-  // One byte into an empty pipe cannot fail; the flag is what counts.
+  // Writing one byte to an empty pipe cannot fail, and the flag alone suffices.
   [[maybe_unused]] const auto written = write(wakePipe[1], "!", 1);
   errno = saved;
 }
@@ -78,7 +78,6 @@ void watch(int signal) {
   sigaction(signal, &action, nullptr);
 }
 
-/// Lets signals end long computations of this thread.
 void interruptComputations() { static const core::InterruptionCheck check(throwIfInterrupted); }
 
 void openWakePipe() {
@@ -96,13 +95,13 @@ void watchInterrupts() {
 
 void watchInterruptsAsWorker() {
   firstSignal = 0;
-  wakePipe[0] = wakePipe[1] = -1;  // the parent's
+  wakePipe[0] = wakePipe[1] = -1;  // the old pipe is the parent's
   openWakePipe();
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGHUP, SIG_IGN);
   watch(SIGTERM);
   interruptComputations();
-  const sigset_t held = notedSignals();  // since the fork
+  const sigset_t held = notedSignals();  // blocked since the fork
   sigprocmask(SIG_UNBLOCK, &held, nullptr);
 }
 
@@ -134,7 +133,7 @@ void limitTime(std::int64_t seconds, int exitCode) {
   action.sa_handler = noteAlarm;
   action.sa_mask = notedSignals();
   sigaction(SIGALRM, &action, nullptr);
-  constexpr std::int64_t kPatience_s = 5;  // for whoever looks only now and then, and for putting things away
+  constexpr std::int64_t kPatience_s = 5;  // for code that rarely checks, and for cleaning up
   const itimerval times{{kPatience_s, 0}, {seconds, 0}};
   setitimer(ITIMER_REAL, &times, nullptr);
 }

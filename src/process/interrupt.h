@@ -7,11 +7,11 @@
 
 #include "core/abi.h"
 
-/// SIGINT, SIGTERM and SIGHUP as something a loop can ask for, in place of sudden death: the caller unwinds,
-/// removes what it had begun and ends with 128 + signal.
+/// Handling of SIGINT, SIGTERM and SIGHUP: loops check for a signal, which does not kill the process. The caller
+/// can unwind, remove unfinished files and exit with 128 + signal.
 namespace poinsot::process {
 
-/// Thrown where a loop sees that the user or the system wants the program to end.
+/// Exception for a signal that asks the program to end.
 class Interrupted : public std::exception {
  public:
   explicit Interrupted(int signal) : signal_(signal) {}
@@ -22,15 +22,15 @@ class Interrupted : public std::exception {
   int signal_;
 };
 
-/// From now on the three signals are noted, and throwIfInterrupted() is the core::InterruptionCheck of this
-/// thread. One that was ignored at the start (nohup) stays so. A SIGINT more than half a second after the first
-/// signal ends the process at once. Call it on the main thread.
+/// Records SIGINT, SIGTERM and SIGHUP from now on, and makes throwIfInterrupted() the core::InterruptionCheck of
+/// this thread. A signal that was ignored at the start (nohup) stays ignored. A SIGINT more than half a second
+/// after the first signal ends the process at once. Call this function on the main thread.
 void watchInterrupts();
-/// The same in a forked worker, which knows nothing of what its parent noted. It notes only SIGTERM: a terminal
-/// sends Ctrl-C to the whole group, and the parent decides what becomes of its workers.
+/// Records SIGTERM in a forked worker, and discards what its parent recorded. SIGINT and SIGHUP are ignored: a
+/// terminal sends Ctrl-C to the whole process group, and the parent decides when its workers stop.
 void watchInterruptsAsWorker();
 
-/// Holds the three signals back while it lives: around a fork, or a worker could take one for its parent.
+/// Blocks SIGINT, SIGTERM and SIGHUP around a fork, so that a worker takes no signal meant for its parent.
 class SignalsHeld {
  public:
   SignalsHeld();
@@ -41,18 +41,18 @@ class SignalsHeld {
   sigset_t before_;
 };
 
-/// The first signal noted, or 0.
+/// Returns the first recorded signal; 0 if there is none.
 int interruptSignal();
 
-/// Readable once a signal was noted, for poll(). -1, which poll() passes over, before watchInterrupts().
+/// Returns a descriptor for poll(), readable after a signal; before watchInterrupts() -1, which poll() ignores.
 int interruptFd();
 
-/// @throws Interrupted once a signal was noted; core::Error(kLimit) if the time is over (limitTime()).
+/// @throws Interrupted after a signal; core::Error(kLimit) after the time limit of limitTime().
 void throwIfInterrupted();
 
-/// Ends this process after so many seconds by the clock, as a limit that was exceeded. Where interrupts are
-/// watched throwIfInterrupted() throws core::Error(kLimit) then, so that what is complete is kept; where nothing
-/// looks for them, or for 5 s more, the process says why and ends with `exitCode` at once.
+/// Limits the wall time of this process. At the limit, throwIfInterrupted() throws core::Error(kLimit), so that
+/// completed work is kept. Without watchInterrupts(), or if the process has not ended 5 s later, it prints the
+/// reason and exits with `exitCode`.
 /// @pre seconds > 0.
 void limitTime(std::int64_t seconds, int exitCode);
 

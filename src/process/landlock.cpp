@@ -17,13 +17,12 @@
 namespace poinsot::process {
 namespace {
 
-// What Debian 12's headers do not have yet; the kernel says by its version what it knows.
+// Values that Debian 12's headers lack. The kernel's version of Landlock determines which of them it supports.
 constexpr std::uint64_t kTruncate = 1ULL << 14, kDeviceControl = 1ULL << 15;
-constexpr std::uint64_t kBindAndConnect = 3;     // of TCP
-constexpr std::uint64_t kSocketsAndSignals = 3;  // to processes that are not held by these rules
+constexpr std::uint64_t kBindAndConnect = 3;     // for TCP
+constexpr std::uint64_t kSocketsAndSignals = 3;  // to processes outside these rules
 constexpr int kWithRenaming = 2, kWithTruncate = 3, kWithNetwork = 4, kWithDevices = 5, kWithScopes = 6;
 
-/// landlock_ruleset_attr, as it has grown.
 struct Handled {
   std::uint64_t files = 0, network = 0, scopes = 0;
 };

@@ -7,20 +7,21 @@
 
 namespace poinsot::process {
 
-/// Files that a process and all it starts may touch, held to by the kernel (Landlock, Linux 5.13; here from 5.19,
-/// since before it no file could be renamed into another folder). What was opened before stays open.
+/// Access rules for files, which the kernel enforces for a process and all that it starts (Landlock). Files that
+/// were opened before stay open. Requires Linux 5.19, because older versions (from 5.13) forbid renaming into
+/// another folder.
 class Landlock {
  public:
-  /// Nothing is allowed yet. @throws core::Error(kGraphics) where the kernel has no Landlock.
+  /// Starts with rules that allow nothing. @throws core::Error(kGraphics) if the kernel has no Landlock
   Landlock();
 
-  /// A file, or a folder with all beneath it. What does not exist needs no permission.
-  /// @throws core::Error(kIo) if it cannot be opened.
+  /// Allows reading a file, or a folder with everything below it. Ignores a path that does not exist.
+  /// @throws core::Error(kIo) if the path cannot be opened
   void mayRead(const std::filesystem::path& path);
-  /// The same; files may besides be made, renamed and removed in a folder. No links, pipes or devices.
+  /// Allows reading and writing; in a folder also making, renaming and removing files, but no links or devices.
   void mayWrite(const std::filesystem::path& path);
 
-  /// From here on, for good. @pre the process has one thread, and can gain no privileges.
+  /// Enforces the rules for good. @pre the process has one thread, and can gain no privileges.
   void enforce() const;
 
  private:

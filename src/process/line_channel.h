@@ -9,29 +9,29 @@
 
 namespace poinsot::process {
 
-/// Cuts a stream into lines. Does not own the descriptor.
+/// Splits a stream into lines. Does not own the descriptor.
 class LineReader {
  public:
   explicit LineReader(int fd) : fd_(fd) {}
 
-  /// Reads once, waiting if nothing is there; false at the end of the stream (and on an error, which for a pipe
-  /// means the same: the other side is gone).
+  /// Reads once, waiting for data. Returns false at the end of the stream, and on an error, which for a pipe means
+  /// the same: the other side is gone.
   bool fill();
-  /// The next whole line among what was read, without its newline.
+  /// Returns the next line that is complete in the buffer, without its newline.
   std::optional<std::string> take();
-  /// The next line, waiting for it; empty at the end of the stream.
+  /// Waits for the next line. Returns nullopt at the end of the stream.
   std::optional<std::string> wait();
 
  private:
   int fd_;
   std::string buffer_;
-  std::size_t searched_ = 0;  // no newline before this
+  std::size_t searched_ = 0;  // the buffer has no newline before this offset
 };
 
-/// Writes the line and a newline; false when the other side is gone.
+/// Writes the line and a newline. Returns false on an error, such as a reader that is gone.
 bool writeLine(int fd, std::string_view line);
 
-/// Writes all of it; 0, or the errno that stopped it.
+/// Writes the whole text. Returns 0 or an errno.
 int writeText(int fd, std::string_view text);
 
 }  // namespace poinsot::process

@@ -5,7 +5,7 @@
 
 namespace poinsot::process {
 
-/// In a new process: it is killed when `parent`, the process that forked it, ends in whatever way.
+/// Makes the kernel kill this new process when `parent`, which forked it, ends in any way.
 void dieWith(pid_t parent);
 
 }  // namespace poinsot::process

@@ -17,8 +17,8 @@ namespace {
 
 bool inside = false;
 
-/// Where Debian and others keep libraries, and what says which there are; the processors, for thread counts; the
-/// memory that there is. None of it is anybody's in particular.
+/// Files that every program may read, none of them private: folders of libraries on Debian and others, lists of
+/// drivers and libraries, the processors (for thread counts) and the available memory.
 constexpr const char* kOfTheSystem[] = {"/usr/lib",
                                         "/usr/lib64",
                                         "/usr/local/lib",
@@ -38,7 +38,8 @@ constexpr const char* kOfTheSystem[] = {"/usr/lib",
   throw core::graphicsError(std::string("--untrusted: ") + what + ": " + core::systemReason(errno));
 }
 
-/// Never above what is allowed already. The last `warned` of it are told by a signal first.
+/// Lowers a limit of this process; never raises one. The hard limit is `warned` above the soft limit, where a
+/// signal warns the process.
 void limit(__rlimit_resource resource, std::uint64_t most, std::uint64_t warned = 0) {
   rlimit now{};
   if (getrlimit(resource, &now) != 0) fail("getrlimit");
@@ -48,7 +49,7 @@ void limit(__rlimit_resource resource, std::uint64_t most, std::uint64_t warned 
 }
 
 void limitResources(const Sandbox& sandbox) {
-  constexpr std::uint64_t kMostFiles = 1024, kMostTasks = 4096;  // tasks: of the user; root is not counted
+  constexpr std::uint64_t kMostFiles = 1024, kMostTasks = 4096;  // tasks of the user; root has no such limit
   limit(RLIMIT_AS, sandbox.mostMemory_bytes);
   limit(RLIMIT_FSIZE, sandbox.mostFile_bytes);
   limit(RLIMIT_NOFILE, kMostFiles);
@@ -68,7 +69,7 @@ void enterSandbox(const Sandbox& sandbox) {
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) fail("no-new-privileges");
   files.enforce();
   forbidCalls();
-  limitResources(sandbox);  // last: libseccomp crashes where memory runs out while it makes the filter
+  limitResources(sandbox);  // last: libseccomp crashes if memory runs out while it makes a filter
   inside = true;
 }
 

@@ -21,11 +21,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-volatile sig_atomic_t confined = 0;  // the process that signals are passed on to
+volatile sig_atomic_t confined = 0;  // ID of the process that receives the signals
 
 void passOn(int signal) { kill(static_cast<pid_t>(confined), signal); }
 
-/// Passes signals to end on while it lives. One that is ignored (nohup) stays so.
+/// Forwards the signals that end a program. A signal that is ignored (nohup) stays ignored.
 class SignalsPassedOn {
  public:
   explicit SignalsPassedOn(pid_t to) {
@@ -40,14 +40,14 @@ class SignalsPassedOn {
     }
   }
   ~SignalsPassedOn() {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_IGN);  // it is over
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_IGN);  // the process has ended
   }
   SignalsPassedOn(const SignalsPassedOn&) = delete;
 };
 
-/// Copies it into a folder, which setEnvironment() names as the cache.
+/// Copies the shader cache into a folder that setEnvironment() names as the cache.
 void copyShaderCache(const fs::path& cache, const fs::path& folder) {
-  std::error_code ignored;  // without it shaders are compiled anew
+  std::error_code ignored;  // without a copy, shaders are compiled again
   if (!cache.empty()) fs::copy(cache, folder / cache.filename(), fs::copy_options::recursive, ignored);
 }
 
@@ -72,7 +72,7 @@ int runConfined(Confinement confinement, const std::function<int(const std::func
   copyShaderCache(confinement.shaderCache, shaders.path());
   confinement.sandbox.write.insert(confinement.sandbox.write.end(), {folder.path(), shaders.path()});
   const pid_t supervisor = getpid();
-  std::fflush(nullptr);  // or both would write it
+  std::fflush(nullptr);  // or both processes would write the buffered text
   std::optional<SignalsHeld> held(std::in_place);
   const pid_t process = fork();
   if (process < 0)
@@ -81,7 +81,7 @@ int runConfined(Confinement confinement, const std::function<int(const std::func
     held.reset();
     dieWith(supervisor);
     setEnvironment(folder.path(), shaders.path());
-    // Not a return: what lies on the stack is the supervisor's to clean up.
+    // A return would destroy the supervisor's objects on the stack.
     std::exit(guard([&] {
       enterSandbox(confinement.sandbox);
       return work();

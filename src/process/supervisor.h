@@ -8,20 +8,20 @@
 
 namespace poinsot::process {
 
-/// What `work` needs beside the files of its sandbox.
+/// Sandbox and shader cache of a process that runConfined() starts.
 struct Confinement {
   Sandbox sandbox;
-  /// Shader cache to give a copy of, if `work` draws: others would run one that `work` could write to. Empty:
-  /// none.
+  /// Shader cache that the process gets a copy of; empty if it draws nothing. Other processes run the original, so
+  /// `work` must not write to it.
   std::filesystem::path shaderCache;
 };
 
-/// Runs `work` in a process of its own, in a sandbox and with a temporary folder of its own, which is removed when
-/// it ends, however that is. Signals to end are passed on.
-/// @param guard  calls what it is given, and returns its exit status or that of what it threw; throws nothing.
+/// Runs `work` in a new process, in a sandbox and with a temporary folder, which is removed afterwards in any
+/// case. Forwards SIGINT, SIGTERM and SIGHUP to the new process.
+/// @param guard  calls its argument, and returns the exit status of the call or of its exception; throws nothing
 /// @pre this process has one thread.
-/// @returns its exit status; 128 + n where signal n ended it.
-/// @throws core::Error where there is no room for the folder, or no process can be started.
+/// @returns the exit status of the new process; 128 + n if signal n ended it
+/// @throws core::Error if the folder cannot be made, or if no process can be started
 int runConfined(Confinement confinement, const std::function<int(const std::function<int()>&)>& guard,
                 const std::function<int()>& work);
 

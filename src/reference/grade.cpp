@@ -21,10 +21,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kUnitLength = 1e-6;  // a quaternion printed with six digits is as near to unit length
-constexpr double kClose = 0.02;       // rad, or of omega: a reading that leaves more only fits better
+constexpr double kUnitLength = 1e-6;  // error in length of a quaternion with six printed digits
+constexpr double kClose = 0.02;       // rms, rad or relative to omega: above it, a reading only "fits better"
 
-/// Which columns each quantity comes from; empty: none.
+/// Columns from which each quantity is computed; empty if the log lacks them.
 struct Origins {
   std::string attitude, omega_B, omega_W, rate_B, rate_W, directionOfL, lengthOfL, kineticEnergy;
 };
@@ -45,8 +45,8 @@ Origins originsOf(const LoggedState& theirs) {
   return origins;
 }
 
-/// The log, read so, against the motion. Rows at times that the motion is not known at are left out: no reading is
-/// found that moves a row of finite numbers there (grade_convention.h).
+/// Comparison of a log with the motion, under some readings. Rows at times for which the motion is unknown are
+/// left out; no chosen reading moves a row of finite numbers to such a time (grade_convention.h).
 class Comparison {
  public:
   Comparison(const KnownMotion& motion, const TrajectoryTable& theirs, std::vector<Reading> readings)
@@ -59,7 +59,6 @@ class Comparison {
   std::vector<GradedQuantity> quantities();
   double firstTime_s() const { return t_s_.front(); }
   double lastTime_s() const { return t_s_.back(); }
-  /// Notes on the values as they are written.
   std::vector<std::string> valueNotes() const;
 
  private:
@@ -69,7 +68,7 @@ class Comparison {
   void compare(const physics::RigidBodyState& ours, const LoggedState& theirs);
   void compareVectors(const physics::RigidBodyState& ours, const LoggedState& theirs);
   void compareMomenta(const physics::RigidBodyState& ours, const LoggedState& theirs);
-  /// @param scale  what errors are divided by; 0 leaves them in `unit`
+  /// @param scale  divisor of the errors; 0 leaves them in `unit`
   GradedQuantity summary(std::string_view key, std::string_view label, std::string_view unit,
                          const std::string& from, std::vector<double>& errors, double scale) const;
   GradedQuantity signedSummary(std::string_view key, const std::string& from, std::vector<double>& differences,
@@ -81,9 +80,9 @@ class Comparison {
   std::vector<std::size_t> order_;
   std::vector<double> t_s_;
   std::vector<double> attitude_, omega_B_, omega_W_, rate_B_, rate_W_, directionOfL_;
-  std::vector<double> lengthOfL_, kineticEnergy_;  // with their signs
+  std::vector<double> lengthOfL_, kineticEnergy_;  // signed
   double largestOmega_ = 0, largestL_ = 0, largestT_ = 0;
-  double worstLength_ = 0;  // of a quaternion, off 1
+  double worstLength_ = 0;  // largest deviation of a quaternion's length from 1
   std::vector<double> notFinite_s_;
 };
 
@@ -98,10 +97,8 @@ void Comparison::sortRows() {
 
 LoggedState Comparison::stateOf(std::size_t row) const { return readAs(loggedState(theirs_, row), readings_); }
 
-/// An error that is not finite is as large as can be.
 double worst(double error) { return std::isfinite(error) ? error : std::numeric_limits<double>::infinity(); }
 
-/// @throws core::Error with the place of the row's time, where the motion has no state then.
 physics::RigidBodyState Comparison::oursAt(double t_s, std::size_t row) const {
   try {
     return motion_.at(t_s);
@@ -155,7 +152,7 @@ void Comparison::compareMomenta(const physics::RigidBodyState& ours, const Logge
 
 double rootMeanSquare(const std::vector<double>& errors, double largest) {
   if (largest == 0 || !std::isfinite(largest)) return largest;
-  double sum = 0;  // of squares at most 1: none overflows or vanishes
+  double sum = 0;  // sum of squares of at most 1, which cannot overflow or vanish
   for (const double error : errors) sum += (error / largest) * (error / largest);
   return largest * std::sqrt(sum / static_cast<double>(errors.size()));
 }
@@ -174,7 +171,7 @@ GradedQuantity Comparison::summary(std::string_view key, std::string_view label,
                        std::nullopt, Trend::kNone}};
 }
 
-/// The sign that most of the last quarter has.
+/// Returns the predominant sign in the last quarter of the rows; kNone if there is none.
 Trend trendOf(const std::vector<double>& differences) {
   double sum = 0, sizes = 0;
   for (std::size_t i = differences.size() - (differences.size() + 3) / 4; i < differences.size(); ++i) {
@@ -185,7 +182,6 @@ Trend trendOf(const std::vector<double>& differences) {
   return sum < 0 ? Trend::kLoses : Trend::kGains;
 }
 
-/// Summarises signed differences.
 GradedQuantity Comparison::signedSummary(std::string_view key, const std::string& from,
                                          std::vector<double>& differences, double scale) const {
   std::vector<double> errors;
@@ -216,7 +212,6 @@ std::vector<GradedQuantity> Comparison::quantities() {
   return all;
 }
 
-/// "q is conjugated (...) and omega is in deg/s (...)".
 std::string causesText(const std::vector<FitCause>& causes) {
   std::string text;
   for (const FitCause& cause : causes)
@@ -228,7 +223,6 @@ bool isOfState(const GradedQuantity& quantity) {
   return quantity.errors && (quantity.key == "attitude" || quantity.key.starts_with("omega"));
 }
 
-/// "attitude 3.4e-13 rad, omega in the body 2.1e-12": the largest errors.
 std::string largestErrors(const std::vector<GradedQuantity>& quantities) {
   std::string text;
   for (const GradedQuantity& quantity : quantities)

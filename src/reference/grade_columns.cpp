@@ -20,7 +20,6 @@ struct Vector {
 constexpr Vector kVectors[] = {{kQAt, 4},  {kOmegaBAt, 3}, {kOmegaWAt, 3},
                                {kLWAt, 3}, {kRateBAt, 3},  {kRateWAt, 3}};
 
-/// "L_W_x, L_W_y, L_W_z".
 std::string namesOf(const Vector& vector) {
   std::string names;
   for (const TrajectoryColumn& column : std::span(kTrajectoryColumns).subspan(vector.place, vector.length))
@@ -28,7 +27,7 @@ std::string namesOf(const Vector& vector) {
   return names;
 }
 
-/// "time", "Time [s]", "t_s", "t (s)".
+/// Returns whether a name looks like the time: "time", "Time [s]", "t_s", "t (s)".
 bool meansTime(std::string_view name) {
   const auto startsWith = [&](std::string_view word) {
     return std::ranges::equal(name.substr(0, word.size()), word, {}, [](char c) { return c | 0x20; });
@@ -87,7 +86,7 @@ std::string GradeColumns::lack() const {
   return "no motion to grade: it takes q_w, q_x, q_y, q_z or omega_B_x, omega_B_y, omega_B_z" + foreignText();
 }
 
-/// ", not qx, qy": the names that are none of the table's; a few.
+/// Returns ", not qx, qy" with up to eight foreign names; empty if there are none.
 std::string GradeColumns::foreignText() const {
   constexpr std::size_t kMost = 8;
   std::string names;

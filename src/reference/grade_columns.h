@@ -9,8 +9,7 @@
 
 namespace poinsot::reference {
 
-/// Columns of somebody's trajectory: which of kTrajectoryColumns they are, by their names. Names that are none of
-/// these are foreign, and ignored.
+/// Columns of a log, matched by name with kTrajectoryColumns. Other names are foreign and ignored.
 class GradeColumns {
  public:
   static constexpr std::size_t kForeign = static_cast<std::size_t>(-1);
@@ -20,23 +19,21 @@ class GradeColumns {
 
   bool empty() const { return all_.empty(); }
   std::size_t size() const { return all_.size(); }
-  /// Column of kTrajectoryColumns that the i-th name means, or kForeign.
+  /// Returns the index in kTrajectoryColumns of the i-th name, or kForeign.
   std::size_t operator[](std::size_t i) const { return all_[i]; }
-  /// Columns that are not foreign, in the order of their names.
   const std::vector<std::size_t>& known() const { return known_; }
 
-  /// Number of the first name that is there for the second time.
+  /// Returns the position of the first name that repeats an earlier one.
   std::optional<std::size_t> repeated() const;
   bool hasTime() const { return timeAt().has_value(); }
-  /// Number of the name of the time.
   std::optional<std::size_t> timeAt() const;
-  /// "; is it 'Time [s]'?": a name that looks like one of the time; empty where none does.
+  /// Returns "; is it 'Time [s]'?" for a name that looks like the time; empty if there is none.
   std::string timeHint() const;
-  /// Returns why nothing can be graded besides a missing time: a vector without a component, or neither attitude
-  /// nor angular velocity. Empty where all is there.
+  /// Returns why the log cannot be graded, apart from a missing time: a vector lacks a component, or both attitude
+  /// and angular velocity are missing. Empty if nothing is missing.
   std::string lack() const;
 
-  /// Column of kTrajectoryColumns with this name, or kForeign.
+  /// Returns the index in kTrajectoryColumns of a name, or kForeign.
   static std::size_t columnNamed(std::string_view name);
 
  private:

@@ -15,14 +15,14 @@
 namespace poinsot::reference {
 namespace {
 
-constexpr std::size_t kFewestSampleRows = 3;  // fewer fit by chance
+constexpr std::size_t kFewestSampleRows = 3;  // fewer rows fit by chance
 constexpr std::size_t kSampleRows = 64;
 constexpr std::size_t kMostReadings = 3;
-constexpr double kWrong = 1e-3;             // rad, or of omega: more than the rounding of a log
-constexpr double kMostLeft = 0.05;          // of the misfit before
-constexpr double kUnrelated = 0.5;          // rad, or of omega: what is left must be less
-constexpr double kWorse = 2;                // times the misfit before
-const double kEqualScores = std::log(10.);  // for scores that differ by less, the plainer reading is taken
+constexpr double kWrong = 1e-3;             // rad, or relative to omega: more than the rounding of a log
+constexpr double kMostLeft = 0.05;          // share of the earlier misfit
+constexpr double kUnrelated = 0.5;          // rad, or relative to omega: limit on the remaining misfit
+constexpr double kWorse = 2;                // factor by which a misfit may grow
+const double kEqualScores = std::log(10.);  // the simpler reading is chosen if scores differ by less
 
 bool isWrong(const std::optional<double>& misfit) { return misfit && *misfit > kWrong; }
 bool isWrong(const Misfit& misfit) { return isWrong(misfit.attitude) || isWrong(misfit.omega); }
@@ -40,13 +40,13 @@ bool isBetter(const Misfit& after, const Misfit& before) {
   return helps(after.attitude, before.attitude) || helps(after.omega, before.omega);
 }
 
-/// Whether all that was wrong is better.
+/// Returns whether every misfit that was wrong has been reduced.
 bool explains(const Misfit& after, const Misfit& before) {
   return isBetter(after, before) && (!isWrong(before.attitude) || helps(after.attitude, before.attitude)) &&
          (!isWrong(before.omega) || helps(after.omega, before.omega));
 }
 
-/// Rows spread evenly over those in which all is finite, in the order of time.
+/// Samples rows with finite values only, spread evenly, in the order of time.
 LogSample sampleOf(const KnownMotion& motion, const TrajectoryTable& theirs) {
   std::vector<std::size_t> rows(theirs.rows());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
@@ -62,7 +62,6 @@ LogSample sampleOf(const KnownMotion& motion, const TrajectoryTable& theirs) {
   return sample;
 }
 
-/// Readings found together, in the order of their aspects, and the sample read so.
 struct Finding {
   std::vector<Reading> readings;
   LogSample sample;
@@ -86,7 +85,7 @@ class ConventionSearch {
 
   const KnownMotion& motion_;
   LogSample asWritten_;
-  std::vector<Hypothesis> usual_;  // the plainest first
+  std::vector<Hypothesis> usual_;  // simplest first
   const std::vector<Hypothesis> exchanges_ = exchangeHypotheses(), twoTurns_{twoTurnsHypothesis()};
 };
 
@@ -122,7 +121,7 @@ std::vector<Finding> ConventionSearch::pairs(const Finding& found) const {
   return all;
 }
 
-/// The first of the findings that fit best; nothing where none is better than before.
+/// Returns the first of the findings that fit best; nullopt if none is better than before.
 std::optional<Finding> bestOf(std::vector<Finding> findings, const Misfit& before) {
   std::erase_if(findings, [&](const Finding& finding) { return !isBetter(misfitOf(finding.sample), before); });
   double least = std::numeric_limits<double>::infinity();
@@ -132,7 +131,7 @@ std::optional<Finding> bestOf(std::vector<Finding> findings, const Misfit& befor
   return std::nullopt;
 }
 
-/// The plainest finding that makes all better that is wrong; else the plainest that makes some of it better.
+/// Returns the simplest finding that reduces every misfit, or failing that, the simplest that reduces one.
 std::optional<Finding> ConventionSearch::better(const Finding& found) const {
   const Misfit before = misfitOf(found.sample);
   std::optional<Finding> partly;

@@ -11,26 +11,26 @@
 namespace poinsot::reference {
 namespace {
 
-constexpr std::size_t kFewestRows = 16;    // two to a group
-constexpr std::size_t kFewestGroups = 8;   // as many as a fit of four numbers needs at least
-constexpr std::size_t kMostGroups = 125;   // a start is found to a row anyway; the fits take their square
-constexpr std::size_t kRowsPerGroup = 8;   // enough that an oscillating error shows its size
-constexpr std::size_t kFewestGrowing = 4;  // groups that a growth is read from
-constexpr double kLeastGrowth = 4;         // over the level before
-constexpr double kMostUnexplained = 0.5;   // of the scatter, for a drift
-constexpr double kWorthAStart = 0.5;       // of the residual of growth from the first row on
-constexpr double kCloseFit = 0.1;          // of ln e, rms: clear however little scatter there is to explain
-constexpr double kMostUnclear = 0.1;       // of the scatter, for an order of growth
+constexpr std::size_t kFewestRows = 16;    // two per group
+constexpr std::size_t kFewestGroups = 8;   // needed to fit four numbers
+constexpr std::size_t kMostGroups = 125;   // the start is found to a row anyway; the cost of the fits is quadratic
+constexpr std::size_t kRowsPerGroup = 8;   // enough for an oscillating error to show its size
+constexpr std::size_t kFewestGrowing = 4;  // groups needed to fit a growth
+constexpr double kLeastGrowth = 4;         // factor over the level before
+constexpr double kMostUnexplained = 0.5;   // share of the scatter, for a drift
+constexpr double kWorthAStart = 0.5;       // share of the residual of growth from the first row on
+constexpr double kCloseFit = 0.1;  // rms of ln e below which a fit is clear, even with little scatter to explain
+constexpr double kMostUnclear = 0.1;  // share of the scatter, for an order of growth
 
-/// Neighbouring rows by their largest error.
+/// Group of neighbouring rows, represented by their largest error.
 struct Group {
-  double start;     ///< |t - t0| where the one before ends
+  double start;     ///< |t - t0| at the end of the group before
   double time;      ///< |t - t0| of the largest error
-  double logError;  ///< of at least kRoundingError
+  double logError;  ///< ln of the largest error, or of kRoundingError if that is larger
   std::size_t lastRow;
 };
 
-/// y = intercept + slope x by least squares.
+/// Least-squares line y = intercept + slope x.
 struct Line {
   double intercept = 0, slope = 0;
   double residual = 0;  ///< sum of squares
@@ -41,7 +41,7 @@ struct Line {
 class LineFit {
  public:
   void add(double x, double y) {
-    // Welford's updates: sums of squares without cancellation.
+    // Welford's updates avoid cancellation in the sums of squares.
     ++n_;
     const double dx = x - meanX_, dy = y - meanY_, n = static_cast<double>(n_);
     meanX_ += dx / n;
@@ -60,11 +60,11 @@ class LineFit {
   double meanX_ = 0, meanY_ = 0, xx_ = 0, yy_ = 0, xy_ = 0;
 };
 
-/// "Constant before group `first`, a power of the time from there on."
+/// Model of an error that is constant before group `first`, and a power of time from it on.
 struct Model {
   std::size_t first = 0;
   double residual = std::numeric_limits<double>::infinity();
-  Line before;  ///< slope 0
+  Line before;
   Line after;
 };
 
@@ -89,7 +89,7 @@ Line constant(std::span<const Group> groups) {
   return fit.line();
 }
 
-/// ln e against ln(|t - t0| - origin).
+/// Fits a line to ln e against ln(|t - t0| - origin).
 Line power(std::span<const Group> groups, double origin) {
   LineFit fit;
   for (const Group& group : groups)
@@ -126,7 +126,7 @@ bool grows(const Model& model, std::span<const Group> groups) {
   return end - level > std::log(kLeastGrowth);
 }
 
-/// The last row, up to the first growing group, that is as good as those before: see findDrift().
+/// Returns the last row, up to the first growing group, that is as good as the rows before (see findDrift()).
 std::size_t startOf(const Model& model, std::span<const Group> groups, std::span<const double> errors) {
   if (model.first < 2) return 0;
   double level = 0;
@@ -149,7 +149,6 @@ void describeGrowth(Drift& drift, std::span<const Group> growing, double origin)
   }
 }
 
-/// Rows before the error is lost.
 std::size_t judgedRows(std::span<const double> errors) {
   return static_cast<std::size_t>(
       std::find_if(errors.begin(), errors.end(), [](double e) { return !(e < kLostError); }) - errors.begin());
@@ -162,7 +161,7 @@ Drift findDrift(std::span<const double> t_s, std::span<const double> errors) {
   const std::size_t judged = judgedRows(errors);
   if (std::ranges::all_of(errors, [](double e) { return e <= kRoundingError; })) return {DriftKind::kRounding};
   if (judged < kFewestRows) {
-    // Lost before it could be judged: it left the truth between its last row within rounding and the next.
+    // Too few rows for a fit. The error left the truth after the last row within rounding.
     if (judged == errors.size()) return {DriftKind::kTooFewRows};
     std::size_t last = judged;
     while (last > 0 && errors[last] > kRoundingError) --last;
@@ -172,7 +171,7 @@ Drift findDrift(std::span<const double> t_s, std::span<const double> errors) {
   const Model model = bestModel(groups);
   if (!grows(model, groups)) {
     if (judged == errors.size()) return {DriftKind::kLevel};
-    return {DriftKind::kDrift, t_s[judged - 1]};  // level, then lost from one row to the next
+    return {DriftKind::kDrift, t_s[judged - 1]};  // level, then beyond kLostError within one row
   }
   const double from_s = t_s[startOf(model, groups, errors.first(judged))];
   Drift drift{DriftKind::kDrift, from_s};

@@ -16,11 +16,11 @@ bool holds(const physics::TimeSpan& span, double t_s) { return span.from_s <= t_
 bool KnownMotion::extend(const MotionMaker& maker, const physics::TimeSpan& span) {
   try {
     Part part{span, maker(span)};
-    for (const double end_s : {span.from_s, span.to_s}) part.motion->at(end_s);  // refuses one too far from 0
+    for (const double end_s : {span.from_s, span.to_s}) part.motion->at(end_s);  // throws if too far from 0
     parts_.push_back(std::move(part));
     return true;
   } catch (const core::Error&) {
-    return false;  // grading goes on: the log is not read with other times
+    return false;  // grading goes on without other times
   }
 }
 

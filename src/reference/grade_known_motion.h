@@ -10,22 +10,23 @@
 
 namespace poinsot::reference {
 
-/// Makes the motion that a log is graded against, known over another span. @throws core::Error
+/// Function that makes the motion that a log is graded against, known over a given span. May throw core::Error.
 using MotionMaker = std::function<std::unique_ptr<const physics::Motion>(const physics::TimeSpan&)>;
 
-/// One motion, known over several spans of time: a driven motion is integrated over the span it is wanted for.
+/// One motion, known over several spans of time. A driven motion is integrated over each span that is needed.
 class KnownMotion {
  public:
-  /// @param motion  outlives this. @param span  where it is known, as well as between that and 0.
+  /// @param motion  must outlive this object
+  /// @param span  span over which `motion` is known, extended to include 0
   KnownMotion(const physics::Motion& motion, const physics::TimeSpan& span)
       : motion_(motion), span_{std::min(0., span.from_s), std::max(0., span.to_s)} {}
 
-  /// Makes the motion known over another span, too. Returns false if it cannot be made: too many steps, losses
-  /// that have no past, or times beyond the range of numbers.
+  /// Makes the motion known over another span, too. Returns false if this fails because of too many steps, of
+  /// losses that cannot be followed backwards, or of times out of range.
   bool extend(const MotionMaker& maker, const physics::TimeSpan& span);
 
   bool knows(double t_s) const { return motionAt(t_s) != nullptr; }
-  /// @pre knows(t_s)
+  /// Returns the state at a motion time. @pre knows(t_s)
   physics::RigidBodyState at(double t_s) const;
   const physics::Motion& motion() const { return motion_; }
 

@@ -13,7 +13,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using physics::Quaternion;
 
-constexpr double kExact = 1e-10;  // misfits below it differ by rounding only
+constexpr double kExact = 1e-10;  // misfits below differ only by rounding
 
 class MeanSquare {
  public:
@@ -30,7 +30,6 @@ class MeanSquare {
   std::size_t count_ = 0;
 };
 
-/// A hypothesis of one reading that needs no fit.
 Hypothesis hypothesis(std::function<bool(const LoggedState&)> applies, Reading reading) {
   return {reading.aspect, [applies = std::move(applies), reading = std::move(reading)](const LogSample& sample) {
             return applies(sample.theirs.front()) ? std::optional(reading) : std::nullopt;
@@ -57,7 +56,7 @@ Hypothesis scaledTime(const std::string& unit, double perSecond) {
                      }});
 }
 
-/// omega whose body turns at `rate`: omega + alpha (I omega) × omega = rate, by Newton's method from omega = rate.
+/// Solves omega + alpha (I omega) × omega = rate for omega, rad/s, by Newton's method from omega = rate.
 Vector3d omegaTurningAt(const Vector3d& rate, const Matrix3d& I, double alpha) {
   const auto crossing = [](const Vector3d& v) {
     Matrix3d m;

@@ -11,16 +11,16 @@
 
 namespace poinsot::reference {
 
-/// Some rows of a log, each beside the motion's state at its time.
+/// Rows of a log, each with the motion's state at its time.
 struct LogSample {
   std::vector<LoggedState> theirs;
   std::vector<physics::RigidBodyState> ours;
 };
 
-/// Largest |omega| of the motion in a sample, rad/s.
+/// Returns the largest |omega| of the motion in a sample, rad/s.
 double largestOmega(const LogSample& sample);
 
-/// Root mean squares over a sample; none: the columns are absent.
+/// Root mean square errors of a sample; nullopt if the log lacks the columns.
 struct Misfit {
   std::optional<double> attitude;  ///< rad
   std::optional<double> omega;     ///< relative to the largest |omega| of the sample
@@ -28,34 +28,33 @@ struct Misfit {
 
 Misfit misfitOf(const LogSample& sample);
 
-/// Grows with the misfits' orders of magnitude: a sum of their logarithms, all below rounding being alike.
+/// Returns the sum of the misfits' logarithms; all misfits below rounding count alike.
 double scoreOf(const Misfit& misfit);
 double scoreOf(const LogSample& sample);
 
-/// The part of a log that a reading changes, in order of application; a log has one reading of each.
+/// Part of a log that a reading changes, in order of application; a log has at most one reading of each part.
 enum class Aspect { kOrder, kSense, kUnit, kFrame, kTimeUnit, kShift, kAxes, kRate };
 
-/// A way to read a log other than the one in which its columns are named.
+/// Way to read a log that differs from what its column names mean.
 struct Reading {
   Aspect aspect;
   FitCause cause;
   std::function<LoggedState(LoggedState)> apply;
 };
 
-/// Returns the row with all readings applied, in their order.
 LoggedState readAs(LoggedState state, const std::vector<Reading>& readings);
-/// Reads a sample likewise; returns nothing if the motion is not known at the times that it then has.
+/// Applies readings to a sample. Returns nullopt if the motion is unknown at a time that results.
 std::optional<LogSample> readAs(const LogSample& asWritten, const std::vector<Reading>& readings,
                                 const KnownMotion& motion);
 
-/// A usual way to write logs.
+/// Convention that logs commonly use instead of poinsot's.
 struct Hypothesis {
   Aspect aspect;
-  /// The reading of this kind that fits the sample best; nothing where the log has no such columns.
+  /// Returns the reading of this kind that fits the sample best; nullopt if the log lacks the columns.
   std::function<std::optional<Reading>(const LogSample&)> reading;
 };
 
-/// Hypotheses without a free number: order and sense of a quaternion, units, frames, omega as the rate of turning.
+/// Returns hypotheses without a fit: order and sense of a quaternion, units, frames, omega as the rate of turning.
 std::vector<Hypothesis> namedHypotheses(const physics::Motion& motion);
 
 }  // namespace poinsot::reference

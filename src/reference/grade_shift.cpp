@@ -17,19 +17,19 @@ using Eigen::Vector3d;
 using physics::Quaternion;
 using physics::RigidBodyState;
 
-constexpr double kStep_rad = 0.1;       // of the search: a minimum of the distance is wider
-constexpr double kReach_rad = 1000;     // to either side, at most
-constexpr double kLeastReach_rad = 20;  // of a short log: three turns
-constexpr double kNear_rad = 0.3;       // distance of a row that may be the first one
-constexpr double kClock_s = 1e8;        // three years: a calendar's clock
+constexpr double kStep_rad = 0.1;       // step of the search: a minimum of the distance is wider
+constexpr double kReach_rad = 1000;     // largest reach to either side
+constexpr double kLeastReach_rad = 20;  // reach for a short log: three turns
+constexpr double kNear_rad = 0.3;       // largest distance of a candidate for the first row
+constexpr double kClock_s = 1e8;        // three years; larger shifts come from a calendar's clock
 constexpr std::size_t kProbeRows = 16;  // enough to discard unlikely shifts
-constexpr double kUnlike = 0.5;         // rad, or of omega, rms over these: not the motion at that shift
+constexpr double kUnlike = 0.5;         // rms over these rows, in rad or relative to omega, that discards a shift
 constexpr std::size_t kFewCandidates = 24;
-constexpr double kEqualMeans = 4;  // mean squares of shifts that fit equally well differ by a smaller factor
-constexpr double kNoise = 1e-20;   // square of differences by rounding
-constexpr int kRounds = 30;        // of the fit, which takes five
+constexpr double kEqualMeans = 4;  // factor below which two mean squares count as equal
+constexpr double kNoise = 1e-20;   // mean square of rounding
+constexpr int kRounds = 30;        // limit on rounds of the fit, which takes five
 
-/// Differences of a row from a state: rotation vector of the attitude, rad; omega relative to `scale`.
+/// Returns the differences of a row from a state: rotation vector of the attitude, rad; omega relative to `scale`.
 std::array<Vector3d, 3> differences(const LoggedState& theirs, const RigidBodyState& ours, double scale) {
   std::array<Vector3d, 3> d{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
   if (theirs.q_WB) {
@@ -46,7 +46,7 @@ double squared(const std::array<Vector3d, 3>& d) {
   return d[0].squaredNorm() + d[1].squaredNorm() + d[2].squaredNorm();
 }
 
-/// The decimal with the fewest digits within `tolerance` of a value.
+/// Returns the decimal with the fewest digits within `tolerance` of a value.
 double shortestNear(double value, double tolerance) {
   for (int digits = 1; digits < std::numeric_limits<double>::max_digits10; ++digits) {
     const double rounded = *core::parseNumber(fmt::format("{:.{}g}", value, digits));
@@ -57,7 +57,7 @@ double shortestNear(double value, double tolerance) {
 
 struct Candidate {
   double shift_s = 0;
-  double mean = 0;  ///< square of the differences
+  double mean = 0;  ///< mean square of the differences
 };
 
 class ShiftSearch {
@@ -81,16 +81,16 @@ class ShiftSearch {
   physics::TimeSpan span_;
   bool prepared_ = false;
   double scale_ = 0, step_s_ = 0;
-  std::vector<std::vector<RigidBodyState>> scans_;  // of the motion at times that the first row may have
+  std::vector<std::vector<RigidBodyState>> scans_;  // states at the times that the first row may have
 };
 
-/// Windows for the first row: around its time as read, and around 0.
+/// Samples the motion at times that the first row may have: around its time as written, and around 0.
 void ShiftSearch::prepare(const LogSample& sample) {
   prepared_ = true;
   if (!maker_) return;
   const double length_s = span_.to_s - span_.from_s;
   scale_ = largestOmega(sample);
-  if (motion_.extend(maker_, {0, length_s}))  // where losses have not yet brought it to rest
+  if (motion_.extend(maker_, {0, length_s}))  // at 0, losses have not slowed the body
     scale_ = std::max(scale_, motion_.at(0).omega_B.norm());
   if (!(scale_ > 0)) return;
   step_s_ = kStep_rad / scale_;
@@ -104,7 +104,7 @@ void ShiftSearch::prepare(const LogSample& sample) {
   scan({first_s - reach_s, first_s + reach_s});
 }
 
-/// Losses may have no past, and then the motion is sought from 0 on.
+/// Samples the motion for a range of starts, from 0 on if its losses cannot be followed backwards.
 void ShiftSearch::scan(const physics::TimeSpan& starts) {
   double from_s = starts.from_s;
   const double end_s = starts.to_s + span_.to_s - span_.from_s;
@@ -113,11 +113,11 @@ void ShiftSearch::scan(const physics::TimeSpan& starts) {
     if (!(from_s < starts.to_s) || !motion_.extend(maker_, {from_s, end_s})) return;
   }
   std::vector<RigidBodyState>& states = scans_.emplace_back();
-  const auto count = static_cast<std::size_t>((starts.to_s - from_s) / step_s_);  // of some ten thousand at most
+  const auto count = static_cast<std::size_t>((starts.to_s - from_s) / step_s_);  // 40 000 at most
   for (std::size_t k = 0; k < count; ++k) states.push_back(motion_.at(from_s + static_cast<double>(k) * step_s_));
 }
 
-/// Shifts at which the motion comes closest to the first row.
+/// Returns the shifts at which the motion comes closest to the first row.
 std::vector<double> ShiftSearch::likelyShifts(const LogSample& sample) const {
   const LoggedState& first = sample.theirs.front();
   std::vector<double> shifts;
@@ -145,7 +145,7 @@ double ShiftSearch::meanOver(const LogSample& sample, double shift_s, std::size_
   return sum / count;
 }
 
-/// Gauss and Newton's method over all rows, the slopes by differences.
+/// Fits the shift to all rows by the Gauss-Newton method, with slopes by differences.
 double ShiftSearch::fitted(const LogSample& sample, double shift_s) const {
   const double h_s = 1e-4 / scale_;
   for (int round = 0; round < kRounds; ++round) {
@@ -176,7 +176,7 @@ std::string shiftRemark(double shift_s, double first_s) {
                      std::abs(shift_s), first_s + shift_s);
 }
 
-/// The least shift of those that fit best.
+/// Returns the shift that fits best; of equally good ones, the smallest.
 std::optional<double> ShiftSearch::bestShift(const LogSample& sample) const {
   std::vector<Candidate> candidates;
   for (const double shift_s : likelyShifts(sample)) {

@@ -5,13 +5,14 @@
 
 namespace poinsot::reference {
 
-/// Logs whose clock has another zero: t + shift is the motion's time. The first row is looked for in the motion
-/// around its own t and around 0, then all rows are fitted (Gauss and Newton's method).
-/// @param motion  made known over the spans that are searched. @param maker  makes it so; without it, no shift.
-/// @param span  of the log's times. Both outlive the hypothesis.
+/// Returns the hypothesis that the log's clock has another zero: t + shift is the motion's time. Looks for the
+/// first row in the motion around its own t and around 0, then fits the shift to all rows (Gauss-Newton method).
+/// @param motion, maker  the maker extends the motion over the searched spans; without a maker, no shift is found.
+/// Both must outlive the hypothesis.
+/// @param span  times of the log
 Hypothesis shiftHypothesis(KnownMotion& motion, const MotionMaker& maker, const physics::TimeSpan& span);
 
-/// t + shift_s is the motion's time. @param first_s  t of the first row.
+/// Returns the reading with motion times t + shift_s. @param first_s  t of the first row.
 Reading shiftReading(double shift_s, double first_s);
 
 }  // namespace poinsot::reference

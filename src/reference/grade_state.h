@@ -13,37 +13,35 @@
 
 namespace poinsot::reference {
 
-/// One row of somebody's trajectory: the quantities that it has, as they are written or read in another way.
+/// Row of a log: the quantities that it has, as written or in another reading.
 struct LoggedState {
   double t_s = 0;
-  std::optional<physics::Quaternion> q_WB;          ///< unit; not a number where the row's has no direction
+  std::optional<physics::Quaternion> q_WB;          ///< normalised; NaN if the row's quaternion has no direction
   std::optional<Eigen::Vector3d> omega_B, omega_W;  ///< rad/s
   std::optional<Eigen::Vector3d> rate_B, rate_W;    ///< rate at which the attitude turns, rad/s
   std::optional<Eigen::Vector3d> L_W;               ///< kg·m²/s
   std::optional<double> kineticEnergy;              ///< J
-  double quaternionLength = 1;                      ///< as written
+  double quaternionLength = 1;                      ///< length of the quaternion as written
 };
 
 LoggedState loggedState(const TrajectoryTable& theirs, std::size_t row);
 
-/// Returns whether every value of the row is a number and its quaternion has a direction.
+/// Returns whether all values of a row are finite and its quaternion has a direction.
 bool isFinite(const LoggedState& state);
 
 inline bool hasAttitude(const LoggedState& s) { return s.q_WB.has_value(); }
 
-/// Quantities computed from a row's omega and attitude.
 struct DerivedState {
   std::optional<Eigen::Vector3d> L_W;
   std::optional<double> lengthOfL, kineticEnergy;
 };
 
-/// L_W and T: the row's own; else L = q (I omega_B), T = omega_B I omega_B / 2, omega_B from omega_W by q where it
-/// is absent itself.
+/// Returns L_W and T of a row. Missing values are computed: L = q (I omega_B), T = omega_B I omega_B / 2, with
+/// omega_B from omega_W by q if necessary.
 DerivedState derivedState(const physics::PrincipalAxes& axes, const LoggedState& state);
 
-/// Angle of the rotation from one attitude to the other, rad, 0 to pi; either sign of a quaternion.
+/// Returns the angle of the rotation between two attitudes, rad, 0 to pi. The sign of a quaternion has no effect.
 double angleBetween(const physics::Quaternion& a, const physics::Quaternion& b);
-/// Angle between two vectors, rad, 0 to pi.
 double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
 }  // namespace poinsot::reference

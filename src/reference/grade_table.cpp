@@ -20,11 +20,11 @@
 namespace poinsot::reference {
 namespace {
 
-constexpr std::ptrdiff_t kFewestNames = 2;  // that make a comment a header
+constexpr std::ptrdiff_t kFewestNames = 2;  // known names that make a comment a header
 
 struct Field {
   std::string_view text;
-  int column = 1;  ///< of its first byte, from 1
+  int column = 1;  ///< position of the first byte, from 1
 };
 
 constexpr std::string_view kBlanks = " \t\r";
@@ -39,8 +39,8 @@ std::size_t endOfField(std::string_view line, std::size_t from, std::string_view
   return line.size();
 }
 
-/// Splits a line at commas or, where it has none, at blanks: numpy.savetxt separates numbers by a blank, and
-/// writes the header as it is given.
+/// Splits a line at commas or, without commas, at blanks. numpy.savetxt separates numbers by blanks, but writes
+/// the header as given.
 void splitFields(std::string_view line, std::vector<Field>& fields, std::size_t start = 0) {
   fields.clear();
   const bool commas = endOfField(line, start, ",") < line.size();
@@ -55,14 +55,12 @@ void splitFields(std::string_view line, std::vector<Field>& fields, std::size_t 
   }
 }
 
-/// A reader's position in a file.
 struct Cursor {
-  std::string_view rest;  ///< lines that are still to be read
+  std::string_view rest;  ///< lines still to be read
   std::string_view line;
-  int number = 0;  ///< of the line, from 1
+  int number = 0;
 };
 
-/// Goes through the lines of one file.
 class Reader {
  public:
   Reader(std::string_view csv, const std::string& fileName) : cursor_{csv, {}, 0}, fileName_(fileName) {}
@@ -89,7 +87,8 @@ class Reader {
                       core::SourceLocation{core::printable(fileName_), cursor_.number, 0});
   }
 
-  /// Goes to the next line that is neither blank nor a comment; comments above the header may be it.
+  /// Goes to the next line that is neither blank nor a comment. Above the header, also looks for names in
+  /// comments.
   bool nextLine() {
     while (!cursor_.rest.empty()) {
       std::string_view& line = cursor_.line;
@@ -105,7 +104,7 @@ class Reader {
     return false;
   }
 
-  /// Remembers the first comment that names columns.
+  /// Remembers the first comment that names at least two known columns.
   void readComment() {
     hasComments_ = true;
     if (names_) return;
@@ -116,7 +115,7 @@ class Reader {
     if (std::ranges::count_if(fields_, known) >= kFewestNames) names_ = cursor_;
   }
 
-  /// The first line names the columns, or where it holds numbers, a comment above it, as numpy.savetxt writes it.
+  /// Finds the header: the first line or, if that holds numbers, a comment above it, as numpy.savetxt writes it.
   void findHeader() {
     const bool found = nextLine();
     if (found) splitFields(cursor_.line, fields_);
@@ -139,7 +138,6 @@ class Reader {
     row_.resize(columns_.known().size());
   }
 
-  /// What to say of a first line without t.
   std::string withoutTime() const {
     if (std::ranges::any_of(fields_, [](const Field& f) { return f.text.find(';') != std::string_view::npos; }))
       return "semicolons: columns are separated by commas or blanks here, and numbers have a decimal point";
@@ -176,7 +174,7 @@ class Reader {
   }
 
   Cursor cursor_;
-  std::optional<Cursor> names_;  // at a comment that names columns
+  std::optional<Cursor> names_;  // position of the comment that names columns
   bool hasComments_ = false;
   std::string fileName_;
   std::vector<Field> fields_;

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kNearlyWhole = 0.25;  // of an order of growth that has a name
+constexpr double kNearlyWhole = 0.25;  // distance of an order of growth from a whole number that has a name
 
 constexpr std::string_view kRow = "{:<18} {:>9} {:<{}} {:>11} {:>10} {:>10}   {}\n";
 
@@ -45,7 +45,7 @@ constexpr std::array kTrendWords{"none", "loses", "gains"};
 
 constexpr const char* trendWord(Trend trend) { return kTrendWords[static_cast<std::size_t>(trend)]; }
 
-/// "-5.91e-02" where the error has a sign and is more than rounding.
+/// Returns the error at the last row, with its sign if it has one and exceeds rounding: "-5.91e-02".
 std::string finalText(const ErrorSummary& errors) {
   const bool hasSign = errors.signedFinal && errors.drift.kind != DriftKind::kRounding;
   return hasSign ? fmt::format("{:+.2e}", *errors.signedFinal) : fmt::format("{:.2e}", errors.final);
@@ -65,7 +65,7 @@ std::string row(const GradedQuantity& quantity, std::size_t unitWidth) {
                      driftText(e.drift) + trend);
 }
 
-/// Returns the signed final errors that drift: "T -5.9e-02 (loses), |L| -3.0e-02 (loses)".
+/// Returns a sentence on the errors with a trend: "T -5.9e-02 (loses), |L| -3.0e-02 (loses)".
 std::string trendText(const Grade& grade) {
   std::string text;
   for (const GradedQuantity& quantity : grade.quantities) {
@@ -76,12 +76,11 @@ std::string trendText(const Grade& grade) {
   return text.empty() ? "" : "At the last row, against the motion: " + text + ".\n";
 }
 
-/// A note as a sentence.
 std::string sentence(const std::string& note) {
   return fmt::format("Note: {}{}\n", note, note.ends_with('?') || note.ends_with('.') ? "" : ".");
 }
 
-/// Only what their columns do not say themselves needs saying.
+/// Lists the quantities that are computed from other columns; the rest need no remark.
 std::string derivedText(const Grade& grade) {
   std::string text;
   for (const GradedQuantity& quantity : grade.quantities)

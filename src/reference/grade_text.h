@@ -7,11 +7,11 @@
 
 namespace poinsot::reference {
 
-/// A table for people, a quantity a line, then the notes.
+/// Returns a table for people, with one quantity per line, followed by the notes.
 std::string gradeTable(const Grade& grade);
 
-/// One JSON object: file, scene, rows, from_s, to_s, quantities by key (null where absent), fits (null, or how
-/// else theirs has to be read and the quantities then), notes. A number that is not finite is null.
+/// Returns one JSON object: file, scene, rows, from_s, to_s, quantities by key (null if absent), fits (null, or
+/// the reading in which the log fits, with its quantities), notes. Numbers that are not finite are null.
 std::string gradeJson(const Grade& grade, const std::string& fileName, const std::string& sceneName);
 
 }  // namespace poinsot::reference

@@ -20,16 +20,15 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 using physics::Quaternion;
 
-constexpr double kTurned_rad = 0.001;  // less is no choice of axes
+constexpr double kTurned_rad = 0.001;  // smaller turns are not a choice of axes
 
-const double kExchangeAllowance = std::log(20.);  // a score of exchanged axes may be worse by as much
+const double kExchangeAllowance = std::log(20.);  // excess tolerated in a score of exchanged axes
 
-/// Takes components along the log's axes to those along the scene's.
+/// Rotations from components along the log's axes to components along the scene's axes.
 struct Turn {
   Quaternion body = Quaternion::Identity(), space = Quaternion::Identity();
 };
 
-/// Which columns are turned.
 enum class Columns { kAll, kAttitude, kOmega };
 
 LoggedState turned(LoggedState s, const Turn& turn, Columns columns) {
@@ -46,7 +45,7 @@ LoggedState turned(LoggedState s, const Turn& turn, Columns columns) {
   return s;
 }
 
-/// The rotations that take coordinate axes to coordinate axes; those by half a turn first, without the identity.
+/// Returns the rotations that map coordinate axes to coordinate axes, half turns first, without the identity.
 std::vector<Quaternion> makeExchanges() {
   std::vector<Quaternion> turns;
   std::array<int, 3> axes{0, 1, 2};
@@ -67,9 +66,9 @@ const std::vector<Quaternion>& exchanges() {
   return turns;
 }
 
-/// Pairs of vectors, or rotations, that one turn should take from theirs to ours. Both least squares over vectors
-/// and the mean of rotations of either sign are the largest value of a quadratic form in the unit quaternion of
-/// the turn (P. Davenport's q-method; F. L. Markley et al., J. Guid. Control Dyn. 30 (2007) 1193).
+/// Least-squares fit of the turn that takes vectors or rotations of the log to those of the motion. Both the fit
+/// of vectors and the mean of rotations, of either sign, maximise a quadratic form in the turn's unit quaternion
+/// (P. Davenport's q-method; F. L. Markley et al., J. Guid. Control Dyn. 30 (2007) 1193).
 class TurnFit {
  public:
   void add(const Vector3d& ours, const Vector3d& theirs) {
@@ -82,7 +81,7 @@ class TurnFit {
   }
   void add(const Quaternion& turn) { form_ += turn.coeffs() * turn.coeffs().transpose(); }
 
-  /// If several turns are as good, as where all vectors are parallel, the one by the smallest angle.
+  /// Returns the best turn; if several are as good, as for parallel vectors, the one by the smallest angle.
   Quaternion turn() const {
     constexpr double kEqual = 1e-14;
     const Eigen::SelfAdjointEigenSolver<Matrix4d> solver(form_);
@@ -96,10 +95,10 @@ class TurnFit {
   }
 
  private:
-  Matrix4d form_ = Matrix4d::Zero();  ///< of the components x, y, z, w
+  Matrix4d form_ = Matrix4d::Zero();  ///< in the components x, y, z, w
 };
 
-/// A vector of the rotation that turns with its axes: its axis times the sine of its angle.
+/// Returns the axis of a rotation times the sine of its angle, a vector that turns with the axes.
 Vector3d axialOf(const Quaternion& q) { return 2 * q.w() * q.vec(); }
 
 template <class Add>
@@ -109,13 +108,13 @@ TurnFit fitOver(const LogSample& sample, const Add& add) {
   return fit;
 }
 
-/// Returns the unit of omega in which it weighs as much as a rotation.
+/// Returns the unit of omega, in rad/s, in which omega weighs as much as a rotation.
 double scaleOf(const LogSample& sample) {
   const double largest = largestOmega(sample);
   return largest > 0 ? largest : 1;
 }
 
-/// Fits the body's axes to omega_B and to the turns since the first row.
+/// Fits the turn of the body's axes to omega_B and to the rotations since the first row.
 Quaternion fittedBody(const LogSample& sample) {
   const double scale = scaleOf(sample);
   const Quaternion ours0 = sample.ours.front().q_WB.conjugate();
@@ -128,7 +127,6 @@ Quaternion fittedBody(const LogSample& sample) {
       .turn();
 }
 
-/// Fits one turn of both frames to all vectors and attitudes.
 Quaternion fittedCommon(const LogSample& sample) {
   const double scale = scaleOf(sample);
   return fitOver(sample,
@@ -168,13 +166,12 @@ LogSample turned(LogSample sample, const Turn& turn, Columns columns) {
   return sample;
 }
 
-/// The fitted turn, or an exchange of axes where that fits about as well.
+/// Returns the fitted turn, or an exchange of axes if that fits about as well.
 Quaternion chosenTurn(const Quaternion& fitted, const std::function<double(const Quaternion&)>& score) {
   const auto best = std::ranges::min_element(exchanges(), {}, score);
   return score(*best) <= score(fitted) + kExchangeAllowance ? *best : fitted;
 }
 
-/// One kind of turned axes: what it needs, how it is fitted, what it turns.
 struct TurnKind {
   bool (*applies)(const LoggedState&);
   Quaternion (*fit)(const LogSample&);
@@ -204,7 +201,7 @@ Turn both(const Quaternion& q) { return {q, q}; }
 Turn body(const Quaternion& q) { return {q, Quaternion::Identity()}; }
 Turn space(const Quaternion& q) { return {Quaternion::Identity(), q}; }
 
-/// The space axes that fit once the body's are turned.
+/// Returns the turn of the space axes that fits after the body's axes are turned.
 Quaternion spaceBeside(const LogSample& sample, const Quaternion& bodyTurn) {
   const LogSample half = turned(sample, body(bodyTurn), Columns::kAll);
   return chosenTurn(fittedSpaceAlone(half), [&](const Quaternion& candidate) {

@@ -7,20 +7,21 @@
 
 namespace poinsot::reference {
 
-/// Logs whose axes are turned once and for all, by the rotation that fits best; one that exchanges or turns round
-/// the coordinate axes is preferred. The frames turned: both alike (forward-right-down, left-handed axes), the
-/// body's, that of space; then one frame of q alone, or of omega alone.
+/// Returns hypotheses that a log's axes are turned by a constant rotation, which is fitted. Rotations that
+/// exchange or reverse the coordinate axes are preferred. The frames turned are, in order: both alike
+/// (forward-right-down, left-handed axes), the body's, that of space, one frame of q alone, and one of omega
+/// alone.
 ///
-/// A mirror is among them. With M the mirrored axes' matrix, R' = M R M^-1 and, omega and L being axial vectors,
-/// omega' = det(M) M omega: that is what the proper rotation -M makes of them.
+/// Mirrors need no hypothesis of their own. With M the matrix of the mirrored axes, R' = M R M^-1, and omega' =
+/// det(M) M omega, because omega and L are axial vectors. The proper rotation -M has the same effect.
 std::vector<Hypothesis> turnHypotheses();
 
-/// Both frames turned alike, once for each exchange of coordinate axes: to be tried before a hypothesis that
-/// cannot be fitted while the axes are turned.
+/// Returns a hypothesis for each exchange of coordinate axes, with both frames turned alike. Try them before a
+/// hypothesis that cannot be fitted while the axes are turned.
 std::vector<Hypothesis> exchangeHypotheses();
 
-/// Both frames turned, each by a rotation of its own. Its six free numbers fit many other conventions too, so it
-/// is tried last.
+/// Returns the hypothesis that both frames are turned, each by a rotation of its own. Try this hypothesis last,
+/// because its six free numbers also fit many other conventions.
 Hypothesis twoTurnsHypothesis();
 
 }  // namespace poinsot::reference

@@ -14,8 +14,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using physics::Quaternion;
 
-/// The scene's x, y, z in terms of the log's, where a turn of both frames only exchanges axes and signs. A mirror
-/// is told from a rotation by what people call it: rotations cannot tell (grade_turn.h).
+/// Usual name of a turn of both frames that only exchanges axes and signs; `mapping` is the scene's x, y, z in
+/// terms of the log's. Some names speak of mirrors, because a mirror and a rotation have the same effect
+/// (grade_turn.h).
 struct KnownAxes {
   std::string_view mapping, name;
 };
@@ -30,7 +31,7 @@ constexpr KnownAxes kKnownAxes[] = {
     {"x, z, -y", "axes with z up for the scene's with y up"},
 };
 
-/// "x, -y, -z": the scene's axes in terms of the log's; empty for a turn that exchanges none.
+/// Returns the scene's axes in terms of the log's, such as "x, -y, -z"; empty unless the turn exchanges axes.
 std::string mappingOf(const Quaternion& toScene) {
   const Matrix3d m = toScene.toRotationMatrix();
   std::string mapping;
@@ -42,7 +43,7 @@ std::string mappingOf(const Quaternion& toScene) {
   return mapping;
 }
 
-/// "x" for (1, 0, 0); else its components.
+/// Returns "x" for (1, 0, 0); for other axes, the components.
 std::string axisText(const Vector3d& axis) {
   Eigen::Index largest = 0;
   axis.cwiseAbs().maxCoeff(&largest);
@@ -51,7 +52,8 @@ std::string axisText(const Vector3d& axis) {
   return fmt::format("({:.3g}, {:.3g}, {:.3g})", rounded(axis[0]), rounded(axis[1]), rounded(axis[2]));
 }
 
-/// Angle below 180 deg, or 180 deg about the axis whose first component is positive.
+/// Returns the angle, at most 180 deg, and the axis of a turn. At 180 deg, the axis's first nonzero component is
+/// positive.
 std::string turnText(const Quaternion& turn) {
   Vector3d axis = (turn.w() < 0 ? -1 : 1) * turn.vec().normalized();
   if (std::abs(turn.w()) < 1e-9)
@@ -90,7 +92,7 @@ FitCause turnCause(TurnedAxes axes, const Quaternion& toScene) {
       {"the axes of omega are", "turn omega"},
   };
   const auto& [subject, formula] = words[static_cast<std::size_t>(axes)];
-  // q in the scene's axes is space q body^-1: a turn of the body's axes stands on the right.
+  // In the scene's axes, q is space q body^-1, so a turn of the body's axes stands on the right.
   const bool onTheRight = axes == TurnedAxes::kBody || axes == TurnedAxes::kBodyOfAttitude;
   return {
       fmt::format("{} turned by {}", subject, turnText(onTheRight ? Quaternion(toScene.conjugate()) : toScene)),

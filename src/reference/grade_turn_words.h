@@ -7,14 +7,14 @@
 
 namespace poinsot::reference {
 
-/// Which axes of a log are turned against the scene's.
+/// Axes of a log that are turned against the scene's axes.
 enum class TurnedAxes { kBoth, kBody, kSpace, kBodyOfAttitude, kSpaceOfAttitude, kOmega };
 
-/// Names the turn that makes a log fit, whose axes it is of, and which axis is which.
-/// @param toScene  takes components along the log's axes to those along the scene's.
+/// Describes the turn that makes a log fit: which axes are turned, by which rotation, and which axis is which.
+/// @param toScene  rotation from components along the log's axes to components along the scene's axes
 FitCause turnCause(TurnedAxes axes, const physics::Quaternion& toScene);
 
-/// Angle of a rotation, rad, 0 to pi.
+/// Returns the angle of a rotation, rad, 0 to pi.
 double angleOf(const physics::Quaternion& turn);
 
 }  // namespace poinsot::reference

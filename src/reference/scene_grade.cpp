@@ -19,13 +19,13 @@ namespace poinsot::reference {
 namespace {
 
 bool isFarOff(const Grade& grade) {
-  constexpr double kFarOff = 0.1;  // rad, or of omega
+  constexpr double kFarOff = 0.1;  // rad, or relative to omega
   return std::ranges::any_of(grade.quantities, [](const GradedQuantity& quantity) {
     return quantity.errors && quantity.errors->rms > kFarOff;
   });
 }
 
-/// Somebody else's times far beyond the film's may be milliseconds, or another clock's.
+/// Returns a note if the log's times go far beyond the film's: they may be milliseconds, or another clock's.
 std::string timeNote(const Grade& grade, const scene::Scene& scene, const physics::TimeSpan& span) {
   constexpr double kFar = 20;
   const double end_s = scene.time.start_s + scene::chosenSpeed(scene) * scene.time.duration_s;
@@ -36,17 +36,15 @@ std::string timeNote(const Grade& grade, const scene::Scene& scene, const physic
       end_s);
 }
 
-/// Returns the errors of a log whose first row is taken at motion time 0; empty if the motion is too long from
-/// there, too.
+/// Returns the errors of a log whose first row is taken at motion time 0; empty if that motion is too long, too.
 std::string noteFromFirstRow(const MotionMaker& maker, const TrajectoryTable& theirs) {
   try {
     return firstRowNote(gradeFromZero(maker, theirs));
   } catch (const core::Error&) {
-    return "";  // what is wrong with the log as it is written is reported instead
+    return "";  // the caller reports the error of the log as written
   }
 }
 
-/// Returns the row whose time is farthest from 0.
 std::size_t farthestRow(const TrajectoryTable& theirs) {
   std::size_t farthest = 0;
   for (std::size_t row = 1; row < theirs.rows(); ++row)
@@ -54,9 +52,7 @@ std::size_t farthestRow(const TrajectoryTable& theirs) {
   return farthest;
 }
 
-/// Makes the motion over their times. @throws core::Error(kLimit) if a driven motion is too long; for a log on a
-/// clock's time, far from 0, the message also gives its errors from the first row on. The place is that of the
-/// farthest time.
+/// Makes the motion over a log's times. @throws core::Error as gradeAgainst(), at the place of the farthest time.
 std::unique_ptr<const physics::Motion> motionOver(const MotionMaker& maker, const TrajectoryTable& theirs) {
   const physics::TimeSpan span = spanOf(theirs);
   try {

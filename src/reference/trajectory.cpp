@@ -12,8 +12,8 @@ namespace poinsot::reference {
 
 namespace {
 
-constexpr std::size_t kPiece = 1 << 16;   // a pipe's capacity
-constexpr std::size_t kLongestRow = 660;  // of 21 numbers, reserved beyond a piece: it never grows
+constexpr std::size_t kPiece = 1 << 16;   // capacity of a pipe
+constexpr std::size_t kLongestRow = 660;  // bytes of 21 numbers, reserved beyond a piece
 
 constexpr const char* kJsonFormat = "poinsot trajectory 1";
 constexpr const char* kAxes =

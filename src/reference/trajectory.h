@@ -14,22 +14,22 @@
 namespace poinsot::reference {
 
 enum class TrajectoryFormat {
-  kCsv,   ///< a header with the names of the columns, then a line per time; nothing else
-  kJson,  ///< an object: format, scene, units, axes, columns, rows
+  kCsv,   ///< a header with the column names, then one line per time
+  kJson,  ///< an object with format, scene, units, axes, columns and rows
 };
 
-/// First line of a trajectory in CSV, without its newline. @param alpha  energy loss of the motion, s/(kg·m²).
+/// Returns the first line of a CSV trajectory, without newline. @param alpha  energy loss, s/(kg·m²).
 std::string trajectoryHeader(double alpha = 0);
 
-/// First bytes of every trajectory in this format: what tells an earlier output from somebody's file.
+/// Returns the first bytes of every trajectory in a format, by which an earlier output is recognised.
 std::string trajectoryMark(TrajectoryFormat format);
 
-/// Takes the text, a piece after the other.
 using TextSink = std::function<void(std::string_view)>;
 
-/// Writes the motion at these times; in memory there is never more than one piece (64 kB). Numbers are the
-/// shortest decimals that read back as the same doubles.
-/// @throws core::Error(kLimit) for a time so far that the phase of the motion has no double; process::Interrupted
+/// Writes the motion at some times, in pieces of about 64 kB, of which memory never holds more than one. Numbers
+/// are the shortest decimals that read back as the same doubles.
+/// @throws core::Error(kLimit) if the phase of the motion at a time exceeds the range of a double;
+/// process::Interrupted
 void writeTrajectory(const physics::Motion& motion, const TrajectoryTimes& times, TrajectoryFormat format,
                      const std::string& sceneName, const TextSink& sink);
 
@@ -37,9 +37,10 @@ struct TrajectoryColumn {
   std::string_view name, unit;
 };
 
-/// Columns of a trajectory, in this order: t; q takes components along the body's axes B, as the scene gives them,
-/// to components along the inertial axes W; angular velocity I^-1 m in both; angular momentum; energy of rotation;
-/// last, only where dissipation makes it another vector than omega, the rate at which the attitude turns, in both.
+/// Columns of a trajectory, in order: t; q, which takes components along the body's axes B, as the scene gives
+/// them, to components along the inertial axes W; angular velocity I^-1 m in B and W; angular momentum; rotational
+/// energy. With dissipation, the rate at which the attitude turns, in B and W, follows, because it then differs
+/// from omega.
 inline constexpr std::array<TrajectoryColumn, 21> kTrajectoryColumns{{{"t", "s"},
                                                                       {"q_w", "1"},
                                                                       {"q_x", "1"},
@@ -62,7 +63,7 @@ inline constexpr std::array<TrajectoryColumn, 21> kTrajectoryColumns{{{"t", "s"}
                                                                       {"rate_W_y", "rad/s"},
                                                                       {"rate_W_z", "rad/s"}}};
 
-/// Where in a row each quantity begins.
+/// Index of the first column of each quantity.
 enum TrajectoryPlace : std::size_t {
   kTimeAt = 0,
   kQAt = 1,
@@ -78,8 +79,9 @@ using TrajectoryRow = std::array<double, kTrajectoryColumns.size()>;
 
 TrajectoryRow trajectoryRow(const physics::Motion& motion, const physics::RigidBodyState& state);
 
-/// Columns that a trajectory has: without the rate of turning where alpha, the energy loss, is 0 and the rate is
-/// omega itself.
+/// Returns the columns of a trajectory. Without energy loss (alpha = 0), the rate of turning is omega and left
+/// out.
+/// @param alpha  energy loss, s/(kg·m²)
 constexpr std::span<const TrajectoryColumn> trajectoryColumns(double alpha) {
   return std::span(kTrajectoryColumns).first(alpha > 0 ? kTrajectoryColumns.size() : std::size_t{kRateBAt});
 }

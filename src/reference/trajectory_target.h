@@ -9,19 +9,18 @@
 
 namespace poinsot::reference {
 
-/// Where a trajectory goes.
 struct TrajectoryTarget {
   TrajectoryFormat format = TrajectoryFormat::kCsv;
-  std::filesystem::path path;  ///< empty: standard output
+  std::filesystem::path path;  ///< empty for standard output
 
   bool isStream() const { return path.empty(); }
 };
 
-/// Reads the format off the name; "-" is CSV on standard output.
-/// @throws core::Error(kUsage) saying which names work.
+/// Takes the format from the extension of a name; "-" means CSV on standard output.
+/// @throws core::Error(kUsage) with the names that work
 TrajectoryTarget parseTrajectoryTarget(const std::string& name);
 
-/// Trajectories of this program.
+/// Returns a kind of file that recognises earlier trajectories of this program.
 output::FileKind trajectoryKind(TrajectoryFormat format);
 
 }  // namespace poinsot::reference

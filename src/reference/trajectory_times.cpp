@@ -16,9 +16,9 @@ namespace poinsot::reference {
 
 namespace {
 
-constexpr double kExactIntegers = 0x1p53;  // every integer up to it is a double
+constexpr double kExactIntegers = 0x1p53;  // every integer up to this number is a double
 
-/// How many k >= 0 have k / rate <= span. Four roundings are forgiven: speed times duration, times the rate.
+/// Returns how many k >= 0 have k / rate <= span. Tolerates four roundings: speed times duration, times the rate.
 std::int64_t countWithin(double span_s, const core::Rational& rate_hz) {
   const double last = std::floor(std::abs(span_s) * rate_hz.value() * (1 + 0x1p-50));
   if (!(last * static_cast<double>(rate_hz.den) < kExactIntegers))
@@ -51,16 +51,16 @@ double TrajectoryTimes::operator[](std::int64_t k) const {
 
 namespace {
 
-constexpr double kRounding = 0x1p-52;  // of an input, as a part of it
+constexpr double kRounding = 0x1p-52;  // relative rounding of an input
 
-/// Uncertainty of the attitude at that phase: the rounding of omega times it.
+/// Uncertainty of the attitude at the phase kExactPhase_rad, from the rounding of omega.
 constexpr double kUncertain_rad = kRounding * physics::kExactPhase_rad;
 
-/// The phase at which that is a radian: 4.5e15 rad.
+/// Phase at which the rounding of omega turns the body by a radian: 4.5e15 rad.
 constexpr double kLastPhase_rad = 1 / kRounding;
 
-/// Uncertainty over that of omega's rounding alone, from which on the separatrix is to blame: far from it, moments
-/// (1, 2, 3) and omega (1, 1, 1) give 3.3; closer, the ratio grows as the inverse of the distance.
+/// Ratio of the uncertainty to that from omega's rounding alone, above which the separatrix is to blame. Far from
+/// it, moments (1, 2, 3) and omega (1, 1, 1) give 3.3; closer, the ratio grows as the inverse of the distance.
 constexpr double kCloseToSeparatrix = 100;
 
 std::string farTurnNote(double t_s, double angle_rad) {

@@ -10,16 +10,17 @@
 
 namespace poinsot::reference {
 
-/// The motion times of a trajectory's rows, in their order, s. However many there are, a rate takes no memory.
+/// Motion times of a trajectory's rows, in order, in s. Times by a rate take no memory.
 class TrajectoryTimes {
  public:
-  /// As listed: any order, repeated or not. @throws core::Error(kUsage) for one that is not finite, or none.
+  /// Takes a list in any order, repeated or not. @throws core::Error(kUsage) for an empty list or a time not
+  /// finite.
   explicit TrajectoryTimes(std::vector<double> listed_s);
 
-  /// start + k/rate for k = 0, 1, ... as far as `span_s` reaches, both ends included where they are hit; backwards
-  /// where the span is negative. k/rate is rounded once, nothing accumulates. A last time beyond the end by no
-  /// more than the rounding of the span belongs to it.
-  /// @throws core::Error(kLimit) if the times are too many to be told apart.
+  /// Makes the times start + k/rate for k = 0, 1, ... within `span_s`, both ends included if they are hit;
+  /// backwards if the span is negative. Each k/rate is rounded once, so that errors do not accumulate. A last time
+  /// beyond the end by no more than the rounding of the span is included.
+  /// @throws core::Error(kLimit) if there are too many times to be distinct.
   TrajectoryTimes(const core::Rational& rate_hz, double start_s, double span_s);
 
   std::int64_t count() const { return count_; }
@@ -29,7 +30,7 @@ class TrajectoryTimes {
   double latest_s() const { return latest_s_; }
 
  private:
-  std::vector<double> listed_s_;  // empty: a rate
+  std::vector<double> listed_s_;  // empty if the times have a rate
   core::Rational rate_hz_;
   double start_s_ = 0;
   double direction_ = 1;
@@ -37,9 +38,9 @@ class TrajectoryTimes {
   double earliest_s_ = 0, latest_s_ = 0;
 };
 
-/// A sentence if the attitude at the farthest of these motion times is uncertain by more than 0.02 rad: the body
-/// has turned too far for a double's phase, or the run amplifies the rounding of its input, most of all close to
-/// the separatrix. Empty otherwise, and for driven motion.
+/// Returns a sentence if the attitude at the farthest time is uncertain by more than 0.02 rad. Either the body has
+/// turned too far for a double's phase, or the run amplifies the rounding of its input, most of all close to the
+/// separatrix. Empty otherwise, and for driven motion.
 std::string accuracyNote(const scene::Scene& scene, const TrajectoryTimes& times);
 
 }  // namespace poinsot::reference

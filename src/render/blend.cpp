@@ -11,8 +11,8 @@
 namespace poinsot::render {
 namespace {
 
-/// Blends one colour, and remembers the last pixel: flat areas over plain paper ask for the same one again and
-/// again.
+/// Blends one colour into pixels. Caches the last result, because flat areas over plain paper blend the same pixel
+/// value repeatedly.
 template <typename Sample>
 class Blender {
  public:
@@ -48,18 +48,19 @@ class Blender {
   draw::Color color_;
   float opacity_;
   std::size_t channels_;
-  std::uint8_t coverage_ = 0;  // as no pixel that is blended has it, nothing is remembered yet
+  std::uint8_t coverage_ = 0;  // no blended pixel has coverage 0, so nothing is cached yet
   std::array<Sample, 4> under_{}, blended_{};
 };
 
-// Most of a map is empty: eight pixels at once.
+// Tests eight coverage bytes at once, because most of a map is empty.
 bool nextEightEmpty(const std::uint8_t* coverage) {
   std::uint64_t eight = 0;
   std::memcpy(&eight, coverage, sizeof(eight));
   return eight == 0;
 }
 
-/// Calls use(pixel, coverage) where the map, cut to the picture, is not empty. Returns the cut map's place.
+/// Calls use(pixel, coverage) for every picture pixel that the map covers. Returns the map's bounds, clipped to
+/// the picture.
 template <typename Sample, class Use>
 PixelBounds forEachCovered(const text::CoverageMap& map, image::BasicImage<Sample>& picture, Use use) {
   const int left = std::max(map.left, 0), right = std::min(map.left + map.width, picture.size.width);

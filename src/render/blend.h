@@ -8,13 +8,14 @@
 
 namespace poinsot::render {
 
-/// Lays `color` over the picture where `map` covers it, in linear light. A fourth channel is straight alpha. What
-/// of the map lies outside the picture is cut. Returns where it may have done something.
+/// Blends `color` over the picture where `map` covers it, in linear light. A fourth channel is straight alpha. The
+/// map is clipped to the picture. Returns the pixels that may have changed.
 template <typename Sample>
 PixelBounds blendCoverage(const text::CoverageMap& map, const draw::Color& color, float opacity,
                           image::BasicImage<Sample>& picture);
 
-/// Takes the picture away where `map` covers it, down to its paper. Returns where. @pre four channels
+/// Reduces the alpha of the picture where `map` covers it. Returns the pixels that may have changed. @pre four
+/// channels
 template <typename Sample>
 PixelBounds eraseCoverage(const text::CoverageMap& map, float opacity, image::BasicImage<Sample>& picture);
 

@@ -22,7 +22,6 @@ void dropAlpha(const Sample* rgba, std::size_t pixels, Sample* rgb) {
 int widthOf(const PixelBounds& part) { return static_cast<int>(part.right - part.left); }
 int heightOf(const PixelBounds& part) { return static_cast<int>(part.bottom - part.top); }
 
-/// The back end gives RGBA.
 template <typename Sample>
 void readPart(const PixelBounds& part, std::vector<Sample>& rgba, image::BasicImage<Sample>& picture) {
   const int x = static_cast<int>(part.left), y = static_cast<int>(part.top), rows = heightOf(part);
@@ -30,7 +29,7 @@ void readPart(const PixelBounds& part, std::vector<Sample>& rgba, image::BasicIm
   rgba.resize(4 * width * static_cast<std::size_t>(rows));
   glReadPixels(x, y, widthOf(part), rows, GL_RGBA, sizeof(Sample) == 1 ? GL_UNSIGNED_BYTE : GL_UNSIGNED_SHORT,
                rgba.data());
-  gl::expectStored("pixels to be read", rgba.size() * sizeof(Sample));  // which may need a copy of its own
+  gl::expectStored("pixels to be read", rgba.size() * sizeof(Sample));  // glReadPixels may need a copy of its own
   for (int row = 0; row < rows; ++row) {
     const Sample* from = rgba.data() + 4 * width * static_cast<std::size_t>(row);
     if (picture.channels == 4)
@@ -40,7 +39,6 @@ void readPart(const PixelBounds& part, std::vector<Sample>& rgba, image::BasicIm
   }
 }
 
-/// One row of a picture with nothing on it.
 template <typename Sample>
 std::vector<Sample> paperRow(int width, const draw::Color& background, int channels) {
   std::vector<Sample> row(static_cast<std::size_t>(channels * width));

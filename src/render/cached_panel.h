@@ -10,23 +10,24 @@
 
 namespace poinsot::render {
 
-/// The pixels of a picture or a panel of it, kept for the one in its place in the next picture: only what became
-/// different is drawn and read again.
+/// Pixels of a picture or of one of its panels, kept from picture to picture. Only tiles that have changed since
+/// the previous picture are drawn and read again.
 class CachedPanel {
  public:
-  /// The tiles of the picture that begins. @param common  the numbers that all tiles depend on, beside size and
-  /// kind
+  /// Starts a picture and returns its cache of tiles. Pixels kept from before are dropped if size or channels
+  /// differ.
+  /// @param common  numbers, besides size and format, that all tiles depend on
   template <typename Sample>
   TileCache& begin(image::PixelSize size, bool transparent, Constants common);
-  /// From the bound framebuffer, where the mosaic was drawn; paper is laid without asking it.
+  /// Reads the drawn tiles of the mosaic from the bound framebuffer and fills its empty tiles with the background.
   template <typename Sample>
   void read(const Mosaic& mosaic, const draw::Color& background);
-  /// Puts nothing there.
+  /// Fills these parts with the background. Alpha, if present, is set to 0.
   template <typename Sample>
   void layPaper(const std::vector<PixelBounds>& parts, const draw::Color& background);
-  /// Something was painted over the picture there.
+  /// Marks places as painted over, so that the next picture draws their tiles again.
   void forget(const std::vector<PixelBounds>& places);
-  /// The picture is whole. If this is not reached, nothing of it is kept.
+  /// Marks the picture as complete. Without this call, the next picture reuses none of its tiles.
   void end() { tiles_.endPicture(); }
 
   template <typename Sample>
@@ -34,7 +35,7 @@ class CachedPanel {
     return std::get<image::BasicImage<Sample>>(picture_);
   }
   const image::AnyImage& any() const { return picture_; }
-  /// Where it may differ from the picture before it in this place.
+  /// Returns where the picture may differ from the previous picture in this place.
   const std::vector<image::PixelRect>& changed() const { return changed_; }
 
  private:

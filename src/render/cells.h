@@ -9,13 +9,13 @@
 
 namespace poinsot::render {
 
-/// The side of a cell. Smaller ones cost more to draw than they save as pixels.
+/// Side of a cell, in pixels. Smaller cells would cost more to draw than the skipped pixels save.
 inline constexpr float kCell_px = 16;
-/// The side of a tile, which is llvmpipe's own.
+/// Side of a tile, in pixels. llvmpipe's own tiles have this size.
 inline constexpr int kTile_px = 64;
 
-/// Some pixels, drawn as one point: llvmpipe shades blocks of four pixels that a triangle's edge runs through once
-/// for each triangle, and compiles no set-up for points. As squares.vert takes it.
+/// Square of pixels that is drawn as one OpenGL point (squares.vert). For triangles, llvmpipe shades the 2 x 2
+/// blocks on a common edge once per triangle and compiles set-up code; for points it does neither.
 struct Square {
   glm::vec2 centre_px;
   float side_px;
@@ -23,19 +23,21 @@ struct Square {
   PixelBounds bounds() const;
 };
 
-/// The pixels of a convex outline cut into cells. The passes that look for edges draw `edge` only: in llvmpipe a
-/// pixel that is shaded and then discarded costs as much as one that is kept.
+/// Pixels of a convex outline, cut into cells: squares that the outline may cross (`edge`) and squares wholly
+/// inside (`full`). The edge passes draw only `edge`, because in llvmpipe a pixel that is shaded and then
+/// discarded costs as much as one that is kept.
 struct Cells {
-  std::vector<Square> edge;  ///< that the outline may pass through
-  std::vector<Square> full;  ///< wholly inside
+  std::vector<Square> edge;
+  std::vector<Square> full;
 };
 
-/// They lie in the picture as squared paper does, cut to the bounds, which are of whole pixels: beyond them a
-/// shader may see what is not there. `inside` tells whether a point of the picture is inside the outline, which
-/// must be convex.
+/// Cuts the bounds of a convex outline into cells on a fixed grid of the picture, clipped to the bounds.
+/// @param clipped  whole pixels within the picture, because shaders find no valid data beyond
+/// @param inside  returns whether a point of the picture is inside the outline
 Cells cutIntoCells(const PixelBounds& clipped, const std::function<bool(glm::vec2)>& inside);
 
-/// The fewest squares of 1 to 64 pixels, aligned to their sides, that make up a rectangle of whole pixels.
+/// Adds the fewest squares that make up a rectangle of whole pixels. Each has a side of 1, 2, 4, ... or 64 pixels
+/// and is aligned to its side.
 void addSquares(std::vector<Square>& squares, const PixelBounds& rectangle);
 
 }  // namespace poinsot::render

@@ -31,7 +31,6 @@ void bindLayers(const gl::ShaderProgram& program, const SolidLayers& solids) {
   }
 }
 
-/// How many there are of each kind of sheet, and of how many constants each is.
 std::string kindsOf(const SheetCounts& sheets) {
   return fmt::format(
       "#define ELLIPSOIDS {}\n#define OF_ELLIPSOID {}\n#define PLANES {}\n#define OF_PLANE {}\n"
@@ -40,14 +39,14 @@ std::string kindsOf(const SheetCounts& sheets) {
       sheets.polygons, polygonConstants(sheets.polygonSides), sheets.polygonSides);
 }
 
-/// #define EACH_name(f) f(from) ... f(to - 1)
+/// Returns the line "#define EACH_name(f) f(from) ... f(to - 1)".
 std::string each(const char* name, std::size_t from, std::size_t to) {
   std::string text = fmt::format("#define EACH_{}(f)", name);
   for (std::size_t i = from; i < to; ++i) text += fmt::format(" f({})", i);
   return text + "\n";
 }
 
-/// The loops of composite.frag.
+/// Returns the loops of composite.frag, unrolled as macros.
 std::string unrolled(const SheetCounts& sheets, std::size_t edges) {
   const std::size_t all = edges + sheets.fragments();
   std::string pairs = "#define EACH_PAIR(f)";

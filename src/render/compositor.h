@@ -11,19 +11,18 @@
 
 namespace poinsot::render {
 
-/// Puts solids and translucent sheets together, pixel by pixel in order of depth (composite.frag). The picture is
-/// cut into rectangles (mosaic.h); each is drawn by a shader made for what is there, so that empty paper costs
-/// nothing.
+/// Composes solids and translucent sheets, pixel by pixel in order of depth (composite.frag). A shader made for
+/// the content of each rectangle (mosaic.h) draws it, so that empty paper costs nothing.
 class Compositor {
  public:
-  /// Draws what the mosaic covers into the bound framebuffer. The sheets are those of the list.
+  /// Draws the parts of the mosaic into the bound framebuffer. `sheets` must be made from `list`.
   void draw(const draw::DrawList& list, const SolidLayers& layers, const Sheets& sheets, const Mosaic& mosaic,
             float sharpness, bool transparent);
 
  private:
-  /// A program for one kind of content: its features are known when it is compiled, as llvmpipe runs both sides of
-  /// an if.
-  using Variant = std::tuple<bool, SolidReach, bool, SheetCounts>;  // transparent, solids, outlines, sheets
+  /// Content that a program is compiled for: transparent, solids, outlines, sheets. All features are fixed when
+  /// the program is compiled, because llvmpipe runs both sides of an `if`.
+  using Variant = std::tuple<bool, SolidReach, bool, SheetCounts>;
   const gl::ShaderProgram& program(const Variant& variant);
 
   std::map<Variant, gl::ShaderProgram> programs_;

@@ -11,7 +11,7 @@
 namespace poinsot::render {
 namespace {
 
-// llvmpipe has 31 varyings beside the position, and curves have two of their own. Further constants are slower.
+// llvmpipe has 31 varyings besides the position, and curves use two of them. Constants beyond these 28 are slower.
 constexpr std::size_t kMostHandedOn = 28;
 constexpr std::size_t kOfPicture = 3;
 

@@ -11,25 +11,24 @@
 
 namespace poinsot::render {
 
-/// What all pixels of a draw call share, in the order in which shaders count it (constants.glsl).
+/// Values that all pixels of a draw call share, in the order in which shaders index them (constants.glsl).
 using Constants = std::vector<glm::vec4>;
 
-/// Those of the picture.
+/// Constants that all draw calls of a picture share: its size, which only vertex shaders read, the top left corner
+/// of the solid layers in it, and `shared`, the first constants of every draw call.
 struct PictureConstants {
-  glm::vec2 size_px;    ///< which only vertex shaders ask for
-  glm::vec2 layers_px;  ///< where in it the layers of the solids begin
-  Constants shared;     ///< which come first
+  glm::vec2 size_px;
+  glm::vec2 layers_px;
+  Constants shared;
 };
 
-/// @param sharpness  of edges (RenderOptions)
 PictureConstants pictureConstants(const draw::DrawList& list, float sharpness, glm::vec2 layers_px);
 
-/// A program whose draw calls have `own` constants beside those of the picture.
-/// @param defines  before the fragment shader
+/// Makes a program whose draw calls have `own` constants besides those of the picture.
+/// @param defines  lines put before the fragment shader
 gl::ShaderProgram programWithConstants(const std::string& vertexFile, const std::string& fragmentFile,
                                        std::size_t own, const std::string& defines);
 
-/// Takes the program into use for a draw call.
 void useWith(const gl::ShaderProgram& program, const PictureConstants& ofPicture, const Constants& own);
 
 }  // namespace poinsot::render

@@ -10,15 +10,15 @@
 namespace poinsot::render {
 namespace {
 
-constexpr float kRamp_px = 1.0f;       // room for the soft edge on either side
-constexpr float kShortest_px = 0.25f;  // closer points are one point in the picture
-// Points are left out where the curve stays that near to the straight line between others, as triangles are dear;
-// along the view, too, so that it stays before what it lies on.
+constexpr float kRamp_px = 1.0f;
+constexpr float kShortest_px = 0.25f;  // points closer than this are merged
+// Largest distance, across and along the view, of a left-out point from the straight line between its neighbours.
+// Triangles are expensive; the limit along the view keeps a line in front of the surface it lies on.
 constexpr float kOff_px = 0.02f;
 constexpr float kOffAlongView_px = 0.05f;
-constexpr std::size_t kMostLeftOut = 15;  // in a row: for each point all of them are looked at again
-constexpr float kFoldCosine = 0.0f;       // a bend above 90 degrees is a fold: the strip ends and a new one begins
-constexpr float kEndless = 1e4f;          // distance to the end, where there is none near
+constexpr std::size_t kMostLeftOut = 15;  // in a row; each further point tests all of them again
+constexpr float kFoldCosine = 0.0f;       // a bend above 90 degrees is a fold, where a new strip begins
+constexpr float kEndless = 1e4f;          // distance to the end if no end is near
 
 struct ScreenPoint {
   glm::vec2 p_px;
@@ -29,7 +29,7 @@ struct ScreenPoint {
 
 using Run = std::vector<ScreenPoint>;
 
-// The points in front of the camera, as runs without a gap; neighbours closer than a quarter pixel merged.
+// Returns the points in front of the camera as runs without gaps. Merges neighbours closer than a quarter pixel.
 std::vector<Run> visibleRuns(const draw::Camera& camera, const draw::Curve& curve) {
   const std::size_t n = curve.points_V.size();
   const auto at = [&](std::size_t i) { return toCamera(camera, curve.points_V[i % n]); };
@@ -68,12 +68,11 @@ bool isStraight(const draw::Camera& camera, const ScreenPoint& from, std::span<c
   });
 }
 
-// Without the points that nobody would miss.
 Run thinned(const draw::Camera& camera, const Run& run) {
   if (run.size() < 3) return run;
   const std::span<const ScreenPoint> all(run);
   Run kept{run.front()};
-  std::size_t last = 0;  // that was kept
+  std::size_t last = 0;
   for (std::size_t i = 1; i + 1 < run.size(); ++i) {
     const auto between = all.subspan(last + 1, i - last);
     if (between.size() <= kMostLeftOut && isStraight(camera, run[last], between, run[i + 1])) continue;
@@ -90,7 +89,6 @@ glm::vec2 direction(const ScreenPoint& a, const ScreenPoint& b) {
   return length > 1e-6f ? d / length : glm::vec2(1, 0);
 }
 
-// Cuts a run where the picture of the curve folds back on itself.
 std::vector<Run> splitAtFolds(const Run& run) {
   std::vector<Run> pieces(1);
   for (std::size_t i = 0; i < run.size(); ++i) {
@@ -108,7 +106,8 @@ class StripBuilder {
 
   void add(Run run, bool closed) {
     if (run.size() < 2) return;
-    // Every piece has at most one end, so that the distance to it is linear along the piece.
+    // A third point keeps the two ends in different pieces, so that the distance to the end is linear along each
+    // piece.
     if (run.size() == 2) run.insert(run.begin() + 1, midpoint(run[0], run[1]));
     pairs_.clear();
     const std::size_t n = run.size();
@@ -138,7 +137,7 @@ class StripBuilder {
     pairs_.push_back({vertex(1), vertex(-1)});
   }
 
-  // Left of a direction as seen with y down: where offset > 0 lies.
+  // Returns the direction to the left, seen with y down. Vertices on this side have a positive offset.
   static glm::vec2 leftOf(glm::vec2 d) { return {d.y, -d.x}; }
 
   void addEnd(const ScreenPoint& point, glm::vec2 along, float outwards) {
@@ -154,7 +153,7 @@ class StripBuilder {
     if (last) out = closed ? direction(run[0], run[1]) : in;
     const glm::vec2 sum = in + out;
     const glm::vec2 along = glm::length(sum) > 1e-6f ? glm::normalize(sum) : in;
-    // The mitre is longer than the half width by 1 / cos(half the bend); folds were cut, so at most sqrt(2).
+    // The mitre is longer than the half width by 1 / cos(half the bend), at most sqrt(2) because folds were cut.
     const float stretch = 1.0f / std::max(glm::dot(along, in), 0.7071f);
     const bool atEnd = !closed && (first || last);
     addPair(run[i], run[i].p_px, leftOf(along) * stretch, atEnd ? 0.0f : kEndless);
@@ -163,7 +162,7 @@ class StripBuilder {
   void emitTriangles() {
     for (std::size_t i = 0; i + 1 < pairs_.size(); ++i) {
       Pair a = pairs_[i], b = pairs_[i + 1];
-      // Distance to the end grows by the length of this piece only: elsewhere the end is far away.
+      // Only the pieces next to an end hold the true distance to it; elsewhere the end counts as far away.
       const float length = glm::distance(0.5f * (a.left.position_px + a.right.position_px),
                                          0.5f * (b.left.position_px + b.right.position_px));
       if (a.left.across.z >= kEndless && b.left.across.z < kEndless)

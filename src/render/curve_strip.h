@@ -10,21 +10,20 @@
 
 namespace poinsot::render {
 
-/// One vertex of curve.vert; the comments there say what each component is.
+/// Vertex of a strip; curve.vert documents its components.
 struct StripVertex {
   glm::vec2 position_px;
   glm::vec4 across;
   glm::vec4 tangent_C;
 };
 
-/// A curve as triangles in the picture.
 struct CurveStrip {
-  std::vector<StripVertex> triangles;  ///< three to a triangle
+  std::vector<StripVertex> triangles;  ///< three vertices per triangle
   PixelBounds bounds;
 };
 
-/// Widens a curve to its width in pixels, mitred at bends; parts behind the camera are left out, and points
-/// within a fiftieth of a pixel of the line between others, along the view a twentieth.
+/// Widens a curve to its width in pixels, with mitres at bends. Leaves out parts behind the camera, and points
+/// within 1/50 pixel (along the view 1/20 pixel) of the line between their neighbours.
 CurveStrip makeCurveStrip(const draw::Camera& camera, const draw::Curve& curve);
 
 }  // namespace poinsot::render

@@ -19,7 +19,7 @@ EllipsoidRays ellipsoidRays(const draw::Camera& camera, glm::vec3 centre_C, cons
   const auto focal_px = static_cast<double>(camera.focal_px());
   const glm::dvec2 q = (glm::dvec2(origin_px) - glm::dvec2(camera.centre_px)) / focal_px;
   const double distance = -centre.z;
-  // A pixel's side at the centre's distance, and its growth with distance; with parallel rays there is none.
+  // Side of a pixel at the centre's distance, and its growth with distance, which is 0 for parallel rays.
   const double side = (camera.orthographic ? 1 : distance) / focal_px;
   const double growth = camera.orthographic ? 0 : 1 / focal_px;
   const glm::dvec3 right = toUnitSphere[0], down = -toUnitSphere[1];

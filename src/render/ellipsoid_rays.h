@@ -11,22 +11,24 @@
 
 namespace poinsot::render {
 
-/// The rays through the pixels about an ellipsoid, in the space S in which it is the unit sphere, as
-/// ray_ellipsoid.glsl takes them: columns for a pixel to the right, for one down, and for the pixel at
-/// `origin_px`.
+/// Rays through the pixels around an ellipsoid, in the space S in which the ellipsoid is the unit sphere. The
+/// columns of from_S and along_S are the change for a pixel to the right, the change for a pixel down, and the
+/// value at `origin_px` (ray_ellipsoid.glsl).
 struct EllipsoidRays {
-  glm::mat3 from_S{0};        ///< a ray's point at the distance of the centre
-  glm::mat3 along_S{0};       ///< its change per unit of distance along the view
-  glm::mat3 toUnitSphere{1};  ///< takes C, seen from the centre, to S
-  float centreDistance = 0;   ///< along the view
+  glm::mat3 from_S{0};        ///< point of a ray at the centre's distance
+  glm::mat3 along_S{0};       ///< change of that point per unit of distance along the view
+  glm::mat3 toUnitSphere{1};  ///< takes vectors from the centre, in camera axes C, to S
+  float centreDistance = 0;   ///< distance of the centre along the view
 };
 
-/// @param semiAxes_C  as columns, in camera axes
+/// Returns the rays around an ellipsoid.
+/// @param semiAxes_C  semi-axes as columns, in camera axes
 /// @pre the centre is in front of the camera.
 EllipsoidRays ellipsoidRays(const draw::Camera& camera, glm::vec3 centre_C, const glm::mat3& semiAxes_C,
                             glm::vec2 origin_px);
 
-/// The nine constants that rayEllipsoid() of ray_ellipsoid.glsl takes, and three beside the last of them.
+/// Appends the nine constants that rayEllipsoid() of ray_ellipsoid.glsl takes. `beside` fills the w components of
+/// the last three.
 void append(Constants& to, const EllipsoidRays& rays, const ScreenEllipse& outline,
             glm::vec3 beside = glm::vec3(0));
 

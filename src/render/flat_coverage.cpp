@@ -15,15 +15,15 @@ using text::Point;
 using text::Segment;
 using Polygon = std::vector<Point>;
 
-// Chords this near to an arc change no 8-bit value by more than one step.
+// Largest distance of a chord from its arc; it changes no 8-bit value by more than one step.
 constexpr double kArcTolerance_px = 0.005;
 
 double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 Point unit(Point v) { return v * (1 / text::distance({0, 0}, v)); }
 
-/// The outline of a piece of line with round joins and ends. Walked there on its left side and back on what is
-/// then its left. Each point of the stroke is wound about as often as the travelling pen reaches it anew, and
-/// never less than once; so outlines of this kind need no care where they cross themselves.
+/// Outline of a stroke piece with round joins and ends. It follows the left side of the piece and returns along
+/// the other side. Every point of the stroke has a winding number of at least 1, about the number of times that
+/// the pen reaches it, so the outline may cross itself.
 class StrokeOutline {
  public:
   StrokeOutline(StrokePiece piece, double halfWidth) : piece_(std::move(piece)), r_(halfWidth) {
@@ -61,7 +61,7 @@ class StrokeOutline {
     const Point p = piece_[i], a = leftOf(in), b = leftOf(out);
     const double cosine = dot(a, b);
     const bool inner = dot(a, out) > 0;
-    // Inside a bend the two sides meet in one point, when they are long enough for it.
+    // On the inner side of a bend the two sides meet in one point if they are long enough.
     const double shortest = std::min(text::distance(piece_[i - 1], p), text::distance(p, piece_[i + 1]));
     if (inner && r_ * std::abs(dot(a, out)) <= 0.5 * shortest * (1 + cosine)) {
       add(p, (a + b) * (1 / (1 + cosine)));
@@ -83,10 +83,11 @@ class StrokeOutline {
     addArc(p, along, leftOf(along) * -1);
   }
 
-  // From normal a, which is there already, to b, at most a right angle on. By halves: no libm function but sqrt.
+  // Adds an arc from normal a, already in the outline, to normal b, at most a right angle further. Halving the
+  // angle needs no function of libm except sqrt.
   void addArc(Point p, Point a, Point b) {
     const Point sum = a + b;
-    const double twiceCosine = text::distance({0, 0}, sum);  // of half the angle
+    const double twiceCosine = text::distance({0, 0}, sum);  // 2 cos(half the angle)
     if (r_ * (1 - 0.5 * twiceCosine) <= kArcTolerance_px) {
       add(p, b);
       return;
@@ -101,7 +102,6 @@ class StrokeOutline {
   Polygon outline_;
 };
 
-/// Whole pixels that a polygon may reach, within the picture.
 text::CoverageMap emptyMap(const PixelBounds& bounds, glm::ivec2 size_px) {
   const PixelBounds whole = bounds.clipped(size_px);
   text::CoverageMap map;
@@ -119,7 +119,8 @@ PixelBounds boundsOf(const Polygon& polygon) {
   return bounds;
 }
 
-/// Adds the part of a segment that matters within width x height: what lies left of it covers it all the same.
+/// Sums the areas of segments clipped to width x height. A segment to the left still counts, because it covers
+/// everything to its right.
 class ClippedArea {
  public:
   ClippedArea(int width, int height) : width_(width), height_(height), area_(width, height) {}
@@ -141,7 +142,6 @@ class ClippedArea {
   std::vector<double> coverage() const { return area_.coverage(); }
 
  private:
-  // False when nothing is left.
   bool cutRows(Segment& s) const {
     const double low = std::min(s.from.y, s.to.y), high = std::max(s.from.y, s.to.y);
     if (high <= 0 || low >= height_ || high == low) return false;
@@ -182,7 +182,6 @@ text::CoverageMap polygonCoverage(const Polygon& polygon, glm::ivec2 size_px) {
   return map;
 }
 
-// Keeps the larger coverage of the two; `part` lies within `whole`.
 void takeLarger(const text::CoverageMap& part, text::CoverageMap& whole) {
   for (int y = 0; y < part.height; ++y) {
     const std::uint8_t* from = part.values.data() + static_cast<std::ptrdiff_t>(y) * part.width;

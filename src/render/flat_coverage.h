@@ -4,16 +4,17 @@
 #include "draw/picture.h"
 #include "text/coverage.h"
 
-/// How much of each pixel flat things cover: exact areas, rounded to bytes.
 namespace poinsot::render {
 
-/// A stroke with round joins and ends: every dash ends round, half the width beyond its length. A single point is
-/// a dot. Within 64 pixels along the line, what lies on itself counts twice in pixels that hold edges of both.
-/// @param size_px  of the picture, which the map is cut to
+/// Returns the coverage of a stroke with round joins and ends: exact areas, rounded to bytes. Every dash ends
+/// round, half the width beyond its length; a single point is a dot. Where a line overlaps itself within 64 pixels
+/// of length, pixels that hold edges of both parts count twice.
+/// @param size_px  size of the picture, to which the map is clipped
 /// @pre points are finite
 text::CoverageMap strokeCoverage(const draw::Stroke& stroke, glm::ivec2 size_px);
 
-/// A polygon, its last point joined to its first; inside is where it winds about.
+/// Returns the coverage of a polygon, closed from its last point to its first: exact areas, rounded to bytes.
+/// Points with a winding number other than 0 are inside.
 text::CoverageMap areaCoverage(const draw::Area& area, glm::ivec2 size_px);
 
 }  // namespace poinsot::render

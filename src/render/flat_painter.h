@@ -12,19 +12,18 @@
 
 namespace poinsot::render {
 
-/// Lays areas and strokes over a finished picture, on the CPU: coverage is exact area, blending is in linear
-/// light.
+/// Paints areas and strokes over a finished picture on the CPU. Coverage is exact area, cached because axes and
+/// past curves stand still; blending is in linear light.
 class FlatPainter {
  public:
-  /// Forgets what the picture before did not show.
   void beginPicture() { coverage_.beginPicture(); }
 
-  /// Areas first, then strokes, each in the order of the list. Returns the places that changed.
+  /// Paints the areas, then the strokes, each in list order. Returns the places that may have changed.
   template <typename Sample>
   std::vector<PixelBounds> paint(const draw::Picture& flat, image::BasicImage<Sample>& picture);
 
  private:
-  /// What a coverage map depends on: picture size, points, width (0: an area), dash, whether closed.
+  /// Inputs of a coverage map: picture size, points, line width (0 for an area), dash length, closed.
   using Key = std::tuple<int, int, std::vector<float>, float, float, bool>;
 
   template <typename Sample>
@@ -32,7 +31,7 @@ class FlatPainter {
   template <typename Sample>
   PixelBounds paint(const draw::Stroke& stroke, image::BasicImage<Sample>& picture);
 
-  PictureCache<Key, text::CoverageMap> coverage_;  // axes and past curves stand still
+  PictureCache<Key, text::CoverageMap> coverage_;
 };
 
 }  // namespace poinsot::render

@@ -9,18 +9,18 @@
 namespace poinsot::render {
 namespace {
 
-// Two unit vectors that make a right-handed frame with the axis.
+// Returns two unit vectors that form a right-handed frame with the axis.
 std::array<glm::vec3, 2> perpendiculars(glm::vec3 axis) {
   const glm::vec3 other = std::abs(axis.x) < 0.6f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
   const glm::vec3 first = glm::normalize(glm::cross(axis, other));
   return {first, glm::cross(axis, first)};
 }
 
-// The two rulings on the silhouette, as directions from the axis: where the side's normal is perpendicular to the
-// sight line, n·p = 0 with n = radial - slope axis and p = sight + radius radial, sight being from (with parallel
-// rays it is their direction, and p as well):
+// Returns the two rulings on the silhouette, as directions from the axis. There the side's normal is perpendicular
+// to the sight line: n·p = 0 with n = radial - slope axis and p = sight + radius radial, where sight is the vector
+// to from_C. With parallel rays, sight is the direction of the rays and p = sight.
 //   a cos φ + b sin φ = slope (axis·sight) - radius,    a, b = e1·sight, e2·sight
-// None where the eye is inside the (extended) cone: one disc then covers the other.
+// Returns nullopt if the eye is inside the (extended) cone, where one disc covers the other.
 std::optional<std::array<glm::vec3, 2>> silhouetteRulings(glm::vec3 sight_C, glm::vec3 axis_C, float radius,
                                                           float slope) {
   const auto [e1, e2] = perpendiculars(axis_C);
@@ -28,7 +28,6 @@ std::optional<std::array<glm::vec3, 2>> silhouetteRulings(glm::vec3 sight_C, glm
   const float c = slope * glm::dot(axis_C, sight_C) - radius;
   const float r = std::hypot(a, b);
   if (std::abs(c) >= r) return std::nullopt;
-  // cos and sin of atan2(b, a) ± acos(c / r), without the angles.
   const float cosine = c / r, sine = std::sqrt(1 - cosine * cosine);
   const float ca = a / r, sa = b / r;
   return std::array<glm::vec3, 2>{(ca * cosine - sa * sine) * e1 + (sa * cosine + ca * sine) * e2,
@@ -71,11 +70,11 @@ FrustumOutline frustumOutline(const draw::Camera& camera, const draw::Frustum& f
   const auto corner = [&](glm::vec3 end_C, float radius, std::size_t k) {
     return projectCamera(camera, end_C + radius * (*rulings)[k]);
   };
-  // Order: along one ruling, across, back along the other, across: edges 0 and 2 are the silhouette.
+  // The corners run along one ruling and back along the other, so that edges 0 and 2 are the silhouette.
   const std::array<glm::vec2, 4> corners{corner(outline.from_C, f.fromRadius, 0), corner(to_C, f.toRadius, 0),
                                          corner(to_C, f.toRadius, 1), corner(outline.from_C, f.fromRadius, 1)};
   outline.sides = quadEdges(corners);
-  // A pointed end has no edge across: the two silhouettes meet there.
+  // A pointed end has no edge across, because the two silhouettes meet there.
   if (f.toRadius == 0) outline.sides[1] = glm::vec3(0, 0, 1e6f);
   if (f.fromRadius == 0) outline.sides[3] = glm::vec3(0, 0, 1e6f);
   return outline;

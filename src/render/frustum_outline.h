@@ -8,14 +8,14 @@
 
 namespace poinsot::render {
 
-/// The picture of a frustum: the hull of its two end discs, and what frustum.frag needs to shade it.
+/// Picture of a frustum: the hull of its two end discs, and the values that frustum.frag needs to shade it.
 struct FrustumOutline {
   glm::vec3 from_C{0}, axis_C{0, 0, 1};
   float height = 0;
   ScreenEllipse first, second;
-  std::array<glm::vec3, 4> sides{};  ///< of the strip between the tangents; 0 and 2 are the silhouette
-  int visibleCap = 0;                ///< 0: none looks at the eye, 1: the first disc, 2: the second
-  PixelBounds bounds;                ///< empty when it is not wholly in front of the camera
+  std::array<glm::vec3, 4> sides{};  ///< edges of the strip between the tangents; 0 and 2 are the silhouette
+  int visibleCap = 0;                ///< disc that faces the eye: 1 the first, 2 the second, 0 none
+  PixelBounds bounds;                ///< empty if the frustum is not wholly in front of the camera
 
   bool inside(glm::vec2 p_px) const;
 };

@@ -11,15 +11,15 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-// Room for the line's soft edge and for rounding, in pixels.
 constexpr double kSoftEdge_px = 1;
-// A face seen almost edge-on would lift its line before everything: at most this many pixels' size for one across.
+// Largest growth of depth per pixel across a face, in pixel sizes. Without a limit, a face seen almost edge-on
+// would lift its line in front of everything.
 constexpr double kSteepest = 40;
-// How far, in pixels' size, a piece of line may be from its edge in depth.
+// Largest depth error of a piece of line, in pixel sizes.
 constexpr double kDepthError = 0.1;
 
-// How fast the distance along the view grows across a face, per pixel: 1 / t is linear in the picture, or t itself
-// where rays are parallel.
+// Returns how fast the distance along the view grows across a face, per pixel. 1 / t is linear in the picture, or
+// t itself if rays are parallel.
 double steepness(const std::array<dvec3, 3>& t, bool parallel) {
   const dvec2 u = dvec2(t[1] - t[0]), v = dvec2(t[2] - t[0]);
   const auto linear = [&](double depth) { return parallel ? depth : 1 / depth; };
@@ -29,7 +29,6 @@ double steepness(const std::array<dvec3, 3>& t, bool parallel) {
   return parallel ? glm::length(gradient) : glm::length(gradient) * t[0].z * t[0].z;
 }
 
-/// Makes the lines of one mesh.
 class LineMaker {
  public:
   LineMaker(const draw::Camera& camera, const ScreenMesh& screen) : camera_(camera), screen_(screen) {
@@ -49,7 +48,7 @@ class LineMaker {
       }
     }
     if (whole) {
-      line_.points_V.pop_back();  // the first again
+      line_.points_V.pop_back();
       line_.closed = true;
     }
     finish();
@@ -58,7 +57,7 @@ class LineMaker {
   std::vector<draw::Curve> take() { return std::move(lines_); }
 
  private:
-  // Towards the eye, so that half the line's width is before the faces beside it.
+  // Returns the distance to move a line towards the eye, so that half its width is in front of the adjacent faces.
   double lift(const MeshEdge& edge) const {
     const double pixel = pixelSize(camera_, screen_.vertices[edge.from].z);
     double steepest = 0;
@@ -69,7 +68,7 @@ class LineMaker {
     return across_px * (std::min(steepest, kSteepest * pixel) + 0.5 * pixel);
   }
 
-  // Cut in pieces along which the depth is as good as linear, as curve.vert takes it to be.
+  // Adds an edge in pieces along which depth is nearly linear, as curve.vert assumes.
   void addPiece(std::uint32_t from, std::uint32_t to, double lift) {
     const double a = screen_.vertices[from].z, b = screen_.vertices[to].z, nearest = std::min(a, b);
     const double longest = 2 * std::sqrt(kDepthError * pixelSize(camera_, nearest) * nearest);
@@ -84,7 +83,7 @@ class LineMaker {
     return screen_.mesh->origin_V + screen_.mesh->axes_V * screen_.mesh->mesh->vertices_M[vertex];
   }
 
-  // Along the ray to the eye: the same place in the picture.
+  // Moves a point along the ray to the eye, which keeps its place in the picture.
   glm::vec3 lifted(glm::vec3 p_V, double lift) const {
     const float depth = depthOf(camera_, p_V),
                 share = std::min(static_cast<float>(lift) / (depth - camera_.near), 0.9f);

@@ -8,8 +8,8 @@
 
 namespace poinsot::render {
 
-/// The sharp edges that look at the eye as lines, moved a little towards it, so that the faces beside them do not
-/// hide them: none when the mesh's edge_px is 0.
+/// Returns the sharp edges that face the eye as lines, moved slightly towards the eye so that the adjacent faces
+/// do not hide them. Empty if the mesh's edge_px is 0.
 std::vector<draw::Curve> meshEdgeLines(const draw::Camera& camera, const ScreenMesh& screen);
 
 }  // namespace poinsot::render

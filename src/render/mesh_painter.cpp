@@ -10,10 +10,11 @@ namespace poinsot::render {
 
 namespace {
 
-// The reference renderer's many samples see hard edges: nothing is resolved for it.
+// Reports whether edges are hard, as the many samples of the reference renderer need. No pixel is resolved then.
 bool hardEdges(float sharpness) { return sharpness > 1; }
 
-// Of a rough face, in pixels: if smaller, one sample a pixel would show a chance choice of faces, and sparkle.
+// Area below which a rough face is resolved, in square pixels. One sample a pixel would pick such faces by chance,
+// and the surface would sparkle.
 constexpr double kSmall_px2 = 2;
 
 void markEdges(const ScreenMesh& screen, PixelMarks& marks) {
@@ -37,7 +38,7 @@ void markPixel(const ResolvedPixel& pixel, SolidCells& cells) {
   cells.markEdge(PixelBounds{p.x - 0.25f, p.y - 0.25f, p.x + 0.25f, p.y + 0.25f});
 }
 
-// Edges of one mesh may be behind one another; they are one strand but where they are in one pixel.
+// Marks resolved pixels as edges of one strand. An edge behind another in one pixel begins a new strand.
 void markResolved(const ResolvedPixels& resolved, SolidCells& cells) {
   cells.nextStrand();
   for (const ResolvedPixel& pixel : resolved.full) markPixel(pixel, cells);
@@ -59,7 +60,7 @@ void markSmallFaces(const ScreenMesh& screen, PixelMarks& marks) {
   }
 }
 
-// As mesh.vert takes them.
+// Returns the constants in the order of mesh.vert.
 Constants constantsOf(const ScreenMesh& screen, float solid) {
   Constants own{{screen.origin_C, solid}};
   for (int i = 0; i < 3; ++i) own.emplace_back(screen.axes_C[i], 0);
@@ -145,7 +146,7 @@ void MeshPainter::resetMarks(glm::ivec2 size_px) {
   const bool resized = size_px != marks_.size_px();
   PixelBounds part;
   for (const ScreenMesh& screen : screens_) {
-    part.include({screen.bounds.left, screen.bounds.top}, 1);  // marks have a margin
+    part.include({screen.bounds.left, screen.bounds.top}, 1);
     part.include({screen.bounds.right, screen.bounds.bottom}, 1);
   }
   marks_.reset(size_px, part);
@@ -155,7 +156,7 @@ void MeshPainter::resetMarks(glm::ivec2 size_px) {
   gl::expectStored("marks", static_cast<std::size_t>(size_px.x) * static_cast<std::size_t>(size_px.y));
 }
 
-// What is beside the part is of pictures before, and not read.
+// Uploads the marks of the part only. Texels outside the part are stale, and shaders do not read them.
 void MeshPainter::uploadMarks() {
   const PixelBounds& part = marks_.part();
   const glm::ivec2 from(part.left, part.top), to(part.right, part.bottom);
@@ -179,7 +180,7 @@ void MeshPainter::drawFaces(SolidPass pass, const PictureConstants& ofPicture) {
   SolidProgram& program = faces_[full ? 0 : 1];
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_RECTANGLE, marksTexture_.id());
-  // Rows count downwards, so what is counter-clockwise to the eye is clockwise to OpenGL.
+  // Rows count downwards, so a face that is counter-clockwise to the eye is clockwise to OpenGL.
   glFrontFace(GL_CW);
   glEnable(GL_CULL_FACE);
   for (std::size_t i = 0; i < screens_.size(); ++i) {
@@ -224,7 +225,7 @@ namespace {
 
 using Index = std::uint32_t;
 
-// Corners at (±1, ±1, ±1); bit k of a corner's number is the side along axis k.
+// Returns a cube with corners at (±1, ±1, ±1). Bit k of a corner's number is its side along axis k.
 std::shared_ptr<const draw::TriangleMesh> makeCube() {
   auto cube = std::make_shared<draw::TriangleMesh>();
   for (int i = 0; i < 8; ++i) cube->vertices_M.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
@@ -246,7 +247,7 @@ draw::Mesh boxMesh(const draw::Box& box) {
   if (determinant != 0) mesh.mesh = cube;
   mesh.origin_V = box.centre_V;
   mesh.axes_V = box.halfAxes_V;
-  if (determinant < 0) mesh.axes_V[0] *= -1.0f;  // a box is its own mirror image
+  if (determinant < 0) mesh.axes_V[0] *= -1.0f;  // keeps the axes right-handed: a box is its own mirror image
   mesh.material = box.material;
   return mesh;
 }

@@ -18,33 +18,31 @@
 
 namespace poinsot::render {
 
-/// Draws the triangle meshes and boxes of a draw list: the inside of faces by OpenGL, the pixels that an outline
-/// or a crease runs through as the CPU resolved them. A mesh that is not wholly in front of the camera is left
-/// out, as every solid.
+/// Draws the triangle meshes and boxes of a draw list. OpenGL draws the insides of faces; the CPU resolves the
+/// pixels that an outline or a crease crosses. Meshes that are not wholly in front of the camera are left out.
 class MeshPainter {
  public:
   MeshPainter();
 
-  /// Forgets the meshes that the picture before did not show.
   void beginPicture() { kept_.beginPicture(); }
 
-  /// Works out this list, once for all passes, and marks the tiles and the cells that its meshes may touch.
-  /// @return the sharp edges of each mesh, where they are to be drawn.
+  /// Prepares the meshes of a list for all passes, and marks the cells that they may touch.
+  /// @returns for each visible mesh, its sharp edges as lines to draw
   std::vector<std::vector<draw::Curve>> prepare(const draw::DrawList& list, float sharpness,
                                                 SolidCells& solidCells);
 
-  /// Draws what prepare() was given into the bound framebuffer, as SolidPainter::draw().
+  /// Draws the prepared meshes into the bound framebuffer, with the passes of SolidPainter::draw().
   void draw(SolidPass pass, const PassInputs& inputs, const PictureConstants& ofPicture);
 
  private:
-  /// A mesh's own, made once and kept while pictures in a row show the mesh.
+  /// Data of one mesh (keyed by its address and crease angle), cached while consecutive pictures show the mesh.
   struct Kept {
-    std::shared_ptr<const draw::TriangleMesh> mesh;  // held, so that its address stays its name
+    std::shared_ptr<const draw::TriangleMesh> mesh;  // held, so that its address stays a unique key
     MeshTopology topology;
     gl::VertexArrayName vertexArray;
     gl::BufferName corners, indices;
   };
-  using Key = std::pair<const draw::TriangleMesh*, float>;  // mesh, crease angle
+  using Key = std::pair<const draw::TriangleMesh*, float>;
 
   static Kept keep(const draw::Mesh& mesh);
   const Kept& kept(const draw::Mesh& mesh);
@@ -54,25 +52,25 @@ class MeshPainter {
   void drawFaces(SolidPass pass, const PictureConstants& ofPicture);
   void drawPixels(SolidPass pass, const PictureConstants& ofPicture);
 
-  std::array<SolidProgram, 2> faces_;   // in the full pass, in that of the seams
-  std::array<SolidProgram, 2> pixels_;  // by SolidPass
+  std::array<SolidProgram, 2> faces_;   // for the full pass and the seam pass
+  std::array<SolidProgram, 2> pixels_;  // indexed by SolidPass
   gl::TextureName marksTexture_ = gl::TextureName::make();
   gl::VertexArrayName pixelVertices_ = gl::VertexArrayName::make();
   gl::BufferName pixelBuffer_ = gl::BufferName::make();
   PictureCache<Key, Kept> kept_;
 
-  // Of the list last prepared.
-  std::vector<draw::Mesh> meshes_;  // boxes too
+  // Data of the list that was prepared last.
+  std::vector<draw::Mesh> meshes_;
   std::vector<ScreenMesh> screens_;
   std::vector<const Kept*> screensKept_;
-  std::vector<float> solids_;  // their numbers
+  std::vector<float> solids_;  // numbers of the meshes as solids
   const SolidCells* solidCells_ = nullptr;
   PixelMarks marks_;
   ResolvedPixels resolved_;
 };
 
-/// A box as the mesh that it is: twelve triangles, all edges sharp. All boxes share one surface. A box without
-/// volume has none.
+/// Returns a box as a mesh of twelve triangles with sharp edges. All boxes share one surface; a box without volume
+/// has none.
 draw::Mesh boxMesh(const draw::Box& box);
 
 }  // namespace poinsot::render

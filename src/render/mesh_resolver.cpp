@@ -14,19 +14,18 @@ namespace {
 
 using glm::dvec3;
 
-// A part of a pixel that emit.glsl takes for the whole.
+// Share of a pixel above which emit.glsl treats it as filled.
 constexpr double kWhole = 0.998;
-// Surfaces farther apart than this, in pixels, are a near one and a far one.
+// Distance between surfaces, in pixel sizes, above which they count as a near one and a far one.
 constexpr double kGap_px = 1;
-// Normals closer than this (11 degrees) are shaded as one.
+// Cosine of 11 degrees. Normals closer than this are shaded as one.
 constexpr float kSameNormal = 0.98f;
 
-/// A face that looks at the eye, by mesh and number, in a marked pixel.
+/// Face that faces the eye and touches a marked pixel. `pixel` is the number of the mark.
 struct Reach {
   std::uint32_t pixel, mesh, face;
 };
 
-// Where a triangle lies within a row of pixels.
 struct Extent {
   double left = std::numeric_limits<double>::infinity(), right = -left;
   void include(double x) {
@@ -46,7 +45,6 @@ Extent extentInRow(const std::array<dvec3, 3>& t, double top) {
   return extent;
 }
 
-/// Lists the faces at each marked pixel.
 class Collector {
  public:
   explicit Collector(const PixelMarks& marks) : marks_(marks) {}
@@ -56,7 +54,7 @@ class Collector {
       if (screen.front[f]) addTriangle(screen.triangle(f), mesh, f);
   }
 
-  /// In order of pixels; those of one pixel in the order of the list.
+  /// Returns the entries in pixel order; entries of one pixel keep their order of insertion.
   std::vector<Reach> sorted() const {
     std::vector<std::size_t> starts(marks_.count() + 1);
     for (const Reach& r : reaches_) ++starts[r.pixel + 1];
@@ -86,20 +84,18 @@ class Collector {
   std::vector<Reach> reaches_;
 };
 
-/// A visible part of a pixel.
 struct Part {
   const Reach* reach;
   const PixelFragment* fragment;
   double area;
 };
 
-// Towards the eye where there is none to speak of.
 glm::vec3 unit(const glm::vec3& v) {
   const float length = glm::length(v);
   return length > 0 ? v / length : glm::vec3(0, 0, 1);
 }
 
-/// Gathers parts into the few directions that a pixel is shaded from.
+/// Merges the parts of a pixel into the few surface directions that the pixel is shaded with.
 class FacetMixer {
  public:
   void add(const glm::vec3& normal_C, const draw::Material& material, float area) {
@@ -119,7 +115,6 @@ class FacetMixer {
   }
 
  private:
-  // Sums over the parts, weighted by their areas.
   struct Facet {
     const draw::Material* first = nullptr;
     glm::vec3 normal{0};
@@ -127,7 +122,7 @@ class FacetMixer {
     float area = 0;
   };
 
-  // When there are too many they go to the one most alike.
+  // Returns the most similar facet if it is close enough or no facet is free; otherwise a new facet.
   Facet& facetFor(const glm::vec3& normal_C, const draw::Material& material) {
     std::size_t best = 0;
     float closest = -4;
@@ -172,7 +167,8 @@ class Resolver {
   ResolvedPixels take() { return std::move(result_); }
 
  private:
-  // How many of the parts, from the front, belong to the near surface: up to the first gap in depth.
+  // Returns how many of the parts, front to back, belong to the near surface, which ends at the first gap in
+  // depth.
   std::size_t nearParts() const {
     double reached = 0;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -193,7 +189,8 @@ class Resolver {
     return unit(screen.normals_C * normal_M);
   }
 
-  // @param room  of the pixel, that the parts lie in. @return their area
+  // Adds the parts to the result as one pixel, and returns their area.
+  // @param room  area of the pixel in which the parts lie
   double emit(glm::ivec2 at, std::span<const Part> parts, double room) {
     double area = 0, depth = 0;
     FacetMixer mixer;

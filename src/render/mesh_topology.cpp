@@ -15,7 +15,7 @@ namespace {
 using Index = std::uint32_t;
 using glm::dvec3;
 
-/// A face's side; the face on the other side of the edge has it the other way round.
+/// Directed side of a face. The face on the other side of the edge has the opposite direction.
 struct HalfEdge {
   Index from, to, face;
   Index low() const { return std::min(from, to); }
@@ -34,10 +34,9 @@ std::vector<HalfEdge> sortedHalfEdges(const draw::TriangleMesh& mesh) {
   return sides;
 }
 
-/// Orders the sides of one edge so that neighbours make a pair: sides that run in opposite directions, in the
-/// order of the faces, so that a body of several parts keeps the edges of each. Sides that are left over come
-/// last. A pair that ran the same way could both look at the eye at an outline, which would then stay unmarked and
-/// jagged.
+/// Orders the sides of one edge so that consecutive sides form pairs of opposite direction. Pairs follow the order
+/// of faces, so that each part of a body keeps its edges; unpaired sides come last. If both sides of a pair ran
+/// the same way, both faces could face the eye at an outline, which would stay unmarked and jagged.
 void pairOpposites(std::span<HalfEdge> sides) {
   const auto middle =
       std::stable_partition(sides.begin(), sides.end(), [](const HalfEdge& s) { return s.from < s.to; });
@@ -53,7 +52,7 @@ void pairOpposites(std::span<HalfEdge> sides) {
   std::copy(down.begin() + static_cast<std::ptrdiff_t>(pairs), down.end(), at);
 }
 
-/// Adds an edge for each pair of neighbours. A last side without a partner is a border of the mesh.
+/// Adds an edge for each pair of consecutive sides. A last side without a partner is a border of the mesh.
 void addPairs(std::span<const HalfEdge> sides, std::vector<MeshEdge>& edges) {
   for (std::size_t i = 0; i < sides.size(); i += 2)
     edges.push_back(
@@ -74,7 +73,6 @@ std::vector<MeshEdge> pairedEdges(const draw::TriangleMesh& mesh) {
   return edges;
 }
 
-// Unit normal of a face; 0 for a degenerate one.
 dvec3 faceNormal(const draw::TriangleMesh& mesh, Index face) {
   const auto& [a, b, c] = mesh.triangles[face];
   const dvec3 origin(mesh.vertices_M[a]);
@@ -83,7 +81,8 @@ dvec3 faceNormal(const draw::TriangleMesh& mesh, Index face) {
   return length > 0 ? n / length : dvec3(0);
 }
 
-// The border of an open mesh is sharp; a degenerate face has no direction to meet another at.
+// Marks edges as sharp. Borders of an open mesh are sharp; edges of degenerate faces are not, as these have no
+// normal.
 void findCreases(const draw::TriangleMesh& mesh, float crease_rad, std::vector<MeshEdge>& edges) {
   const double least = std::cos(static_cast<double>(crease_rad));
   std::vector<dvec3> normals(mesh.triangles.size());
@@ -98,7 +97,7 @@ void findCreases(const draw::TriangleMesh& mesh, float crease_rad, std::vector<M
   }
 }
 
-/// Joins the faces' corners (3 face + k) that lie on one smooth patch around a vertex.
+/// Union-find over face corners (index 3 face + k). Corners on one smooth patch around a vertex share a root.
 class Patches {
  public:
   Patches(const draw::TriangleMesh& mesh, const std::vector<MeshEdge>& edges)
@@ -137,7 +136,7 @@ dvec3 weightedNormal(const draw::TriangleMesh& mesh, Index face, std::size_t k) 
 
 void addCorners(const draw::TriangleMesh& mesh, MeshTopology& topology) {
   Patches patches(mesh, topology.edges);
-  std::vector<Index> cornerOf(3 * mesh.triangles.size(), kNoFace);  // by root
+  std::vector<Index> cornerOf(3 * mesh.triangles.size(), kNoFace);
   std::vector<dvec3> sums;
   for (Index f = 0; f < mesh.triangles.size(); ++f) {
     std::array<Index, 3> corners;
@@ -157,7 +156,7 @@ void addCorners(const draw::TriangleMesh& mesh, MeshTopology& topology) {
     if (const double length = glm::length(sums[i]); length > 0) topology.corners[i].normal_M = sums[i] / length;
 }
 
-// A tenth of a radian: shading changes by a few steps of 255.
+// Cosine of a tenth of a radian, which changes shading by a few steps of 255.
 constexpr double kRoughCosine = 0.995;
 
 bool isRough(const draw::TriangleMesh& mesh, const MeshTopology& topology, Index face) {
@@ -167,7 +166,7 @@ bool isRough(const draw::TriangleMesh& mesh, const MeshTopology& topology, Index
   });
 }
 
-/// Follows sharp edges from vertex to vertex, through those where exactly two meet.
+/// Joins sharp edges into chains that pass through vertices where exactly two sharp edges meet.
 class ChainFinder {
  public:
   ChainFinder(std::size_t vertices, const std::vector<MeshEdge>& edges) : edges_(edges), used_(edges.size()) {
@@ -182,7 +181,7 @@ class ChainFinder {
   std::vector<EdgeChain> find() {
     for (Index v = 0; v < edgesAt_.size(); ++v)
       if (edgesAt_[v].size() != 2) follow(v);
-    for (Index v = 0; v < edgesAt_.size(); ++v) follow(v);  // what is left are loops
+    for (Index v = 0; v < edgesAt_.size(); ++v) follow(v);  // the remaining edges form loops
     return std::move(chains_);
   }
 

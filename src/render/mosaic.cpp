@@ -8,7 +8,6 @@
 namespace poinsot::render {
 namespace {
 
-/// Grows the last of the rectangles where the two lie side by side.
 void add(const PixelBounds& part, std::vector<PixelBounds>& parts) {
   if (!parts.empty() && parts.back().right == part.left && parts.back().top == part.top &&
       parts.back().bottom == part.bottom)
@@ -17,7 +16,6 @@ void add(const PixelBounds& part, std::vector<PixelBounds>& parts) {
     parts.push_back(part);
 }
 
-/// Cuts one row of tiles after another.
 class MosaicCutter {
  public:
   MosaicCutter(const Sheets& sheets, const SolidCells& solids, TileCache& tiles)
@@ -40,7 +38,8 @@ class MosaicCutter {
   Mosaic take() { return std::move(mosaic_); }
 
  private:
-  /// Solids move, most of them in every frame.
+  /// Reports whether the tile still shows this content. Tiles with solids never do, because most solids move every
+  /// frame.
   bool stands(const PixelBounds& tile, const Content& content) {
     if (content.solids == SolidReach::kNone) return tiles_.shows(tile, content.sheets, sheets_);
     tiles_.forget(tile);
@@ -57,7 +56,8 @@ class MosaicCutter {
       }
   }
 
-  /// As many alike as can be, for each is a shader to compile: with edges, a few more sums do not count.
+  /// Returns the content that a part is drawn with. Parts are made as alike as possible, because each content
+  /// needs a shader: where edges cost more anyway, all planes and outlines are included.
   Content contentOf(SolidReach solids, SheetChoice chosen) const {
     const bool edges = solids >= SolidReach::kOneEdge;
     if (edges || (chosen.outlines && !(chosen.ellipsoids.empty() && chosen.cones.empty())))

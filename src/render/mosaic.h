@@ -10,7 +10,7 @@
 
 namespace poinsot::render {
 
-/// What a part of the picture is drawn with.
+/// Solids and sheets that a part of the picture is drawn with.
 struct Content {
   SolidReach solids = SolidReach::kNone;
   SheetChoice sheets;
@@ -18,16 +18,16 @@ struct Content {
   bool empty() const { return solids == SolidReach::kNone && sheets.empty(); }
 };
 
-/// The picture cut into rectangles by their content, those of one content together. They are as large as may be:
-/// a tile or wider, and about edges and outlines as small as a cell. Tiles that show the
-/// same as in the picture before are left out.
+/// Picture cut into rectangles, grouped by content. A rectangle is a tile or wider, but may be as small as a cell
+/// at edges and outlines. Tiles that show the same as in the previous picture are left out.
 struct Mosaic {
-  std::map<Content, std::vector<PixelBounds>> parts;  ///< none of them empty paper but within a tile
-  std::vector<PixelBounds> drawn;                     ///< the tiles that they make up, those side by side as one
+  std::map<Content, std::vector<PixelBounds>> parts;  ///< empty paper occurs only within a drawn tile
+  std::vector<PixelBounds> drawn;                     ///< tiles that the parts make up; adjacent ones are joined
   std::vector<PixelBounds> paper;                     ///< tiles with nothing on them
 };
 
-/// @param tiles  of a picture begun with all numbers that the tiles depend on beside the sheets'.
+/// Cuts a picture into a mosaic.
+/// @param tiles  cache, begun with all numbers besides those of the sheets that the tiles depend on
 Mosaic cutIntoMosaic(glm::vec2 size_px, const Sheets& sheets, const SolidCells& solids, TileCache& tiles);
 
 }  // namespace poinsot::render

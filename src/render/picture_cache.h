@@ -6,19 +6,19 @@
 
 namespace poinsot::render {
 
-/// Values that are costly to make, kept while pictures in a row use them: a film shows much the same things in
-/// every frame.
+/// Cache of values that are costly to make. A value stays as long as every picture uses it, because a film shows
+/// much the same things in every frame.
 template <typename Key, typename Value>
 class PictureCache {
  public:
-  /// From here on, what the picture before did not use is forgotten.
+  /// Starts a picture and drops the values that the previous picture did not use.
   void beginPicture() {
     std::swap(last_, current_);
     current_.clear();
   }
 
-  /// The value for `key`, from `make()` when neither this picture nor the one before has it. Stays at its address
-  /// until beginPicture().
+  /// Returns the value for `key`, or the result of `make()` if neither this nor the previous picture has used it.
+  /// The reference is valid until beginPicture().
   template <typename Make>
   const Value& get(const Key& key, Make&& make) {
     if (const auto known = current_.find(key); known != current_.end()) return known->second;

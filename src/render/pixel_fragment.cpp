@@ -15,19 +15,19 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-// Less than this of a pixel is nothing, and would only be rounding.
+// Least area, as a share of a pixel. Smaller ones would only be rounding errors.
 constexpr double kLeastArea = 1e-7;
 
 double crossOf(dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; }
 
-/// A convex polygon: a triangle cut by four half-planes has seven corners at most.
+/// Convex polygon. A triangle clipped by four half-planes has at most seven corners.
 struct PixelPolygon {
   std::array<dvec2, 8> corners;
   std::size_t size = 0;
   void add(dvec2 p) { corners[size++] = p; }
 };
 
-// What of the polygon has sign * coordinate `axis` >= sign * limit (Sutherland & Hodgman).
+// Clips the polygon to sign * coordinate `axis` >= sign * limit (Sutherland & Hodgman).
 PixelPolygon cut(const PixelPolygon& polygon, int axis, double sign, double limit) {
   PixelPolygon kept;
   const auto inside = [&](dvec2 p) { return sign * (p[axis] - limit); };
@@ -54,7 +54,6 @@ PixelPolygon cutToPixel(const std::array<dvec2, 3>& t) {
   return polygon;
 }
 
-// Area and its middle.
 void measure(const PixelPolygon& polygon, PixelFragment& fragment) {
   const dvec2 origin = polygon.corners[0];
   double twice = 0;
@@ -69,7 +68,7 @@ void measure(const PixelPolygon& polygon, PixelFragment& fragment) {
   if (fragment.area > 0) fragment.middle = origin + sum / (3 * twice);
 }
 
-// Lines through the sides, positive inside; opposite corner k.
+// Returns the lines through the sides, positive inside. Line k is opposite corner k.
 std::array<dvec3, 3> sidesOf(const std::array<dvec2, 3>& t) {
   std::array<dvec3, 3> sides;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -99,7 +98,7 @@ std::optional<PixelFragment> pixelFragment(const std::array<dvec3, 3>& triangle,
   if (f.area < kLeastArea) return std::nullopt;
 
   f.edges = sidesOf(t);
-  const double whole = lineAt(f.edges[0], t[0]);  // twice the triangle's area
+  const double whole = lineAt(f.edges[0], t[0]);
   f.parallel = parallel;
   const dvec3 depths(triangle[0].z, triangle[1].z, triangle[2].z), inverse = 1.0 / depths;
   const dvec3 near = parallel ? -depths : inverse;
@@ -123,11 +122,11 @@ std::optional<PixelFragment> pixelFragment(const std::array<dvec3, 3>& triangle,
 namespace {
 
 constexpr std::size_t kSamples = 64;
-// Error of the area that the samples measure inside one edge.
+// Error of an area that the samples measure inside one edge.
 constexpr double kCoverageError = 0.02;
 
-/// Hammersley's points: one in each of 64 columns and rows, so that an upright edge is seen as well as a slanting
-/// one.
+/// Hammersley points: one in each of 64 columns and rows, so that upright edges are sampled as well as slanting
+/// ones.
 struct SamplePoints {
   std::array<float, kSamples> x{}, y{};
   constexpr SamplePoints() {
@@ -141,7 +140,6 @@ struct SamplePoints {
 };
 constexpr SamplePoints kPoints;
 
-/// The nearest fragment at each sample.
 class SampleDepths {
  public:
   SampleDepths() {
@@ -149,7 +147,6 @@ class SampleDepths {
     winners_.fill(-1);
   }
 
-  /// @return at how many samples the fragment lies.
   int add(const PixelFragment& f, int number) {
     const glm::vec3 a(f.edges[0]), b(f.edges[1]), c(f.edges[2]), q(f.nearness);
     const auto least = static_cast<float>(f.farthest), most = static_cast<float>(f.nearest);
@@ -168,15 +165,14 @@ class SampleDepths {
   }
 
   int wins(int number) const { return static_cast<int>(std::count(winners_.begin(), winners_.end(), number)); }
-  /// The share of the pixel that anything covers.
   double covered() const { return 1 - static_cast<double>(wins(-1)) / kSamples; }
 
  private:
-  std::array<float, kSamples> nearest_;  // nearness
+  std::array<float, kSamples> nearest_;  // nearness of the nearest fragment
   std::array<int, kSamples> winners_;
 };
 
-// A part too small for any sample is judged by its middle.
+// Reports whether a fragment too small for any sample is hidden at its middle.
 bool isHidden(const PixelFragment& f, std::span<const PixelFragment> fragments) {
   const double own = f.nearnessAt(f.middle);
   return std::any_of(fragments.begin(), fragments.end(), [&](const PixelFragment& other) {
@@ -189,7 +185,8 @@ double total(std::span<const PixelFragment> fragments) {
                          [](double sum, const PixelFragment& f) { return sum + f.area; });
 }
 
-// Many small folds are hidden by less than a sample each: their sum must not stray from what the samples cover.
+// Scales the areas so that their sum agrees with the coverage that the samples measure. Many small folds may each
+// be hidden by less than a sample.
 void holdTo(double covered, std::vector<double>& areas) {
   const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
   const double held = std::clamp(sum, covered - kCoverageError, covered + kCoverageError);
@@ -206,21 +203,22 @@ std::vector<double> visibleAreas(std::span<const PixelFragment> fragments) {
   const bool full = samples.covered() == 1;
   std::vector<double> areas;
   std::vector<bool> estimated;
-  double open = 0, partlyHidden = 0;  // total areas
+  double open = 0, partlyHidden = 0;
   for (std::size_t i = 0; i < fragments.size(); ++i) {
     const PixelFragment& f = fragments[i];
     const int wins = samples.wins(static_cast<int>(i));
     estimated.push_back(wins < counts[i]);
     double share = 1;
     if (estimated.back())
-      // A filled pixel is filled below: none of few samples must not mean nothing then (rule of succession).
+      // Filled pixels are stretched to 1 below, so zero of a few samples must not count as nothing (rule of
+      // succession).
       share = full ? (wins + 0.5) / (counts[i] + 1) : static_cast<double>(wins) / counts[i];
     else if (counts[i] == 0 && isHidden(f, fragments))
       share = 0;
     areas.push_back(share * f.area);
     (estimated.back() ? partlyHidden : open) += areas.back();
   }
-  // Partly hidden parts fill the area that the others leave.
+  // Partly hidden fragments fill the area that the others leave.
   const double room = std::max(1 - open, 0.0);
   const bool fit = partlyHidden > 0 && (full || partlyHidden > room);
   const double stretch = fit ? room / partlyHidden : 1, shrink = open > 1 ? 1 / open : 1;

@@ -8,13 +8,13 @@
 namespace poinsot::render {
 namespace {
 
-// Beside a segment, for rounding and for OpenGL's own grid of 1/256 pixel.
+// Margin around a segment for rounding and for OpenGL's grid of 1/256 pixel.
 constexpr double kRounding_px = 1.0 / 128;
 
 }  // namespace
 
 void PixelMarks::reset(glm::ivec2 size_px, const PixelBounds& part) {
-  if (size_px == size_px_) {  // all but the last part is empty
+  if (size_px == size_px_) {  // only the last part holds marks
     for (int row = top(); row < bottom(); ++row)
       std::memset(&marks_[indexOf(left(), row)], 0, static_cast<std::size_t>(right() - left()));
   } else {
@@ -40,7 +40,6 @@ void PixelMarks::markSegment(glm::dvec2 a, glm::dvec2 b) {
   const double last = std::min<double>(std::floor(b.y + kRounding_px), bottom() - 1);
   const double slope = b.y - a.y > 1e-9 ? (b.x - a.x) / (b.y - a.y) : 0;
   for (double row = first; row <= last; ++row) {
-    // The part of the segment within this row of pixels.
     const bool level = b.y - a.y <= 1e-9;
     const double x0 = level ? a.x : a.x + slope * (std::clamp(row - kRounding_px, a.y, b.y) - a.y);
     const double x1 = level ? b.x : a.x + slope * (std::clamp(row + 1 + kRounding_px, a.y, b.y) - a.y);

@@ -11,29 +11,28 @@
 
 namespace poinsot::render {
 
-/// Marked pixels of a picture: those that an edge runs through.
+/// Marks of the pixels of a picture that an edge crosses.
 class PixelMarks {
  public:
   static constexpr std::uint8_t kMarked = 255;
 
-  /// Empty marks for this part of a picture of this size. Beside the part nothing is marked, nor is it asked for.
+  /// Clears the marks and sets the part of the picture that may be marked and read.
   void reset(glm::ivec2 size_px, const PixelBounds& part);
-  /// Marks every pixel that the segment touches, and those it misses by rounding only.
+  /// Marks every pixel that the segment touches or misses only by rounding.
   void markSegment(glm::dvec2 a_px, glm::dvec2 b_px);
-  /// Marks every pixel that the rectangle touches.
   void mark(const PixelBounds& bounds);
-  /// Numbers the marked pixels row by row; to be called when all are marked.
+  /// Numbers the marked pixels row by row. Must be called after the last mark.
   void finish();
 
   std::size_t count() const { return columns_.size(); }
   glm::ivec2 size_px() const { return size_px_; }
-  /// Whole pixels of the picture.
   const PixelBounds& part() const { return part_; }
-  /// Number of the first marked pixel of a row; row size_px().y is beyond the last.
+  /// Returns the number of the first marked pixel of a row. Row size_px().y is allowed and gives count().
   std::size_t firstOfRow(int row) const { return rowStarts_[static_cast<std::size_t>(row)]; }
-  /// Columns of all marked pixels, by number.
+  /// Returns the columns of all marked pixels, in the order of their numbers.
   std::span<const std::uint16_t> columns() const { return columns_; }
-  /// kMarked or 0, row by row from the part's first pixel, for a texture; the rows are as long as the picture's.
+  /// Returns kMarked or 0 for each pixel, row by row from the first pixel of part(), for a texture. Rows are as
+  /// long as the picture's.
   const std::uint8_t* bytes() const { return marks_.data() + indexOf(left(), top()); }
 
  private:

@@ -5,8 +5,8 @@
 
 namespace poinsot::render {
 
-/// The picture by brute force: n x n hard-edged samples a pixel, averaged in linear light. Slow; what the analytic
-/// edges are judged against. Type is laid over once, as it is exact already.
+/// Renders a picture by brute force: n x n hard-edged samples a pixel, averaged in linear light. Slow; used to
+/// judge the analytic edges. Type is exact already and is painted once.
 image::Image renderReference(Renderer& renderer, const draw::DrawList& list, image::PixelSize size, int n);
 
 }  // namespace poinsot::render

@@ -21,13 +21,13 @@
 namespace poinsot::render {
 namespace {
 
-/// What OpenGL is told of pictures of a kind of sample.
+/// OpenGL formats for one type of sample: `light` for the linear light of solids, `picture` for the last pass.
 struct Formats {
-  GLenum light;    ///< of the linear light of solids
-  GLenum picture;  ///< of the last pass
+  GLenum light;
+  GLenum picture;
 };
-// For 8 bits of sRGB, 8 bits of linear light would band, and float costs twice what 16 do. For 16 bits of sRGB, 16
-// of linear light would band: near black its steps are 13 times as wide.
+// For 8 bits of sRGB, 8 bits of linear light would show bands, and float costs twice as much as 16 bits. For 16
+// bits of sRGB, 16 bits of linear light would show bands: near black, their steps are 13 times as wide.
 constexpr Formats kFormats{GL_RGBA16, GL_RGBA8};
 constexpr Formats kDeepFormats{GL_RGBA32F, GL_RGBA16};
 
@@ -36,8 +36,7 @@ constexpr const Formats& formatsOf() {
   return sizeof(Sample) == 1 ? kFormats : kDeepFormats;
 }
 
-/// What pictures of the sizes used of late are drawn in: a picture's panels have few sizes, and the same ones in
-/// every frame.
+/// Framebuffers of the sizes used last. A picture's panels have few sizes, and the same ones in every frame.
 class TargetShelf {
  public:
   const gl::Framebuffer& of(glm::ivec2 size, GLenum format) {
@@ -46,7 +45,7 @@ class TargetShelf {
     if (known != shelf_.end()) {
       std::rotate(shelf_.begin(), known, known + 1);
     } else {
-      if (shelf_.size() == kSizes) shelf_.pop_back();  // before a new one needs its memory
+      if (shelf_.size() == kSizes) shelf_.pop_back();  // frees memory before the new one needs it
       shelf_.push_front({format, {size, {format}, 0}});
     }
     return shelf_.front().buffer;
@@ -58,7 +57,7 @@ class TargetShelf {
     gl::Framebuffer buffer;
   };
   static constexpr std::size_t kSizes = 4;
-  std::deque<Target> shelf_;  // the last used first
+  std::deque<Target> shelf_;  // most recently used first
 };
 
 template <typename Sample>
@@ -77,14 +76,14 @@ struct Renderer::Passes {
   Compositor compositor;
   FlatPainter flat;
   TextPainter text;
-  std::vector<CachedPanel> kept;  // of the picture's panels, in their order
-  CachedPanel joined;             // where there are several
-  bool alone = false;             // whether the last picture was kept[0]
-  std::uint64_t number = 0;       // of that picture
+  std::vector<CachedPanel> kept;  // panels of the picture, in order
+  CachedPanel joined;             // the whole picture if it has several panels
+  bool alone = false;             // whether the last picture, `number`, was kept[0]
+  std::uint64_t number = 0;
   core::StepLedger* steps;
 
   explicit Passes(core::StepLedger* ledger) : steps(ledger) {
-    glEnable(GL_PROGRAM_POINT_SIZE);  // squares
+    glEnable(GL_PROGRAM_POINT_SIZE);  // for squares.vert
   }
 
   void beginPicture() {
@@ -103,13 +102,13 @@ struct Renderer::Passes {
     drawPass(SolidPass::kFull, {});
     layers.begin(SolidLayer::kEdge);
     drawPass(SolidPass::kEdges, {});
-    // A seam is like an edge. One behind an edge is left out: a second pass would cost more than it shows.
+    // Seams are stored like edges. A seam behind an edge is left out: a second pass would cost more than it shows.
     if (cells.anyShared()) drawPass(SolidPass::kSeams, {0, full.color(0), full.depth()});
     layers.begin(SolidLayer::kNextEdge);
     drawPass(SolidPass::kEdges, {edge.depth()});
   }
 
-  /// Outlines, and what fills each pixel. Returns the cells that solids lie in.
+  /// Draws the solids into the layers. Returns the cells that solids lie in.
   SolidCells draw(const draw::DrawList& list, const Formats& formats, const RenderOptions& options) {
     const core::StepScope timing(steps, core::Step::kDraw);
     SolidCells cells(list.camera.size_px);
@@ -121,11 +120,11 @@ struct Renderer::Passes {
     const glm::ivec2 origin(layers.origin_px());
     glViewport(-origin.x, -origin.y, size.x, size.y);
     drawSolids(cells, pictureConstants(list, options.sharpness, layers.origin_px()));
-    glFinish();  // so that the passes count here
+    glFinish();  // so that the passes count in this step
     return cells;
   }
 
-  /// Leaves the picture in the target where the mosaic that it returns was drawn.
+  /// Composes the picture in the target. Returns the mosaic, whose drawn tiles alone are valid in the target.
   Mosaic resolve(const draw::DrawList& list, const SolidCells& cells, const gl::Framebuffer& target,
                  const RenderOptions& options, TileCache& tiles) {
     const core::StepScope timing(steps, core::Step::kResolve);
@@ -138,14 +137,13 @@ struct Renderer::Passes {
     return mosaic;
   }
 
-  /// All numbers beside the sheets' that decide what a picture looks like where no solid is.
+  /// Returns all numbers, besides those of the sheets, that decide pixels without solids.
   static Constants commonTo(const draw::DrawList& list, const RenderOptions& options) {
     Constants common = pictureConstants(list, options.sharpness, glm::vec2(0)).shared;
     common.emplace_back(list.background, 0);
     return common;
   }
 
-  /// One view with its type, as large as its camera says.
   template <typename Sample>
   void drawPanel(CachedPanel& panel, const draw::DrawList& list, const RenderOptions& options) {
     const glm::ivec2 size(list.camera.size_px);
@@ -162,7 +160,6 @@ struct Renderer::Passes {
     panel.forget(text.paint(list.texts, panel.picture<Sample>()));
   }
 
-  /// One view that fills the picture, or several side by side on their paper.
   template <typename Sample>
   CachedPanel& drawPanels(const draw::Picture& picture, const RenderOptions& options) {
     kept.resize(picture.panels.size());
@@ -190,12 +187,11 @@ struct Renderer::Passes {
     return kept[0].any();
   }
 
-  /// The panels, and what lies over them.
   template <typename Sample>
   image::Frame drawPicture(const draw::Picture& picture, const RenderOptions& options) {
     expectWithin(picture);
     beginPicture();
-    const bool inRow = std::exchange(alone, false);  // should this one fail
+    const bool inRow = std::exchange(alone, false);  // stays false if this picture fails
     number += inRow ? 1 : 2;
     CachedPanel& made = drawPanels<Sample>(picture, options);
     const core::StepScope timing(steps, core::Step::kText);
@@ -208,7 +204,6 @@ struct Renderer::Passes {
 
   static glm::ivec2 sizeOf(const draw::Panel& p) { return glm::ivec2(p.list.camera.size_px); }
 
-  /// Panels lie within the picture.
   static void expectWithin(const draw::Picture& picture) {
     for (const draw::Panel& p : picture.panels) {
       const glm::ivec2 end = p.origin_px + sizeOf(p);

@@ -11,36 +11,36 @@
 namespace poinsot::render {
 
 struct RenderOptions {
-  bool transparent = false;  ///< RGBA with the background's alpha 0, else RGB
-  float sharpness = 1;       ///< of edges: 1 for pictures; the reference renderer takes hard edges (reference.h)
+  bool transparent = false;  ///< RGBA with a background of alpha 0; otherwise RGB
+  float sharpness = 1;       ///< steepness of edges: 1 for pictures, more for hard edges (reference.h)
 };
 
-/// Draws pictures. What stands still from one to the next is not drawn again, which shows in the time only: a
-/// picture's bytes do not depend on those before. Owns every GL object; the context it is given must outlive it,
-/// and be current whenever it draws.
+/// Draws pictures. Parts that do not change from one picture to the next are not drawn again. This only saves
+/// time: the bytes of a picture do not depend on earlier pictures. The renderer owns all its GL objects. Its
+/// context must outlive it and must be current whenever it draws.
 class Renderer {
  public:
-  /// @param steps  where the time is entered; must outlive it.
+  /// @param steps  ledger in which times are entered; must outlive the renderer
   /// @pre the context is current on this thread, here and for every picture.
-  /// @throws core::Error(kGraphics) when a shader does not compile.
+  /// @throws core::Error(kGraphics) if a shader does not compile.
   explicit Renderer(gl::OffscreenContext& context, core::StepLedger* steps = nullptr);
   ~Renderer();
 
-  /// One view that fills the picture.
+  /// Draws one view that fills the picture.
   /// @pre the list was composed for this size.
-  /// @throws core::Error(kGraphics) when the back end cannot hold the picture.
+  /// @throws core::Error(kGraphics) if the back end cannot hold the picture.
   image::Image render(const draw::DrawList& list, image::PixelSize size, const RenderOptions& options = {});
 
-  /// Panels, and over them areas, strokes and type. What panels are drawn in is kept for four sizes.
+  /// Draws panels, then areas, strokes and type over them. Framebuffers of four panel sizes are cached.
   /// @pre panels lie within the picture, points of areas and strokes are finite.
-  /// @throws core::Error(kGraphics) when the back end cannot hold a panel, (kUsage) for TeX that cannot be set.
+  /// @throws core::Error(kGraphics) if the back end cannot hold a panel, (kUsage) if TeX cannot be set.
   image::Image render(const draw::Picture& picture, const RenderOptions& options = {});
-  /// The same with 16 bits a sample, of light that was kept as floats: 1.6 times the memory.
+  /// Draws a picture with 16 bits a sample, from light kept as floats. Takes 1.6 times the memory of render().
   image::DeepImage renderDeep(const draw::Picture& picture, const RenderOptions& options = {});
 
-  /// The same as render() or renderDeep(), without a copy and with what became different: good until the next
-  /// picture.
-  /// @param bits  of a sample: 8 or 16
+  /// Draws a picture like render() or renderDeep(), without a copy, and with the rectangles that changed. The
+  /// frame is valid until the next picture.
+  /// @param bits  bits of a sample: 8 or 16
   image::Frame frame(const draw::Picture& picture, int bits, const RenderOptions& options = {});
 
  private:

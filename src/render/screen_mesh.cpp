@@ -10,7 +10,6 @@
 namespace poinsot::render {
 namespace {
 
-// False when a vertex is not in front of the camera.
 bool projectVertices(const draw::Camera& camera, ScreenMesh& screen) {
   const glm::dmat3 axes_C(screen.axes_C);
   const glm::dvec3 origin_C(screen.origin_C);
@@ -49,7 +48,7 @@ ScreenMesh screenMesh(const draw::Camera& camera, const draw::Mesh& mesh, const 
   screen.origin_C = toCamera(camera, mesh.origin_V);
   const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(screen.axes_C)));
   const double longest = std::max({glm::length(normals[0]), glm::length(normals[1]), glm::length(normals[2])});
-  screen.normals_C = normals / longest;  // no tiny numbers for a mesh in other units
+  screen.normals_C = normals / longest;  // avoids tiny numbers for a mesh in other units
   if (!projectVertices(camera, screen)) return screen;
   for (const glm::dvec3& v : screen.vertices) screen.bounds.include(glm::vec2(v), 1.0f);
   screen.front.resize(mesh.mesh->triangles.size());

@@ -9,17 +9,18 @@
 namespace poinsot::render {
 namespace {
 
-// Half a pixel of ramp on either side, and rounding.
+// Room for half a pixel of ramp on either side, and for rounding.
 constexpr float kOutlineMargin_px = 1.5f;
-// Added to the squared semi-axes: keeps the form finite for a disc seen edge-on, without showing (0.03 px).
+// Added to the squared semi-axes. Keeps the form finite for a disc seen edge-on, and is too small to see (0.03
+// px).
 constexpr double kThinnest2_px2 = 1e-3;
 
-// Of the outline, its last element -1.
+// Returns the dual conic of the outline, scaled so that its last element is -1.
 glm::dmat3 dualConic(const draw::Camera& camera, const glm::dvec3& c, const glm::dmat3& A) {
   const double f = static_cast<double>(camera.focal_px());
   const glm::dvec2 middle(camera.centre_px);
   if (camera.orthographic) {
-    // p_px = L x + middle: A and c are seen apart.
+    // p_px = L x + middle, so A and c are projected separately.
     const glm::dmat3 L(f, 0, 0, 0, -f, 0, 0, 0, 0);
     const glm::dvec3 p = L * c + glm::dvec3(middle, 1);
     return L * A * glm::transpose(A) * glm::transpose(L) - glm::outerProduct(p, p);

@@ -9,22 +9,23 @@
 
 #include "draw/camera.h"
 
-/// Exact outlines of solids in the picture, worked out on the CPU in double.
+/// Exact outlines of solids in the picture, computed on the CPU in double precision.
 namespace poinsot::render {
 
-/// An axis-aligned rectangle of pixels; empty when right < left.
+/// Axis-aligned rectangle in pixels; empty by default.
 struct PixelBounds {
   float left = 1e9f, top = 1e9f, right = -1e9f, bottom = -1e9f;
 
   void include(glm::vec2 p_px, float margin = 0);
   void include(const PixelBounds& other);
   bool empty() const { return right <= left || bottom <= top; }
-  /// Whole pixels, clipped to the picture.
+  /// Returns the bounds rounded outwards to whole pixels and clipped to the picture.
   PixelBounds clipped(glm::vec2 size_px) const;
   glm::vec4 asVec4() const { return {left, top, right, bottom}; }
 };
 
-/// The picture of an ellipsoid or a disc: rho² = (p - centre)ᵀ F (p - centre), 1 on the outline, F = (xx, xy, yy).
+/// Picture of an ellipsoid or a disc: rho² = (p - centre)ᵀ F (p - centre), with F = (xx, xy, yy) and rho = 1 on
+/// the outline.
 struct ScreenEllipse {
   glm::vec2 centre_px{0};
   glm::vec3 form{1, 0, 1};
@@ -33,28 +34,28 @@ struct ScreenEllipse {
   bool inside(glm::vec2 p_px) const;
 };
 
-/// Outline of x = centre + A s, |s| <= 1, in camera axes. A column of zeros makes a disc.
+/// Returns the outline of x = centre + A s, |s| <= 1, in camera axes. A column of zeros makes a disc.
 ///
-/// The dual conic of the outline is K (A Aᵀ - c cᵀ) Kᵀ, K the camera's 3x3 matrix: it exists for discs seen
-/// edge-on too, where the conic itself does not. With parallel rays it is L A Aᵀ Lᵀ - p pᵀ, L the 2x3 matrix of
-/// the camera and p the picture of the centre. Source: Hartley & Zisserman, Multiple View Geometry, 2nd ed.,
-/// eq 8.5.
+/// The dual conic of the outline is K (A Aᵀ - c cᵀ) Kᵀ, where K is the camera's 3x3 matrix. It exists for discs
+/// seen edge-on too, unlike the conic itself. With parallel rays it is L A Aᵀ Lᵀ - p pᵀ, where L is the camera's
+/// 2x3 matrix and p the picture of the centre. Source: Hartley & Zisserman, Multiple View Geometry, 2nd ed., eq
+/// 8.5.
 /// @pre the whole ellipsoid is in front of the camera.
 ScreenEllipse ellipseOutline(const draw::Camera& camera, glm::vec3 centre_C, const glm::mat3& semiAxes_C);
 
-/// True when the ellipsoid lies wholly in front of the camera's near distance.
+/// Reports whether the ellipsoid lies wholly beyond the camera's near distance.
 bool inFront(const draw::Camera& camera, glm::vec3 centre_C, const glm::mat3& semiAxes_C);
 
-/// The line through a and b as (nx, ny, c), its unit normal on the side of `inside`.
+/// Returns the line through a and b as (nx, ny, c), with a unit normal that points to the side of `inside`.
 glm::vec3 lineThrough(glm::vec2 a, glm::vec2 b, glm::vec2 inside);
 
-/// The four edges of a convex quadrilateral in order, each towards the inside.
+/// Returns the four edges of a convex quadrilateral in order, with normals towards the inside.
 std::array<glm::vec3, 4> quadEdges(const std::array<glm::vec2, 4>& corners);
 
-/// From the eye towards a point in camera axes; of any length.
+/// Returns the direction from the eye to a point in camera axes, of any length.
 glm::vec3 sightAt(const draw::Camera& camera, glm::vec3 point_C);
 
-/// Where a point in camera axes appears, in pixels, y down. @pre in front of the camera.
+/// Projects a point in camera axes to pixels, y down. @pre in front of the camera.
 glm::vec2 projectCamera(const draw::Camera& camera, glm::vec3 point_C);
 
 }  // namespace poinsot::render

@@ -5,8 +5,9 @@
 
 namespace poinsot::render {
 
-/// Text of a file of shaders/, its #include "..." lines replaced by those files, after `defines`. Embedded at
-/// build time; POINSOT_SHADERS=folder in the environment reads that folder instead, for live editing.
+/// Returns the text of a file of shaders/ after `defines`, with its #include "..." lines replaced by those files.
+/// Files are embedded at build time. If POINSOT_SHADERS names a folder in the environment, they are read from
+/// there, for live editing.
 /// @throws core::Error(kGraphics) for an unknown file.
 std::string shaderSource(const std::string& file, const std::string& defines = "");
 

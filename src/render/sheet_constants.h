@@ -4,17 +4,17 @@
 #include "render/constants.h"
 #include "render/sheets.h"
 
-/// The constants of one sheet, as sheet_*.glsl take them.
+/// Constants of one sheet, in the order of sheet_*.glsl.
 namespace poinsot::render {
 
 inline constexpr std::size_t kEllipsoidConstants = 12, kPlaneConstants = 10, kConeConstants = 9;
 constexpr std::size_t polygonConstants(std::size_t sides) { return 5 + sides + (sides + 3) / 4; }
 
 void append(Constants& to, const draw::GlassEllipsoid& ellipsoid, const EllipsoidSheet& sheet);
-/// @param shadow  whether it is drawn
+/// @param shadow  whether the plane's shadow is drawn
 void append(Constants& to, const draw::GridPlane& plane, const PlaneSheet& sheet, bool shadow);
 void append(Constants& to, const draw::GlassCone& cone, const ConeSheet& sheet);
-/// @param sides  that the program has room for
+/// @param sides  number of sides that the program is compiled for
 void append(Constants& to, const draw::GlassPolygon& polygon, const PolygonSheet& sheet, std::size_t sides);
 
 }  // namespace poinsot::render

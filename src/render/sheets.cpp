@@ -12,7 +12,7 @@
 namespace poinsot::render {
 namespace {
 
-// Half a pixel of ramp on either side of an edge, and rounding.
+// Room for half a pixel of ramp on either side of an edge, and for rounding.
 constexpr float kSheetMargin_px = 1.5f;
 
 bool touches(const PixelBounds& bounds, const PixelBounds& tile) {
@@ -22,8 +22,8 @@ bool touches(const PixelBounds& bounds, const PixelBounds& tile) {
 
 enum class Relation { kApart, kCrossed, kFilled };
 
-// Of an outline, by the least and the most that some measure of depth within it is in a part of the picture, 0
-// being on the outline.
+// Compares a part of the picture with an outline. `least` and `most` bound the depth within the outline over the
+// part; the depth is 0 on the outline and negative outside.
 Relation relation(float least, float most) {
   return most < 0 ? Relation::kApart : least > 0 ? Relation::kFilled : Relation::kCrossed;
 }
@@ -31,7 +31,7 @@ Relation relation(float least, float most) {
 glm::vec2 middleOf(const PixelBounds& b) { return {0.5f * (b.left + b.right), 0.5f * (b.top + b.bottom)}; }
 float radiusOf(const PixelBounds& b) { return 0.5f * std::hypot(b.right - b.left, b.bottom - b.top); }
 
-// rho of the outline changes by at most 1 / (its half width) a pixel.
+// rho of the outline changes by at most 1 / (its half width) per pixel.
 Relation relation(const ScreenEllipse& outline, const PixelBounds& part) {
   if (!touches(outline.bounds, part)) return Relation::kApart;
   const glm::vec3 f = outline.form;
@@ -42,7 +42,7 @@ Relation relation(const ScreenEllipse& outline, const PixelBounds& part) {
   return relation(1 - rho - reach, 1 - rho + reach);
 }
 
-// The border of a plane is part of its outline.
+// The border line of a plane counts as part of its outline.
 Relation relation(const PlaneSheet& plane, const PixelBounds& part) {
   if (!touches(plane.bounds, part)) return Relation::kApart;
   Relation whole = Relation::kFilled;
@@ -58,9 +58,10 @@ Relation relation(const PlaneSheet& plane, const PixelBounds& part) {
   return whole;
 }
 
-/// With x = from + t through the point of the plane that a ray meets, n its normal and c its centre,
+/// Sets the quotients of a plane. A ray meets the plane at x = from + t through; n is the plane's normal, c its
+/// centre:
 ///   t = n.(c - from) / n.through,  u = (t through - (c - from)).e_u
-/// Numerators and divisor are linear in the pixel, so that three pixels tell all.
+/// Numerators and divisor are linear in the pixel, so three pixels determine them.
 void setQuotients(const draw::Camera& camera, glm::vec3 centre_C, const std::array<glm::vec3, 2>& axes_C,
                   float spacing, PlaneSheet& sheet) {
   sheet.middle_px = projectCamera(camera, centre_C);
@@ -81,7 +82,7 @@ void setQuotients(const draw::Camera& camera, glm::vec3 centre_C, const std::arr
   const glm::dvec2 middle(sheet.middle_px);
   const glm::dvec4 here = at(middle), right = at(middle + glm::dvec2(1, 0)) - here,
                    down = at(middle + glm::dvec2(0, 1)) - here;
-  // Seen edge-on it is a line: nothing of it is drawn.
+  // A plane seen edge-on is a line, and nothing of it is drawn.
   const double scale = 1 / (std::abs(here.w) > 1e-9 ? here.w : 1e-9);
   const auto row = [&](int i) { return glm::vec3(scale * right[i], scale * down[i], scale * here[i]); };
   sheet.u = row(0);
@@ -90,7 +91,8 @@ void setQuotients(const draw::Camera& camera, glm::vec3 centre_C, const std::arr
   sheet.divisor = row(3);
 }
 
-// The square around it; where that is not wholly in front of the camera, all of the plane.
+// Returns the bounds of the square around the shadow, or of the whole plane if that square is not wholly in front
+// of the camera.
 PixelBounds shadowBounds(const draw::Camera& camera, const draw::GridPlane& p, const PixelBounds& plane) {
   if (p.shadowRadius_V <= 0 || p.shadowOpacity <= 0) return {};
   const float reach = draw::GridPlane::kShadowReach * p.shadowRadius_V;
@@ -141,7 +143,7 @@ ConeSheet coneSheet(const draw::Camera& camera, const draw::GlassCone& cone) {
   const glm::vec3 base_V = cone.apex_V + cone.height_V * glm::normalize(cone.axis_V);
   sheet.outline = frustumOutline(camera, {cone.apex_V, base_V, 0, sheet.slope * cone.height_V, {}});
   if (sheet.outline.bounds.empty()) return sheet;
-  const PixelBounds base = sheet.outline.second.bounds;  // with half its line outside
+  const PixelBounds base = sheet.outline.second.bounds;
   sheet.outline.bounds.include({base.left, base.top}, 0.5f * cone.lineWidth_px);
   sheet.outline.bounds.include({base.right, base.bottom}, 0.5f * cone.lineWidth_px);
   return sheet;
@@ -190,7 +192,7 @@ SheetChoice Sheets::reaching(const PixelBounds& part) const {
   };
   for (std::size_t i = 0; i < ellipsoids_.size(); ++i)
     take(relation(ellipsoids_[i].outline, part), chosen.ellipsoids, i);
-  // Cones that share an apex come together, and so do polygons that share an edge.
+  // Cones that share an apex are drawn together, and so are polygons that share an edge.
   const auto together = [&](const auto& sheets, const auto& boundsOf, std::vector<std::size_t>& numbers) {
     const auto here = [&](const auto& s) { return touches(boundsOf(s), part); };
     if (std::ranges::none_of(sheets, here)) return;

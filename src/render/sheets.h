@@ -12,24 +12,23 @@
 #include "render/frustum_outline.h"
 #include "render/screen_outline.h"
 
-/// The translucent sheets of a draw list, as composite.frag takes them.
 namespace poinsot::render {
 
-/// Some of the sheets of a list, by kind and number, as a part of the picture shows them.
+/// Sheets that a part of the picture shows: indices into the list, by kind.
 struct SheetChoice {
   std::vector<std::size_t> ellipsoids, planes, cones, polygons;
-  bool outlines = false;  ///< whether one of them may end there; else each fills the part
-  bool shadows = false;   ///< whether a plane's shadow may be there; else none is drawn
+  bool outlines = false;  ///< whether a sheet may end in the part; otherwise each one fills it
+  bool shadows = false;   ///< whether a plane's shadow may be in the part; otherwise none is drawn
   auto operator<=>(const SheetChoice&) const = default;
   bool empty() const { return ellipsoids.empty() && planes.empty() && cones.empty() && polygons.empty(); }
 };
 
-/// How many of each kind a shader is made for.
+/// Number of sheets of each kind that a shader is made for.
 struct SheetCounts {
   std::size_t ellipsoids = 0, planes = 0, cones = 0, polygons = 0, polygonSides = 0;
   auto operator<=>(const SheetCounts&) const = default;  // NOLINT(modernize-use-nullptr): of what is made here
   std::size_t constants() const;
-  /// How many of them a pixel can show: both walls of an ellipsoid, and of a cone its rim besides.
+  /// Returns how many fragments of sheets a pixel can show. Ellipsoids and cones have two walls, cones also a rim.
   std::size_t fragments() const { return 2 * ellipsoids + planes + 3 * cones + polygons; }
 };
 
@@ -38,44 +37,46 @@ struct EllipsoidSheet {
   ScreenEllipse outline;
 };
 
-/// Coordinates in the plane and depth are quotients of what changes evenly over the picture: by a pixel to the
-/// right, by one down, and at the middle.
+/// Grid plane in the picture, with its centre at middle_px. Its coordinates and depth are quotients of linear
+/// functions of the pixel. Each function is stored as its change per pixel to the right, its change per pixel
+/// down, and its value at middle_px.
 struct PlaneSheet {
-  glm::vec2 middle_px{0};                ///< where the plane's centre appears
-  glm::vec3 u{0}, v{0};                  ///< from the plane's centre, in spacings of its grid
-  glm::vec3 depth{0}, divisor{0, 0, 1};  ///< depth as it is stored, 0 to 1; the divisor is 1 at the middle
+  glm::vec2 middle_px{0};
+  glm::vec3 u{0}, v{0};                  ///< coordinates from the plane's centre, in grid spacings
+  glm::vec3 depth{0}, divisor{0, 0, 1};  ///< depth as stored, 0 to 1; the divisor is 1 at middle_px
   std::array<glm::vec3, 4> edges{};
-  float border_px = 0;  ///< width of the line along them
-  PixelBounds bounds;   ///< empty when it is not wholly in front of the camera; so with all sheets
-  PixelBounds shadow;   ///< where it may be; empty when there is none
+  float border_px = 0;
+  PixelBounds bounds;  ///< empty, as for all sheets, if not wholly in front of the camera
+  PixelBounds shadow;  ///< where the shadow may be; empty if there is none
 };
 
 struct ConeSheet {
-  FrustumOutline outline;  ///< from the apex to the base
-  float slope = 0;         ///< radius / height
+  FrustumOutline outline;
+  float slope = 0;  ///< radius / height
 };
 
 struct PolygonSheet {
-  std::vector<glm::vec3> edges;    ///< in the picture; none when it is not to be seen
-  std::vector<glm::vec2> corners;  ///< there
+  std::vector<glm::vec3> edges;  ///< in the picture; empty if the polygon is not visible
+  std::vector<glm::vec2> corners;
   glm::vec3 normal_C{0, 0, 1}, point_C{0};
-  glm::vec2 depths{0};  ///< of the nearest corner and of the farthest
+  glm::vec2 depths{0};  ///< distances of the nearest and the farthest corner
   PixelBounds bounds;
 };
 
-/// The sheets of one list, worked out for its camera. The list must outlive it.
+/// Translucent sheets of one list, as composite.frag takes them, projected by the list's camera. The list must
+/// outlive this object.
 class Sheets {
  public:
   /// @pre cones have half-angles below a right angle, polygons 3 to 16 corners.
   explicit Sheets(const draw::DrawList& list);
 
-  /// Which of them a part of the picture is drawn with: all that it may show.
+  /// Returns all sheets that a part of the picture may show.
   SheetChoice reaching(const PixelBounds& part) const;
-  /// All planes come along with what costs more anyway: fewer shaders to compile for the few places it concerns.
+  /// Adds all planes to a choice that is costly anyway, so that fewer shaders need to be compiled.
   void addPlanesTo(SheetChoice& chosen) const;
   static constexpr std::size_t kMostCorners = 16;
   SheetCounts counts(const SheetChoice& chosen) const;
-  /// For a program made for as many sheets as are chosen.
+  /// Returns the constants of the chosen sheets, for a program made for their counts().
   Constants constants(const SheetChoice& chosen) const;
 
  private:

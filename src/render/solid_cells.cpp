@@ -15,7 +15,7 @@ int cellsFor(float length_px) { return (static_cast<int>(length_px) + kSide_px -
 
 }  // namespace
 
-// What comes forward beside a seam is an edge like others.
+// Counts a seam as an edge, because the surface that comes forward beside it is kept like an edge.
 SolidReach SolidCells::Cell::reach() const {
   const int edges = (strand != 0 ? 1 : 0) + (manyStrands ? 1 : 0) + (shared ? 1 : 0);
   if (edges > 0) return edges > 1 ? SolidReach::kTwoEdges : SolidReach::kOneEdge;
@@ -26,7 +26,7 @@ SolidCells::SolidCells(glm::vec2 size_px)
     : size_px_(size_px), columns_(cellsFor(size_px.x)), rows_(cellsFor(size_px.y)), cells_(cellAt(0, rows_)) {}
 
 float SolidCells::nextSolid() {
-  // Should there be so many solids that numbers come again, those alike have no seam: that is all.
+  // If numbers run out, they start again; two solids of the same number merely have no seam.
   solid_ = solid_ < 0xFFFF ? static_cast<std::uint16_t>(solid_ + 1) : static_cast<std::uint16_t>(kNoSolid + 1);
   nextStrand();
   return shown(solid_);
@@ -49,7 +49,7 @@ void SolidCells::forEachCell(const Triangle& t, Use use) const {
   const PixelBounds b = bounds.clipped(size_px_);
   for (float top = kCell_px * std::floor(b.top / kCell_px); top < b.bottom; top += kCell_px) {
     const float bottom = top + kCell_px;
-    PixelBounds part;  // what lies within a row of cells
+    PixelBounds part;
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::vec2 a = t[k], c = t[(k + 1) % 3];
       if (std::max(a.y, c.y) < top || std::min(a.y, c.y) > bottom) continue;
@@ -57,7 +57,7 @@ void SolidCells::forEachCell(const Triangle& t, Use use) const {
         part.include(glm::vec2(c.y == a.y ? c.x : a.x + (y - a.y) / (c.y - a.y) * (c.x - a.x), y));
     }
     if (part.left > part.right) continue;
-    part.include(glm::vec2(part.left, part.top), 0.5f);  // and not empty, should it be level
+    part.include(glm::vec2(part.left, part.top), 0.5f);  // keeps a level triangle from being empty
     part.include(glm::vec2(part.right, part.bottom), 0.5f);
     part.top = std::max(part.top, top);
     part.bottom = std::min(part.bottom, bottom);
@@ -75,10 +75,10 @@ void SolidCells::addSolid(Cell& cell, const DepthRange& depths) {
     }
     cell.shared = cell.shared || solid.depths.overlaps(depths);
   }
-  cell.shared = cell.shared || own == nullptr;  // too many to tell
+  cell.shared = cell.shared || own == nullptr;  // too many solids to compare
   anyShared_ = anyShared_ || cell.shared;
   if (own == nullptr) return;
-  // Those behind the own one in the list were there before its further marks.
+  // Solids after `own` in the list were added since this solid was first marked in the cell.
   for (const Solid* other = own + 1; other != cell.solids.end(); ++other)
     cell.shared = cell.shared || (other->number != 0 && other->depths.overlaps(depths));
   anyShared_ = anyShared_ || cell.shared;

@@ -9,15 +9,14 @@
 
 namespace poinsot::render {
 
-/// What of solids may be in a part of the picture; the numbers are SOLIDS in composite.frag.
+/// Content of a part of the picture as to solids. The values are SOLIDS in composite.frag.
 enum class SolidReach : std::uint8_t {
   kNone = 0,
-  kInside = 1,   ///< their insides only: no edge, nor where two cut each other
-  kOneEdge = 2,  ///< edges, but at most one in a pixel
+  kInside = 1,   ///< only insides of solids: no edges and no seams
+  kOneEdge = 2,  ///< edges, at most one in a pixel
   kTwoEdges = 3
 };
 
-/// From where to where something is, along the view.
 struct DepthRange {
   float near = 1e30f, far = -1e30f;
 
@@ -28,8 +27,8 @@ struct DepthRange {
   bool overlaps(const DepthRange& other) const { return near <= other.far && other.near <= far; }
 };
 
-/// Where the solids are in the picture, cell by cell, where their edges are, and where they may cut each other:
-/// the cells that two of them may touch at one depth.
+/// Cells of the picture in which solids lie, in which their edges lie, and in which two solids may cut each other
+/// because they may touch the cell at the same depth.
 class SolidCells {
  public:
   using Triangle = std::array<glm::vec2, 3>;
@@ -37,37 +36,37 @@ class SolidCells {
   SolidCells() = default;
   explicit SolidCells(glm::vec2 size_px);
 
-  /// A number for the next solid, as emit.glsl takes it. Begins a strand.
+  /// Starts a solid and its first strand of edges. Returns its number, as emit.glsl takes it.
   float nextSolid();
-  /// What a thing has that cuts nothing: a flat line.
+  /// Returns the number of things that cut no solid, such as flat lines.
   static float noSolid() { return shown(kNoSolid); }
-  /// Edges of one strand are never behind one another in a pixel.
+  /// Starts a strand. Edges of one strand are never behind one another in a pixel.
   void nextStrand() { ++strand_; }
 
-  /// The solid whose number was given last may touch these pixels.
+  /// Marks the pixels that the current solid may touch.
   void markSolid(const PixelBounds& bounds, const DepthRange& depths);
   void markSolid(const Triangle& triangle_px, const DepthRange& depths);
-  /// An edge of the strand begun last may.
+  /// Marks the pixels that an edge of the current strand may touch.
   void markEdge(const PixelBounds& bounds);
   void markEdge(const Triangle& triangle_px);
 
   bool any() const { return any_; }
   bool anyShared() const { return anyShared_; }
-  /// Whether two solids may cut each other, or two edges be in one pixel, in any of the pixels.
+  /// Reports whether two solids may cut each other, or (twoEdges) two edges share a pixel, within the bounds.
   bool shared(const PixelBounds& bounds) const { return !sharedPart(bounds).empty(); }
   bool twoEdges(const PixelBounds& bounds) const { return reach(bounds)[1] == SolidReach::kTwoEdges; }
-  /// What encloses all cells within the bounds where two solids may cut each other; empty where there are none.
+  /// Returns the bounds of all cells within `bounds` where two solids may cut each other; empty if there are none.
   PixelBounds sharedPart(const PixelBounds& bounds) const;
-  /// The least and the most that is in any cell of these pixels.
+  /// Returns the least and the greatest reach in any cell of these pixels.
   std::array<SolidReach, 2> reach(const PixelBounds& bounds) const;
 
-  /// What encloses all cells that hold anything, with those next to them. It begins where a tile does: blocks of
-  /// pixels that are shaded together are the same wherever the solids are.
+  /// Returns the bounds of all cells that hold anything, with their neighbours. They start at a tile's corner, so
+  /// that the grouping of pixels that are shaded together does not depend on where the solids are.
   PixelBounds part() const;
 
  private:
   struct Solid {
-    std::uint16_t number = 0;  // 0: none
+    std::uint16_t number = 0;  // 0: unused
     DepthRange depths;
   };
   struct Cell {

@@ -12,7 +12,7 @@
 namespace poinsot::render {
 namespace {
 
-// A body that turns should not need new layers in every frame.
+// Layers grow in steps of this size, so that a turning body does not need new layers in every frame.
 constexpr int kStep_px = 2 * kTile_px;
 
 glm::ivec2 sizeFor(const PixelBounds& part, glm::ivec2 most) {
@@ -20,16 +20,17 @@ glm::ivec2 sizeFor(const PixelBounds& part, glm::ivec2 most) {
   return glm::min(kStep_px * glm::ivec2(glm::ceil(size_px / float{kStep_px})), most);
 }
 
-// llvmpipe compiles a shader anew for textures of which a side is a power of two, or no longer is. A worker that
-// begins elsewhere in the film than those before it, with another part of the picture, would compile most of them,
-// for a second.
+// Returns `side`, or side + 1 if it is a power of two. llvmpipe recompiles a shader when a texture's side becomes
+// a power of two or ceases to be one. A worker that starts elsewhere in the film, with another part of the
+// picture, would recompile most shaders, which takes a second.
 int notAPowerOfTwo(int side) { return std::has_single_bit(static_cast<unsigned>(side)) ? side + 1 : side; }
 
 }  // namespace
 
 void SolidLayers::fit(const PixelBounds& part, glm::ivec2 picture_px, GLenum light) {
   origin_px_ = {part.left, part.top};
-  // The composite looks beside each pixel: beyond the picture there is nothing, whatever OpenGL says of no texel.
+  // The composite pass reads the neighbours of each pixel. One texel more than the picture keeps these reads
+  // inside the texture; the content there is empty.
   const glm::ivec2 most = picture_px + 1;
   glm::ivec2 size = sizeFor(part, most);
   if (!layers_.empty() && light == light_) {
@@ -38,15 +39,16 @@ void SolidLayers::fit(const PixelBounds& part, glm::ivec2 picture_px, GLenum lig
     size = glm::max(size, glm::min(old, most));
   }
   size = {notAPowerOfTwo(size.x), notAPowerOfTwo(size.y)};
-  if (!layers_.empty()) letGo();  // before new ones need their memory
+  if (!layers_.empty()) letGo();  // frees memory before the new layers need it
   std::vector<gl::Framebuffer> made;
   for (int i = 0; i < 3; ++i) made.emplace_back(size, std::vector{light}, GL_DEPTH_COMPONENT32F);
   layers_ = std::move(made);
   light_ = light;
 }
 
-// Mesa keeps the textures that a shader has read until another reads from their units, in a pixel at least: here
-// one does, into a pixel of its own, as what was bound before may have gone with the layers.
+// Deletes the layers. Mesa keeps textures that a shader has read until another shader reads from their units, in
+// at least one pixel. A small shader does so here, into a pixel of its own, because the framebuffer bound before
+// may have been deleted with the layers.
 void SolidLayers::letGo() {
   layers_.clear();
   const gl::Framebuffer pixel(glm::ivec2(1), {GL_RGBA8}, 0);
@@ -73,7 +75,7 @@ void main() { pixel = texel(a) + texel(b) + texel(c) + texel(d) + texel(e) + tex
 
 void SolidLayers::begin(SolidLayer layer) const {
   (*this)[layer].bind();
-  glClear(GL_DEPTH_BUFFER_BIT);  // where it is 1 nobody looks at the colour
+  glClear(GL_DEPTH_BUFFER_BIT);  // colours are not read where depth is 1
 }
 
 }  // namespace poinsot::render

@@ -10,22 +10,22 @@
 
 namespace poinsot::render {
 
-/// What the passes over the solids leave, each in a layer: the nearest full fragment, and the two nearest edges.
+/// Layers that the passes over the solids draw: the nearest full fragment, and the two nearest edges.
 enum class SolidLayer : std::uint8_t { kFull, kEdge, kNextEdge };
 
-/// The layers of one picture after another. They are of the part of it that solids are in, as new memory costs
-/// more time than what is drawn there, and only grow, so that few pictures need new ones. How large they are does
-/// not tell: beyond the part nothing is in them, and a pixel beyond the picture is theirs, too.
+/// Layers for one picture after another. They cover only the part of the picture that solids are in, because new
+/// memory costs more time than drawing there. They only grow, so that few pictures need new ones. Their size
+/// changes no pixel: nothing is in them beyond the part, and they include one pixel beyond the picture.
 class SolidLayers {
  public:
-  /// Makes room for a part of a picture of that size. What was in the layers is lost.
+  /// Makes room for a part of a picture of that size. Discards the contents of the layers.
   /// @param light  format of the linear light
-  /// @throws core::Error(kGraphics) when the back end cannot hold them.
+  /// @throws core::Error(kGraphics) if the back end cannot hold the layers.
   void fit(const PixelBounds& part, glm::ivec2 picture_px, GLenum light);
-  /// Binds a layer to be drawn into, with nothing in it.
+  /// Binds a layer for drawing and empties it.
   void begin(SolidLayer layer) const;
 
-  /// Their place in the picture.
+  /// Returns the top left corner of the layers in the picture.
   glm::vec2 origin_px() const { return origin_px_; }
   /// @pre fit() was called.
   const gl::Framebuffer& operator[](SolidLayer layer) const { return layers_[static_cast<std::size_t>(layer)]; }

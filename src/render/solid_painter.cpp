@@ -18,7 +18,7 @@ void include(const StripVertex& vertex, PixelBounds& bounds) { bounds.include(ve
 }  // namespace
 
 SolidPainter::Programs SolidPainter::makePrograms(SolidPass pass) {
-  Programs programs;  // in the order of Kind
+  Programs programs;
   programs.emplace_back("squares.vert", "ellipsoid.frag", pass, 12);
   programs.emplace_back("squares.vert", "frustum.frag", pass, 11);
   programs.emplace_back("curve.vert", "curve.frag", pass, 2, "#define TUBE 0\n");
@@ -156,10 +156,10 @@ void SolidPainter::prepareCurves(const draw::Camera& camera, std::span<const dra
 }
 
 void SolidPainter::markStrip(const std::vector<StripVertex>& triangles, bool tube) {
-  glm::vec2 begin(0), before(0);  // directions
+  glm::vec2 begin(0), before(0);
   for (std::size_t i = 0; i + 5 < triangles.size(); i += 6) {
     const auto at = [&](std::size_t k) { return triangles[i + k].position_px; };
-    // While a strand goes on in one direction, more or less, it does not come back.
+    // While a strand keeps roughly one direction, it cannot come back to the same pixel.
     const glm::vec2 along = (at(2) + at(5)) - (at(0) + at(1));
     if (i == 0 || glm::dot(along, begin) < 0 || glm::dot(along, before) < 0) {
       solidCells_->nextStrand();

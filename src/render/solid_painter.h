@@ -18,29 +18,29 @@ class SolidPainter {
  public:
   SolidPainter();
 
-  /// Works out outlines and strips of this list, once for all passes, and marks the cells that they may
-  /// touch. The solids that are not drawn here are marked already.
-  /// @param meshEdges  drawn with the list's own curves; those of one mesh are alike but for their points
+  /// Prepares the outlines and strips of a list for all passes, and marks the cells that they may touch. All
+  /// solids that are not drawn here must be marked already.
+  /// @param meshEdges  drawn with the list's own curves; lines of one mesh differ only in their points
   void prepare(const draw::DrawList& list, const std::vector<std::vector<draw::Curve>>& meshEdges,
                SolidCells& solidCells);
 
-  /// Draws what prepare() was given into the bound framebuffer: for kEdges the nearest edge behind the depths of
-  /// inputs.edgeBefore, or the nearest of all when that is 0; for kSeams what of solids comes forward beside a
-  /// seam.
+  /// Draws the prepared list into the bound framebuffer. kEdges draws the nearest edge behind the depths of
+  /// inputs.edgeBefore, or the nearest of all if that is 0. kSeams draws the parts of solids that come forward
+  /// beside a seam.
   void draw(SolidPass pass, const PassInputs& inputs, const PictureConstants& ofPicture);
 
  private:
   enum Kind : std::size_t { kEllipsoid, kFrustum, kFlatCurve, kTube, kKinds };
-  using Programs = std::vector<SolidProgram>;  // by Kind
+  using Programs = std::vector<SolidProgram>;  // indexed by Kind
 
-  /// Of vertices.
   struct Range {
     GLint first = 0;
     GLsizei count = 0;
   };
 
-  /// One draw call: its constants and its squares or triangles: all, and of them those of the edge pass; then
-  /// copies of those that the next edge pass looks at, and of those that may touch another solid.
+  /// One draw call with its constants. `full` holds all its squares or triangles, and `edges` those of the edge
+  /// pass. `nextEdges` and `seams` are copies of those for the second edge pass and of those that may touch
+  /// another solid.
   struct Item {
     Kind kind;
     Constants own;
@@ -56,7 +56,7 @@ class SolidPainter {
   template <typename Outline>
   Cells cellsWithin(const Outline& outline) const;
 
-  /// Copies those of a range that are wanted, as their bounds tell; each `group` vertices go together.
+  /// Appends copies of the groups in a range whose bounds are `wanted`. Each group has `group` vertices.
   template <typename Vertex, typename Wanted>
   static Range copied(const Range& range, std::vector<Vertex>& vertices, GLsizei group, Wanted wanted);
   template <typename Vertex>
@@ -70,7 +70,7 @@ class SolidPainter {
   gl::BufferName cellBuffer_ = gl::BufferName::make();
   gl::BufferName curveBuffer_ = gl::BufferName::make();
 
-  // Of the list last prepared.
+  // Data of the list that was prepared last.
   const draw::DrawList* list_ = nullptr;
   SolidCells* solidCells_ = nullptr;
   std::vector<Item> items_;

@@ -7,22 +7,21 @@
 #include "gl/storage.h"
 #include "gl/unique_name.h"
 
-/// What the painters of solids share.
 namespace poinsot::render {
 
-/// Which fragments of the solids are kept; the numbers are EDGES in emit.glsl.
+/// Selects the fragments of solids that a pass keeps. The values are EDGES in emit.glsl.
 enum class SolidPass { kFull = 0, kEdges = 1, kSeams = 2 };
 
-/// What a pass looks at of the passes before it: textures of emit.glsl, 0 for none.
+/// Textures of earlier passes that a pass reads (emit.glsl); 0 if unused.
 struct PassInputs {
-  GLuint edgeBefore = 0;                ///< depths: edges are those behind them
-  GLuint fullColor = 0, fullDepth = 0;  ///< of the full pass, for the seams
+  GLuint edgeBefore = 0;                ///< depths; only edges behind them are kept
+  GLuint fullColor = 0, fullDepth = 0;  ///< results of the full pass, for the seams
 };
 
-/// Binds them to units 1 to 3; unit 0 is the painter's own.
+/// Binds the inputs to texture units 1 to 3. Unit 0 is the painter's own.
 void bindInputs(const PassInputs& inputs);
 
-/// Describes `components` floats of each vertex in the bound buffer.
+/// Declares an attribute of `components` floats per vertex in the bound buffer.
 void floatAttribute(GLuint index, GLint components, std::size_t stride, std::size_t offset);
 
 /// Fills a buffer, which stays bound. @throws core::Error(kGraphics) if the back end has no room for it.

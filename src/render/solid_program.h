@@ -11,14 +11,14 @@
 
 namespace poinsot::render {
 
-/// A program for one pass over one kind of solid, from files of shaders/. It is made when it is first used: a
-/// scene shows few kinds, and programs are a fifth of the time of a start.
+/// Program for one pass over one kind of solid, from files of shaders/. It is compiled at first use, because a
+/// scene shows few kinds and programs take a fifth of the start-up time.
 class SolidProgram {
  public:
   SolidProgram(std::string vertex, std::string fragment, SolidPass pass, std::size_t ownConstants,
                std::string defines = "");
 
-  /// Takes it into use for a draw call whose inputs are bound.
+  /// Uses the program for a draw call whose inputs are bound.
   /// @throws core::Error(kGraphics) with the compiler's log.
   const gl::ShaderProgram& use(const PictureConstants& ofPicture, const Constants& own);
 

@@ -12,14 +12,14 @@ namespace {
 using text::Point;
 
 constexpr double kPiece_px = 64;
-// A pixel's diagonal and rounding; the half width comes on top, for bends.
+// Diagonal of a pixel, and rounding. The half width is added for bends.
 constexpr double kOverlap_px = 2;
-// Points nearer to the line between others are left out: it moves by less than is seen.
+// Points closer than this to the line between their neighbours are left out; the line moves by less than is
+// visible.
 constexpr double kTolerance_px = 0.01;
-// Points left out in a row, so that looking back at all of them stays cheap.
+// Points left out in a row at most, so that testing all of them again stays cheap.
 constexpr std::size_t kLeftOut = 16;
 
-/// From one length along a line to another.
 struct Range {
   double from, to;
 };
@@ -31,7 +31,7 @@ double distanceToSegment(Point p, Point from, Point to) {
   return text::distance(q, d * t);
 }
 
-/// The points of a line that matter: curves are sampled more finely than they bend.
+/// Simplifies a polyline: curves are sampled more finely than they bend.
 class Simplifier {
  public:
   void add(Point p) {
@@ -71,7 +71,7 @@ std::vector<Point> simplified(const draw::Stroke& stroke) {
   return points;
 }
 
-/// A polyline by the length along it.
+/// Polyline, indexed by the length along it.
 class Path {
  public:
   /// @pre no point twice in a row
@@ -84,7 +84,7 @@ class Path {
   double lengthTo(std::size_t i) const { return lengths_[i]; }
   double length() const { return lengths_.back(); }
 
-  /// Beyond the end it begins again.
+  /// Returns the points of a range. A range may pass the end, where the path begins again.
   StrokePiece piece(Range range) const {
     StrokePiece piece{at(range.from)};
     addInner(range, 0, piece);
@@ -98,7 +98,7 @@ class Path {
     if (p.x != piece.back().x || p.y != piece.back().y) piece.push_back(p);
   }
 
-  // The path's points strictly within the range, on the lap that begins at `offset`.
+  // Adds the path's points strictly within the range, on the lap that begins at `offset`.
   void addInner(Range range, double offset, StrokePiece& piece) const {
     auto i = std::upper_bound(lengths_.begin(), lengths_.end(), range.from - offset) - lengths_.begin();
     for (; i < std::ssize(lengths_) && lengths_[static_cast<std::size_t>(i)] + offset < range.to; ++i)
@@ -115,10 +115,10 @@ class Path {
   }
 
   std::vector<Point> points_;
-  std::vector<double> lengths_;  // to each point; its first is 0
+  std::vector<double> lengths_;
 };
 
-// The part of a segment within low <= a + t b <= high, t in `share`.
+// Reduces `share` to the values t with low <= a + t b <= high.
 void cut(double a, double b, double low, double high, Range& share) {
   if (b == 0) {
     if (a < low || a > high) share.to = share.from - 1;
@@ -129,7 +129,6 @@ void cut(double a, double b, double low, double high, Range& share) {
   share.to = std::min(share.to, std::max(t0, t1));
 }
 
-// Where the path is inside the rectangle.
 std::vector<Range> rangesWithin(const Path& path, const PixelBounds& rectangle, double margin) {
   const auto low = [&](float x) { return static_cast<double>(x) - margin; };
   const auto high = [&](float x) { return static_cast<double>(x) + margin; };
@@ -151,7 +150,7 @@ std::vector<Range> rangesWithin(const Path& path, const PixelBounds& rectangle, 
   return ranges;
 }
 
-// Dashes begin at every second multiple of `dash`.
+// Returns the dashes within a range. Dashes begin at every second multiple of `dash`.
 std::vector<Range> dashesIn(Range range, double dash) {
   std::vector<Range> dashes;
   for (double k = std::floor(range.from / (2 * dash)); 2 * dash * k < range.to; ++k) {
@@ -168,10 +167,10 @@ std::vector<StrokePiece> strokePieces(const draw::Stroke& stroke, const PixelBou
   const Path path(simplified(stroke));
   if (path.points().size() == 1) return {{path.points().front()}};
   const double halfWidth = 0.5 * static_cast<double>(stroke.width_px);
-  // Round ends close gaps that are not longer than the line is wide.
+  // Round ends close gaps that are not longer than the line's width.
   const bool dashed = stroke.dash_px > stroke.width_px;
   const bool loop = stroke.closed && !dashed;
-  // A small loop in three pieces at least: no piece must meet its own beginning.
+  // A small loop gets at least three pieces, so that no piece meets its own beginning.
   const double third = path.length() / 3;
   const double step = loop ? std::min(kPiece_px, third) : kPiece_px;
   const double overlap = loop ? std::min(kOverlap_px + halfWidth, third) : kOverlap_px + halfWidth;

@@ -9,16 +9,16 @@
 
 namespace poinsot::render {
 
-/// A part of a stroke's middle line: at least one point, none twice in a row.
+/// Part of a stroke's middle line: at least one point, and none twice in a row.
 using StrokePiece = std::vector<text::Point>;
 
-/// Cuts the middle line of a stroke into its dashes, and those into pieces of some 64 pixels that overlap a
-/// little. Drawn with round ends, the pieces together are the stroke; and each pixel lies wholly within the reach
-/// of one of them, so that the largest of their coverages is the stroke's.
+/// Cuts the middle line of a stroke into its dashes, and dashes into overlapping pieces of about 64 pixels. Drawn
+/// with round ends, the pieces make up the stroke. Each pixel lies wholly within the reach of one piece, so the
+/// largest coverage of any piece is the coverage of the stroke.
 ///
-/// Why pieces: added up as one outline, a line that runs over itself (a closed orbit traced ten times) would count
-/// each lap and get hard, ragged edges; and a long line would need an array as large as the picture.
-/// @param visible  parts that cannot be seen in it are left out
+/// Without pieces, a line that runs over itself (a closed orbit traced ten times) would count each lap and get
+/// hard, ragged edges, and a long line would need an array as large as the picture.
+/// @param visible  rectangle outside which parts are left out
 std::vector<StrokePiece> strokePieces(const draw::Stroke& stroke, const PixelBounds& visible);
 
 }  // namespace poinsot::render

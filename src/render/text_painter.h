@@ -15,20 +15,20 @@
 
 namespace poinsot::render {
 
-/// Lays type over a finished picture, on the CPU: glyph coverage is exact area, blending is in linear light.
+/// Paints type over a finished picture on the CPU. Glyph coverage is exact area, cached because titles stand
+/// still; blending is in linear light.
 class TextPainter {
  public:
-  /// Forgets the type that the picture before did not show.
   void beginPicture() { coverage_.beginPicture(); }
 
-  /// Returns the places that changed.
-  /// In a picture of four channels a halo is its paper too: nothing, whatever colour the list has for it.
-  /// @throws core::Error(kUsage) for TeX that cannot be set.
+  /// Paints the texts in order and returns the places that may have changed. In a picture of four channels a halo
+  /// erases the picture under it, regardless of the halo's colour.
+  /// @throws core::Error(kUsage) if TeX cannot be set.
   template <typename Sample>
   std::vector<PixelBounds> paint(const std::vector<draw::Text>& texts, image::BasicImage<Sample>& picture);
 
  private:
-  /// What a coverage map depends on: the text, its size, the left end of its baseline, the width of its halo.
+  /// Inputs of a coverage map: text, size, left end of the baseline, width of the halo.
   using Key = std::tuple<std::string, float, float, float, float>;
 
   template <typename Sample>
@@ -36,8 +36,8 @@ class TextPainter {
   const text::GlyphRun& run(const std::string& tex);
   const text::CoverageMap& coverage(const draw::Text& text, float outline_px);
 
-  std::map<std::string, text::GlyphRun> runs_;     // a film shows the same few labels in every frame
-  PictureCache<Key, text::CoverageMap> coverage_;  // titles stand still
+  std::map<std::string, text::GlyphRun> runs_;  // a film shows the same few labels in every frame
+  PictureCache<Key, text::CoverageMap> coverage_;
 };
 
 }  // namespace poinsot::render

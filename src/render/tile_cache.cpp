@@ -26,7 +26,7 @@ void TileCache::beginPicture(glm::ivec2 size_px, Constants common) {
   ended_ = false;
 }
 
-// A look that the picture before did not have is on no tile.
+// Returns the name of a look. A look that the previous picture did not have gets a new name, which no tile shows.
 int TileCache::nameOf(const SheetChoice& chosen, const Sheets& sheets) {
   const auto isChosen = [&](const Look& look) { return look.chosen == chosen; };
   if (const auto known = std::ranges::find_if(current_, isChosen); known != current_.end()) return known->name;

@@ -9,23 +9,22 @@
 
 namespace poinsot::render {
 
-/// What the tiles of a picture showed last, where that was sheets or paper alone: a film's plane and ground stand
-/// still, and need not be drawn, read and converted again. A tile is known by all numbers that decide its pixels,
-/// so that the same bytes come whatever the picture before was.
+/// Cache of what the tiles of a picture showed last, for tiles of sheets or paper only. A film's plane and ground
+/// stand still and need not be drawn, read and converted again. All numbers that decide the pixels of a tile
+/// identify its content, so that its bytes do not depend on earlier pictures.
 class TileCache {
  public:
-  /// @param common  the numbers that all tiles depend on. If they or the size are others than last time, or that
-  /// picture was not ended, nothing is remembered.
+  /// Starts a picture. Clears the cache if the size or `common` has changed, or if the last picture was not ended.
+  /// @param common  numbers that all tiles depend on
   void beginPicture(glm::ivec2 size_px, Constants common);
-  /// Whether the tile shows these sheets already, and just so; if not, it does from now on.
+  /// Reports whether the tile already shows exactly these sheets, and records that it does from now on.
   bool shows(const PixelBounds& tile, const SheetChoice& chosen, const Sheets& sheets);
-  /// Something else was drawn there.
+  /// Clears the entries of the tiles at a place that shows something else now.
   void forget(const PixelBounds& place);
-  /// All tiles show what was said of them.
+  /// Marks the picture as complete, so that the next one may reuse its tiles.
   void endPicture() { ended_ = true; }
 
  private:
-  /// What tiles without solids may show.
   struct Look {
     SheetChoice chosen;
     Constants constants;
@@ -40,7 +39,7 @@ class TileCache {
   Constants common_;
   bool ended_ = false;
   std::vector<Look> last_, current_;
-  std::vector<int> shown_;  // the look's name by tile, row by row; 0: nothing known
+  std::vector<int> shown_;  // name of the look by tile, row by row; 0: unknown
   int names_ = 0;
 };
 

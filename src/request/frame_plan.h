@@ -10,7 +10,7 @@
 
 namespace poinsot::request {
 
-/// Frames first to last, both included; numbers count from the scene's frame 0.
+/// Range of frames, first to last, both included. Numbers count from the scene's frame 0.
 struct FrameRange {
   std::int64_t first = 0;
   std::int64_t last = 0;
@@ -19,38 +19,38 @@ struct FrameRange {
   friend bool operator==(const FrameRange&, const FrameRange&) = default;
 };
 
-/// Frames of a segment, the unit of work, unless the user says otherwise. Its borders lie at absolute frame
-/// numbers, so that workers, shards and resume never move them: each is encoded by itself. 30 frames are a second
-/// at 30 fps: short enough that workers end together, long enough that the one key frame per segment costs little
-/// (films measured 0.9 % larger than with 60).
+/// Default number of frames in a segment, the unit of work. Segments are encoded separately and their borders lie
+/// at absolute frame numbers, so workers, shards and resuming never move a border. At 30 fps a segment is a
+/// second: short enough that workers finish together, long enough that one key frame per segment costs little
+/// (films measured 0.9 % larger than with 60 frames).
 inline constexpr std::int64_t kSegmentFrames = 30;
 
-/// "A-B" or "A", as written after --frames.
-/// @throws core::Error(kUsage) if it is neither, or if B < A.
+/// Parses a frame range "A-B" or a single frame "A", as written after --frames.
+/// @throws core::Error(kUsage) if the text has another form, or if B < A.
 FrameRange parseFrameRange(std::string_view text);
 
-/// The frames to make of a film of `frameCount` frames: all, or those asked for.
-/// @throws core::Error(kUsage) if the film lacks one of them.
+/// Returns `asked`, or all frames of the film if `asked` is empty.
+/// @param frameCount  frames of the film
+/// @throws core::Error(kUsage) if `asked` goes beyond the film.
 FrameRange selectFrames(std::int64_t frameCount, const std::optional<FrameRange>& asked);
 
-/// The segments that hold `frames`, in order; the first and the last may be cut short by the range.
+/// Returns the segments that cover `frames`, in order. The range may cut the first and the last segment short.
 std::vector<FrameRange> segmentsOf(const FrameRange& frames, std::int64_t segmentFrames = kSegmentFrames);
 
-/// Returns how many frames the ranges have together.
 std::int64_t framesIn(const std::vector<FrameRange>& ranges);
 
-/// Which part of the work a process does: the k-th of n, from 1.
+/// Share of the work that one process does: part k of n, counted from 1.
 struct Shard {
   int k = 1, n = 1;
 };
 
-/// Of one film.
 inline constexpr int kMostShards = 100'000;
 
-/// "k/n". @throws core::Error(kUsage).
+/// Parses a shard "k/n", where 1 <= k <= n <= kMostShards.
+/// @throws core::Error(kUsage) for any other text.
 Shard parseShard(std::string_view text);
 
-/// The shard's own: every n-th, so that shards are of one size wherever the film is costly.
+/// Returns the segments of one shard: every n-th. Costly parts of a film are thus spread over all shards.
 std::vector<FrameRange> segmentsOf(const Shard& shard, const std::vector<FrameRange>& segments);
 
 }  // namespace poinsot::request

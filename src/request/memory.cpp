@@ -24,7 +24,7 @@ using std::filesystem::path;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// Empty where it cannot be read. Files of the kernel have no size, so it is read to its end.
+/// Returns the text of a file, empty if it cannot be read. Kernel files report no size, so this reads to the end.
 std::string textOf(const path& file) {
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
@@ -38,7 +38,6 @@ std::optional<double> numberAt(std::string_view text) {
   return status == std::errc() ? std::optional(value) : std::nullopt;
 }
 
-/// Of the line that begins with this word.
 std::optional<double> field(const std::string& text, const std::string& word) {
   const auto at = ("\n" + text).find("\n" + word);
   return at == std::string::npos ? std::nullopt : numberAt(std::string_view(text).substr(at + word.size()));
@@ -50,16 +49,17 @@ double ofMachine(const path& root) {
   return available_kB ? 1024 * (*available_kB + field(text, "SwapFree:").value_or(0)) : kInfinite;
 }
 
-/// Of one control group. Cached files count as used and are given up when memory is wanted.
+/// Returns the free memory of one control group. The kernel counts cached files as used but frees them on demand.
 double ofGroup(const path& group) {
-  const auto most = numberAt(textOf(group / "memory.max"));  // or "max"
+  const auto most = numberAt(textOf(group / "memory.max"));  // no number: "max"
   if (!most) return kInfinite;
   const std::string text = textOf(group / "memory.stat");
   const double files = field(text, "file ").value_or(0) - field(text, "shmem ").value_or(0);
   return *most - numberAt(textOf(group / "memory.current")).value_or(0) + files;
 }
 
-/// Of this process's control group and those above it (version 2), as containers and Slurm set them.
+/// Returns the least free memory of this process's control group and its ancestors (cgroup version 2), as set by
+/// containers and Slurm.
 double ofGroups(const path& root) {
   const std::string text = "\n" + textOf(root / "proc/self/cgroup");
   const auto at = text.find("\n0::/");
@@ -78,7 +78,7 @@ double ofProcess() {
   return known ? static_cast<double>(limit.rlim_cur) : kInfinite;
 }
 
-/// For each pixel.
+/// Returns the encoder's memory per pixel, in bytes.
 double encoderMemory_bytes(const output::FilmFormat& format) {
   constexpr std::array kOfCodec_bytes{48.0, 128.0, 12.0, 135.0, 130.0, 172.0, 172.0};  // in the order of FilmCodec
   double bytes = kOfCodec_bytes[static_cast<std::size_t>(format.codec)];
@@ -89,10 +89,10 @@ double encoderMemory_bytes(const output::FilmFormat& format) {
 
 }  // namespace
 
-// Peak memory of a worker over the size of its pictures is a straight line: at nothing are the libraries and the
-// driver's shaders; each pixel then takes 4 bytes of what pictures are drawn in, 8 for 16 bits (renderer.cpp), up
-// to 36 and 60 of layers, where solids fill the picture (solid_layers.h), its picture, and what the encoder keeps
-// of the frames it looks at. Measured from 640x360 to 8192x8192, see tests/faults/memory_nightly_test.cpp.
+// The peak memory of a worker grows linearly with the size of its pictures. The constant part is the libraries and
+// the driver's shaders. Each pixel adds 4 bytes of render target (8 at 16 bits; renderer.cpp), up to 36 (60) bytes
+// of layers where solids fill the picture (solid_layers.h), its picture, and the frames that the encoder keeps.
+// Measured from 640x360 to 8192x8192, see tests/faults/memory_nightly_test.cpp.
 double workerMemory_bytes(image::PixelSize size, const std::optional<output::FilmFormat>& film, int bits) {
   const double start_bytes = film ? 148e6 : 115e6;  // FFmpeg's libraries are opened for films only
   const double picture_bytes = bits == 8 ? 46 : 80;
@@ -106,8 +106,8 @@ double workerMemory_bytes(const OutputTarget& target, const scene::Output& asked
   return workerMemory_bytes({asked.width, asked.height}, film, form.bits);
 }
 
-// Measured, see tests/faults/memory_nightly_test.cpp: the scene's own copy in doubles, the edges by which its
-// outline is found, and the triangles in floats, here and in the driver.
+// A triangle takes the scene's copy in doubles, the edges that find its outline, and floats in this program and in
+// the driver. Measured, see tests/faults/memory_nightly_test.cpp.
 double meshMemory_bytes(const scene::Scene& scene) {
   constexpr double kTriangle_bytes = 200;
   std::set<const geometry::Mesh*> meshes;

@@ -13,42 +13,44 @@
 #include "scene/limits.h"
 #include "scene/scene.h"
 
-/// What a render takes of memory, known before it begins.
 namespace poinsot::request {
 
-/// Bytes that a worker process holds at its peak, of the picture's size, the bits of its samples and the film's
-/// encoder; a picture has none. Measured; meshes come on top. See memory.cpp.
+/// Estimates the peak memory of a worker process in bytes, without meshes. The numbers were measured; see
+/// memory.cpp.
+/// @param film  format of the film; nullopt if the worker writes pictures
+/// @param bits  bits per sample, 8 or 16
 double workerMemory_bytes(image::PixelSize size, const std::optional<output::FilmFormat>& film, int bits = 8);
 
-/// The same of an output as it is asked for.
+/// Estimates the peak memory of a worker in bytes, without meshes, for an output target.
 double workerMemory_bytes(const OutputTarget& target, const scene::Output& asked, const PictureOptions& form);
 
-/// What the meshes of a scene add to that.
+/// Returns the memory that the meshes of a scene add to a worker, in bytes.
 double meshMemory_bytes(const scene::Scene& scene);
 
-/// Both; of a sweep with the meshes of all its cells.
+/// Estimates the peak memory of a worker in bytes, including the meshes of the scene (of all cells in a sweep).
 double workerMemory_bytes(const OutputTarget& target, const RequestedScene& requested, const PictureOptions& form);
 
-/// "a worker that makes pictures of 640x360", for what follows.
+/// Returns "a worker that makes pictures of 640x360", the subject of a message about memory.
 std::string pictureText(image::PixelSize size);
 
-/// "1.5 GiB".
 std::string memoryText(double bytes);
 
-/// @throws core::Error(kLimit) with the estimate, if it is above Limit::kMemory. @param what  takes so much:
-/// "a worker that makes pictures of 640x360"
+/// Checks an estimate against Limit::kMemory.
+/// @param what  subject of the message: "a worker that makes pictures of 640x360"
+/// @throws core::Error(kLimit) with the estimate, if the estimate exceeds the limit.
 void expectWithinMemory(double bytes, const std::string& what, const scene::Limits& limits);
 
-/// Bytes that may be had.
+/// Memory that is still available.
 struct FreeMemory {
-  double machine_bytes = 0;  ///< by all processes together: the machine's, or what this control group has left
-  double process_bytes = 0;  ///< by one process (ulimit -v)
+  double machine_bytes = 0;  ///< for all processes: free in the machine or, if less, in the control group
+  double process_bytes = 0;  ///< for one process (ulimit -v)
 };
 
-/// As the kernel says now; infinite where it says nothing. @param root  of the file system, for tests.
+/// Reads the available memory from the kernel. A value is infinite if the kernel reports none.
+/// @param root  root of the file system; tests pass another folder
 FreeMemory freeMemory(const std::filesystem::path& root = "/");
 
-/// How many workers of `each_bytes` fit, `wanted` at most.
+/// Returns how many workers of `each_bytes` fit into the available memory, at most `wanted`.
 int workersThatFit(int wanted, double each_bytes, const FreeMemory& free);
 
 }  // namespace poinsot::request

@@ -56,7 +56,7 @@ OutputTarget parseTarget(const std::string& name) {
     return {OutputKind::kFilm, path};
   }
   if (!pattern) return {OutputKind::kPicture, path};
-  static_cast<void>(output::FramePattern(name));  // throws unless it is a good one
+  static_cast<void>(output::FramePattern(name));  // throws for a malformed pattern
   return {OutputKind::kSequence, path};
 }
 

@@ -12,35 +12,35 @@
 namespace poinsot::request {
 
 enum class OutputKind {
-  kFilm,      ///< one file of an output::FilmContainer
+  kFilm,      ///< one file in an output::FilmContainer
   kPicture,   ///< one .png of one frame
-  kSequence,  ///< a .png per frame; the path is an output::FramePattern
-  kFigure,    ///< of one frame, with vectors and type: one of figure::FigureMedium
+  kSequence,  ///< one .png per frame; the path is an output::FramePattern
+  kFigure,    ///< one frame in vectors and type, in a figure::FigureMedium
 };
 
-/// Where the result goes.
 struct OutputTarget {
   OutputKind kind = OutputKind::kFilm;
   std::filesystem::path path;
-  bool stream = false;  ///< to standard output while it is made; `path` is then only where the parts lie
+  bool stream = false;  ///< writes to standard output as it is made; `path` then only locates intermediate parts
 };
 
-/// Whether pictures of 16 bits a sample can go there: PNG.
+/// Returns whether the target can hold pictures of 16 bits per sample, as PNG files can.
 bool takesDeepPictures(const OutputTarget& target);
 
-/// Of a film: reads the kind off the name.
-/// @throws core::Error(kUsage) saying which names work.
+/// Parses the name of a render's output; its extension and {frame} pattern select the kind.
+/// @throws core::Error(kUsage) for an unusable name, listing the names that work.
 OutputTarget parseTarget(const std::string& name);
 
-/// Of standard output: "png", pictures one after the other, or "mp4".
+/// Returns the target for standard output.
+/// @param format  "png" (pictures one after the other) or "mp4"
 /// @throws core::Error(kUsage) for another format.
 OutputTarget streamTarget(const std::string& format);
 
-/// Of a still: a picture or a figure.
-/// @throws core::Error(kUsage) saying which names work.
+/// Parses the name of a still's output, a picture or a figure.
+/// @throws core::Error(kUsage) for an unusable name, listing the names that work.
 OutputTarget parseStillTarget(const std::string& name);
 
-/// How a film of that name is made: what the scene asks for, and else what its kind of file usually holds.
+/// Returns the film format for a target: the scene's choices, else the defaults of the file's container.
 output::FilmFormat filmFormat(const OutputTarget& target, const scene::Output& asked, const PictureOptions& form);
 
 }  // namespace poinsot::request

@@ -8,20 +8,19 @@
 
 namespace poinsot::request {
 
-/// Largest file of a picture that is copied or embedded, in bytes.
+/// Largest picture file that may be copied or embedded, in bytes.
 inline constexpr std::size_t kMostPicture = std::size_t{512} << 20;
 
-/// A picture's width on paper. Type and lines are then sized in points, and its pixels are width times dpi.
+/// Width of a picture on paper. Type and lines are then sized in points, and the width in pixels follows from dpi.
 struct PrintSize {
   double width_mm = 86;
   double dpi = 600;
 };
 
-/// How pictures are made, besides their size.
 struct PictureOptions {
-  std::optional<PrintSize> print;  ///< none: for a screen, type and lines sized by the picture
-  bool transparent = false;        ///< without paper
-  int bits = 8;                    ///< of a sample; 16 only where takesDeepPictures()
+  std::optional<PrintSize> print;  ///< nullopt: for a screen; type and lines scale with the picture
+  bool transparent = false;        ///< no paper behind the picture
+  int bits = 8;                    ///< per sample; 16 only if takesDeepPictures()
 };
 
 }  // namespace poinsot::request

@@ -36,7 +36,8 @@ void showOnly(std::size_t which, scene::Scene& scene) {
   scene.plots.clear();
 }
 
-/// A range of a key that there is not is none: the scene says what is wrong before the grid does.
+/// Returns the request of a sweep's first cell. If no override is a valid range, first loads the scene without the
+/// sweep, so that a misspelt key is reported as such and not as a missing range.
 SceneRequest firstCell(const SceneRequest& request) {
   if (!request.sweep->map && std::ranges::none_of(request.overrides, [](const std::string& word) {
         return scene::sweepAxis(word).has_value();

@@ -13,32 +13,30 @@
 
 namespace poinsot::request {
 
-/// What is drawn of a scene in place of its film: its values swept.
+/// Request to draw a sweep of the scene's values instead of its film.
 struct SweepRequest {
-  bool map = false;                      ///< the stability map of its body; else a grid of films
-  int columns = 0;                       ///< of the grid of one range; 0: as the picture has room
-  std::vector<std::string> labels = {};  ///< names of the swept keys in TeX, in place of their own
+  bool map = false;                      ///< the stability map of the body; else a grid of films
+  int columns = 0;                       ///< grid columns for one swept key; 0: chosen to make the cells largest
+  std::vector<std::string> labels = {};  ///< TeX names of the swept keys; replace the default names
 };
 
-/// A scene as the user asked for it.
 struct SceneRequest {
-  std::string fileName = {};  ///< as given, for messages
+  std::string fileName = {};  ///< name as typed, for messages
   std::string text = {};
   std::vector<std::string> overrides = {};    ///< "key.path=value", in the order given
-  std::optional<image::PixelSize> size = {};  ///< in place of the scene's; may be odd, which the key may not
-  scene::Allowance allowance{};               ///< how much, and files of which folders besides its own
-  std::optional<SweepRequest> sweep{};        ///< ranges among the overrides stand for cells (sweep_cells.h)
-  std::optional<std::size_t> view{};  ///< that view as the whole picture, without the others and without plots
+  std::optional<image::PixelSize> size = {};  ///< overrides output.size; unlike that key, sides may be odd
+  scene::Allowance allowance{};               ///< limits, and further folders from which the scene may read
+  std::optional<SweepRequest> sweep{};        ///< ranges in the overrides define the cells (sweep_cells.h)
+  std::optional<std::size_t> view{};          ///< index of the view to draw alone, without plots
 };
 
-/// Reads the file.
-/// @throws core::Error(kScene) if it is missing, unreadable or no regular file; (kLimit) if it is too long for a
-/// scene.
+/// Reads the text of a scene file into a request.
+/// @throws core::Error(kScene) if the file is missing, unreadable or not regular; (kLimit) if it is too long.
 SceneRequest readSceneRequest(const std::string& fileName, std::vector<std::string> overrides,
                               const scene::Allowance& allowance = {});
 
-/// The validated scene; of a sweep that of its first cell.
-/// @throws scene::SceneErrors with all problems; core::Error(kUsage) if the scene does not have that view.
+/// Parses and validates the scene; for a sweep, the scene of its first cell.
+/// @throws scene::SceneErrors with all problems; core::Error(kUsage) if the scene lacks the requested view.
 scene::Scene loadRequested(const SceneRequest& request);
 
 }  // namespace poinsot::request

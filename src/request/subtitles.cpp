@@ -23,7 +23,8 @@ namespace {
 
 using std::filesystem::path;
 
-/// "00:01:02,345" with the sign before the milliseconds that the format has.
+/// Formats a time such as "00:01:02,345".
+/// @param sign  decimal sign of the format: ',' in SubRip, '.' in WebVTT
 std::string stamp(std::int64_t time_ms, char sign) {
   const std::int64_t time_s = time_ms / 1000;
   return fmt::format("{:02}:{:02}:{:02}{}{:03}", time_s / 3600, time_s / 60 % 60, time_s % 60, sign,
@@ -36,7 +37,7 @@ std::string span(const Subtitle& subtitle, char sign) {
 
 constexpr std::string_view kDigestOfSrt = "NOTE sha256 of the .srt: ";
 
-/// Returns the content; empty if the file is missing, cannot be read or is larger than any subtitles.
+/// Returns the content of a file; empty if the file is missing, unreadable or larger than any subtitles (16 MiB).
 std::string contentOf(const std::filesystem::path& file) try {
   constexpr std::size_t kMostBytes = std::size_t{16} << 20;
   return core::readRegularFile(file, kMostBytes, core::ErrorKind::kIo);
@@ -44,7 +45,6 @@ std::string contentOf(const std::filesystem::path& file) try {
   return "";
 }
 
-/// Whether the digest of a .srt stands in a .vtt of this program.
 bool isOwnSrt(const std::filesystem::path& srt, const std::filesystem::path& vtt) {
   const auto rest = figure::markedRest(vtt, figure::kVttMark);
   return rest && rest->starts_with(std::string(kDigestOfSrt) + core::toHex(core::sha256(contentOf(srt))));
@@ -105,7 +105,7 @@ void enterSubtitles(output::RunFiles& files, const std::vector<Subtitle>& subtit
   if (subtitles.empty()) return;
   const auto names = subtitleFiles(film);
   const path &srt = names[0], &vtt = names[1];
-  // A text that stays the same is no loss: the user may have removed the .vtt by which it is known.
+  // Also accepts a file with the same text, because the user may have deleted the .vtt that identifies the .srt.
   const output::FileKind srtKind{
       "captions", [&](const path& file) { return isOwnSrt(file, vtt) || contentOf(file) == srtText(subtitles); }};
   files.writes(srt, "captions", srtKind);
@@ -121,7 +121,7 @@ std::vector<path> ownSubtitleFiles(const path& film) {
   return own;
 }
 
-// The .vtt holds the digest by which the .srt is recognised, so it comes first and goes last.
+// The .vtt contains the digest that identifies the .srt, so it is written first and removed last.
 void addSubtitles(core::FileBatch& batch, const std::vector<Subtitle>& subtitles, const path& film,
                   const path& temporaryFolder) {
   const auto names = subtitleFiles(film);

@@ -19,7 +19,7 @@ using scene::Limit;
 
 constexpr std::size_t kMostAxes = 2;  // rows and columns
 
-/// What belongs to the film as a whole: its cells are one.
+/// Rejects a sweep over a key that changes the film as a whole, because all cells are in one film.
 void expectOneFilm(const scene::SweepAxis& axis) {
   if (axis.key == "time.duration" || axis.key.starts_with("output."))
     throw core::usageError(fmt::format(
@@ -43,7 +43,8 @@ void expectGrid(const SceneRequest& request, const SweepGrid& grid) {
   for (const scene::SweepAxis& axis : grid.axes) expectOneFilm(axis);
 }
 
-/// Of two words for a key the last one wins: the range would count for nothing, or all else would.
+/// Rejects a key that is given twice: the last override wins, so either the range or the other value would be
+/// lost.
 void expectOnce(const std::vector<std::string>& overrides, const std::string& key) {
   const auto isOfKey = [&](const std::string& word) {
     const auto from = std::min(word.find_first_not_of(' '), word.size());
@@ -81,7 +82,7 @@ SweepGrid::SweepGrid(const SceneRequest& request) {
     cells *= static_cast<int>(axis->values.size());
     axes.push_back(std::move(*axis));
     overrides_.push_back(i);
-    if (axes.size() > kMostAxes) break;  // so that the product stays small
+    if (axes.size() > kMostAxes) break;  // keeps the product small
   }
   expectGrid(request, *this);
 }

@@ -22,7 +22,8 @@ using scene::Entry;
 using scene::Node;
 using scene::Problems;
 
-/// Of an environment variable; empty unless it is an absolute path, as the XDG specification has it.
+/// Returns the folder in an environment variable; empty unless the path is absolute, as the XDG specification
+/// requires.
 fs::path folderNamed(const char* variable) {
   const char* value = std::getenv(variable);
   const fs::path folder = value ? value : "";
@@ -52,7 +53,7 @@ void takeUnit(const Entry& entry, UnitChoice& units, Problems& problems) {
   units[*dimension] = *unit;
 }
 
-/// What is wrong with it in a scene that says nothing else; empty: nothing.
+/// Returns the problem that the default causes in an otherwise minimal scene; empty if it causes none.
 std::string problemOf(const DefaultKey& key) {
   if (key.path.starts_with("body.") || key.path.starts_with("motion."))
     return key.path + ": of what a scene is about there is no default";
@@ -101,7 +102,7 @@ fs::path userDefaultsFile() {
 
 UserDefaults defaultsOf(const fs::path& file) {
   UserDefaults defaults;
-  std::error_code ignored;  // what cannot even be looked for is not there
+  std::error_code ignored;  // a place that cannot be searched counts as empty
   if (file.empty() || !fs::exists(file, ignored)) return defaults;
   const std::size_t most = scene::Limits().bytes(scene::Limit::kSceneBytes);
   const scene::Source source(file.string(), core::readRegularFile(file, most, core::ErrorKind::kIo));

@@ -10,31 +10,31 @@
 
 namespace poinsot::request {
 
-/// The unit that somebody wants quantities of a dimension in; none: as they are.
+/// Preferred unit of each dimension. Quantities of other dimensions keep their units.
 using UnitChoice = std::map<scene::Dimension, std::string>;
 
-/// A key of a scene and its value, as TOML.
+/// A scene key and its value as TOML.
 struct DefaultKey {
   std::string path, value;
 };
 
-/// What a user always wants. It decides how things are told and what a new scene begins with, never what a scene
-/// means: that is the same everywhere.
+/// Defaults of a user: how values are displayed and how a new scene begins. Defaults never change what a scene
+/// means, which is the same everywhere.
 struct UserDefaults {
   UnitChoice units;
-  std::vector<DefaultKey> keys;  ///< in the order of the file
+  std::vector<DefaultKey> keys;
 };
 
-/// Where a user keeps them: $XDG_CONFIG_HOME/poinsot/defaults.toml, else ~/.config/poinsot/defaults.toml; empty
-/// where the environment names neither folder.
+/// Returns $XDG_CONFIG_HOME/poinsot/defaults.toml, else ~/.config/poinsot/defaults.toml; empty if the environment
+/// names neither folder.
 std::filesystem::path userDefaultsFile();
 
-/// Of a file with the tables [units], a unit by the name of a dimension ("angular_velocity"), and [scene], keys
-/// with their values. A file that is not there says nothing.
-/// @throws scene::SceneErrors with all that is wrong in it and where; core::Error(kIo) if it cannot be read.
+/// Reads a defaults file. Its table [units] maps a dimension ("angular_velocity") to a unit; [scene] holds keys
+/// with their values. A missing file counts as an empty one.
+/// @throws scene::SceneErrors with all problems and their places; core::Error(kIo) if the file cannot be read.
 UserDefaults defaultsOf(const std::filesystem::path& file);
 
-/// "angular_velocity".
+/// Returns the name of a dimension in [units], such as "angular_velocity".
 std::string dimensionWord(scene::Dimension dimension);
 
 }  // namespace poinsot::request

@@ -9,7 +9,7 @@
 
 namespace poinsot::scene {
 
-/// Where a camera stands, by a word; an explicit azimuth or elevation wins.
+/// Named position of a camera. An explicit azimuth or elevation overrides the preset.
 struct CameraPreset {
   std::string_view name;
   double azimuth_deg, elevation_deg;

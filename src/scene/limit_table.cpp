@@ -15,8 +15,8 @@ using enum LimitUnit;
 
 constexpr std::int64_t kKi = 1 << 10, kMi = kKi << 10, kGi = kMi << 10, kTi = kGi << 10;
 
-// The usual value is far above what a lecture needs and far below what a small machine has; the highest is where
-// something else gives in: recursion the stack, sides llvmpipe, triangles the 32 bits of their corners.
+// Each default is far above the needs of a lecture and far below the capacity of a small machine. Each maximum is
+// where something else fails: the stack for recursion, llvmpipe for sides, 32-bit indices for triangles.
 constexpr LimitRow kTable[] = {
     {"scene_bytes", kBytes, 4 * kMi, kGi, "text of a scene file, a style file, a golden.toml"},
     {"string_bytes", kBytes, 64 * kKi, 64 * kMi, "one string in it, as written"},
@@ -51,7 +51,6 @@ std::string bytesText(std::int64_t value) {
   return fmt::format("{} bytes", value);
 }
 
-/// A whole number, of bytes perhaps with a unit.
 std::optional<std::int64_t> parsed(std::string_view text, LimitUnit unit) {
   std::int64_t value = 0, factor = 1;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -128,7 +127,7 @@ Limit limitNamed(std::string_view name) {
     if (kTable[i].name == name) return static_cast<Limit>(i);
     names.emplace_back(kTable[i].name);
   }
-  constexpr std::size_t kLongest = 64;  // the edit distance of kilobytes is not worth its time
+  constexpr std::size_t kLongest = 64;  // the edit distance of kilobytes takes too long
   const auto near = name.size() <= kLongest ? core::closest(name, names) : std::nullopt;
   throw core::usageError(fmt::format(
       "there is no limit '{}'{}", core::printable(name),

@@ -7,7 +7,7 @@
 namespace poinsot::scene {
 namespace {
 
-// CRF 18 is where a film of flat colours and thin lines shows no loss; previews trade some of that for size.
+// At CRF 18 a film of flat colours and thin lines shows no loss; previews trade quality for size.
 constexpr QualityPreset kPresets[] = {
     {"preview", 640, 360, 23}, {"720p", 1280, 720, 20}, {"1080p", 1920, 1080, 18}, {"4k", 3840, 2160, 18}};
 

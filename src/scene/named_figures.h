@@ -7,43 +7,42 @@
 
 #include "core/abi.h"
 
-/// Vectors and angles that a scene adds to its pictures.
 namespace poinsot::scene {
 
-/// A direction that a picture has already.
+/// Directions between which a scene can define an angle.
 enum class Direction { kL, kOmega, kTorque, kAxis, kE1, kE2, kE3, kX, kY, kZ };
 
 enum class VectorFrame { kSpace, kBody, kPrincipal };
 
-/// Whose colour a vector has.
+/// Quantity or role whose colour a vector takes.
 enum class Meaning { kVector, kInk, kL, kOmega, kBody, kAxis, kTorque };
 
-/// Fixed in its axes.
+/// Vector with constant components in its frame.
 struct FixedVector {
-  Eigen::Vector3d components = Eigen::Vector3d::UnitX();  ///< only the direction counts
+  Eigen::Vector3d components = Eigen::Vector3d::UnitX();  ///< only the direction matters
   VectorFrame frame = VectorFrame::kSpace;
 };
 
-/// From the fixed point to a point of the body, as the body is drawn.
+/// Vector from the fixed point to a point of the body as drawn.
 struct PositionVector {
-  Eigen::Vector3d point_B;  ///< m
+  Eigen::Vector3d point_B;  ///< in metres
 };
 
-/// omega x r of a point of the body, at the point.
+/// Velocity omega x r of a point of the body, drawn at that point.
 struct VelocityVector {
-  Eigen::Vector3d point_B;  ///< m
+  Eigen::Vector3d point_B;  ///< in metres
 };
 
 struct NamedVector {
   std::variant<FixedVector, PositionVector, VelocityVector> what;
-  std::string name;  ///< the TeX subset of text/
+  std::string name;  ///< in the TeX subset of the text library
   double scale = 1;
   Meaning color = Meaning::kVector;
 };
 
 struct NamedAngle {
   Direction from = Direction::kL, to = Direction::kAxis;
-  std::string name;  ///< the TeX subset of text/
+  std::string name;
   double scale = 1;
 };
 

@@ -6,25 +6,24 @@
 
 #include "core/abi.h"
 
-/// What is written into a picture and follows no thing: notes and read-outs.
+/// Notes and read-outs: text at a fixed place in the picture, not attached to any object.
 namespace poinsot::scene {
 
-/// Where in the picture, three rows of three.
 enum class Spot { kTopLeft, kTop, kTopRight, kLeft, kCentre, kRight, kBottomLeft, kBottom, kBottomRight };
 
-/// Lines that stand still: a caption, an equation.
+/// Static lines of text, such as a caption or an equation.
 struct Note {
-  std::vector<std::string> lines;  ///< the TeX subset of text/
+  std::vector<std::string> lines;  ///< in the TeX subset of the text library
   Spot at = Spot::kBottom;
-  double size = 1;  ///< factor on its type
+  double size = 1;  ///< factor on the type size
 };
 
-/// A quantity's value at the picture's instant: "t = 3.20 s". Several at one place stand under one another.
+/// Value of a quantity at the picture's instant, such as "t = 3.20 s". Read-outs at one place are stacked.
 struct Readout {
   int quantity = 0;  ///< index into stateQuantities()
   Spot at = Spot::kTopRight;
-  std::string label;  ///< the TeX subset of text/; empty: the quantity's symbol
-  std::string unit;   ///< "rpm"; empty: one that suits the numbers
+  std::string label;  ///< in the TeX subset of the text library; empty: the quantity's symbol
+  std::string unit;   ///< such as "rpm"; empty: chosen to suit the numbers
 };
 
 }  // namespace poinsot::scene

@@ -9,24 +9,23 @@
 
 namespace poinsot::scene {
 
-/// Which time a plot's axis counts.
 enum class PlotTime { kMotion, kFilm };
 
-/// Both in the unit that is written at the axis.
+/// Ends of an axis, in the unit that is written at the axis.
 struct PlotRange {
   double low = 0, high = 1;
 };
 
-/// A panel with curves: quantities against time, or one quantity against another (phase portrait). Quantities are
+/// Panel with curves: quantities against time, or one quantity against another (phase portrait). Quantities are
 /// indices into stateQuantities().
 struct Plot {
-  std::vector<int> quantities;     ///< of one unit; one for a phase portrait: its y
-  std::optional<int> x;            ///< of a phase portrait; none: time
-  std::string title;               ///< the TeX subset of text/
-  std::string unit;                ///< "rpm", of the quantities; empty: one that suits the numbers
-  std::optional<PlotRange> range;  ///< of the vertical axis; none: what the film needs
+  std::vector<int> quantities;     ///< all of one unit; in a phase portrait only one, along y
+  std::optional<int> x;            ///< quantity along x of a phase portrait; nullopt: time
+  std::string title;               ///< in the TeX subset of the text library
+  std::string unit;                ///< of the quantities, such as "rpm"; empty: chosen to suit the numbers
+  std::optional<PlotRange> range;  ///< range of the vertical axis; nullopt: chosen to fit the film
   PlotTime time = PlotTime::kMotion;
-  bool future = true;  ///< the part not yet travelled is drawn too, faint
+  bool future = true;  ///< also draws the part not yet travelled, faintly
   GridPlace place;
 };
 

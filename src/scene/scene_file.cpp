@@ -22,9 +22,6 @@
 namespace poinsot::scene {
 namespace {
 
-// --- Reading the file ---
-
-/// @param cause  says why; of the errors of core::allBytesOf().
 [[noreturn]] void refuseFile(const std::filesystem::path& path, const core::Error& cause) {
   const bool tooLong = cause.kind() == core::ErrorKind::kLimit;
   throw core::FileError(
@@ -33,13 +30,11 @@ namespace {
       core::codeOf(cause), core::SourceLocation{core::printable(path.string())});
 }
 
-// --- Overrides ---
-
 bool looksLikeToml(std::string_view value) {
   return !value.empty() && std::string_view("\"'[{").find(value[0]) != std::string_view::npos;
 }
 
-/// The text after "=" as a TOML value; a bare word (down, 3 rpm) is text.
+/// Parses the text after "=" as a TOML value; a bare word (down, 3 rpm) becomes a string.
 Node overrideValue(const Source& source, std::string_view value, const Limits& limits) {
   try {
     Node document = parseDocument(source, limits);
@@ -69,9 +64,7 @@ void addOverride(const std::string& text, std::deque<Source>& sources, Leaves& l
   }
 }
 
-// --- From values to a scene ---
-
-/// All defaults as one document: they are read, checked and put by the same route as a file.
+/// Returns all defaults as one TOML document, so that they are read and checked like a file.
 std::string defaultsText() {
   std::string text;
   for (const Key& key : keys())
@@ -81,7 +74,7 @@ std::string defaultsText() {
 
 using Paths = std::set<std::string, std::less<>>;
 
-/// An option of a thing that is drawn only if asked for asks for it, where nothing is said of that.
+/// Makes a thing visible that is hidden by default if the scene gives one of its options but not its `visible`.
 void askFor(std::string_view path, const Leaves& leaves, Draft& draft) {
   const std::string_view table = path.substr(0, path.rfind('.'));
   const std::string visible = std::string(table) + ".visible";
@@ -89,7 +82,7 @@ void askFor(std::string_view path, const Leaves& leaves, Draft& draft) {
     findKey(visible)->put(draft, elementOf(visible), Checked(true));
 }
 
-/// The paths of values that did not pass go to `refused`.
+/// Checks all values and puts the valid ones into the draft. The paths of the others go to `refused`.
 Draft checkedDraft(const Leaves& leaves, Draft draft, Paths& refused, Problems& problems) {
   for (const auto& [path, node] : leaves.values) {
     const Key& key = *findKey(path);
@@ -114,7 +107,7 @@ Draft defaultDraft() {
   return draft;
 }
 
-/// Checks the mathematics in texts that passed as values: one cause is one problem.
+/// Checks the TeX in texts that passed as values, so that one mistake yields one problem.
 void checkTexts(const Leaves& leaves, const TextCheck& check, const Paths& refused, Problems& problems) {
   for (const auto& [path, node] : leaves.values) {
     if (!check || !findKey(path)->isTex || refused.contains(path)) continue;
@@ -126,8 +119,8 @@ void checkTexts(const Leaves& leaves, const TextCheck& check, const Paths& refus
   }
 }
 
-/// What one frame may show: all texts but the captions, and the longest of those, which come one at a time. Each
-/// is set in type for every worker, and for every frame looked up.
+/// Limits the characters that one frame may show: all texts except captions, plus the longest caption, because one
+/// caption shows at a time. Each text costs every worker a layout and every frame a lookup.
 void checkCharacters(const Leaves& leaves, Findings& findings) {
   std::size_t others = 0, caption = 0;
   for (const auto& [path, node] : leaves.values) {
@@ -160,7 +153,7 @@ void closeIfAsked(Scene& scene, Findings& findings, const Limits& limits) {
 Scene parseScene(std::string_view text, const std::string& fileName, const std::vector<std::string>& overrides,
                  const TextCheck& textCheck, const Allowance& allowance) {
   const Limits& limits = allowance.limits;
-  std::deque<Source> sources;  // places point into it; a deque never moves what it holds
+  std::deque<Source> sources;  // places point to its elements, which a deque never moves
   const Source& file = sources.emplace_back(fileName, std::string(text));
   Leaves leaves{.limits = limits};
   Problems problems;
@@ -177,7 +170,7 @@ Scene parseScene(std::string_view text, const std::string& fileName, const std::
   checkTexts(leaves, textCheck, refused, problems);
   checkCharacters(leaves, findings);
   problems.throwIfAny();
-  closeIfAsked(scene, findings, limits);  // of a scene without other problems
+  closeIfAsked(scene, findings, limits);  // only if there are no other problems
   problems.throwIfAny();
   scene.name = path.stem().string();
   scene.inputs = folder.filesRead();

@@ -13,25 +13,25 @@
 
 namespace poinsot::scene {
 
-/// Says what is wrong with a title, or nothing: its TeX is known to the text layer only, which this one cannot
-/// see.
+/// Callback that returns the problem with a text's TeX; empty if there is none. Only the text library can parse
+/// TeX, and this library may not use it.
 using TextCheck = std::function<std::string(std::string_view)>;
 
-/// The text of a scene file.
-/// @throws core::Error(kScene) for a file that is missing, unreadable, or not a regular file; (kLimit) for one of
-/// more than Limit::kSceneBytes.
+/// Reads the text of a scene file.
+/// @throws core::Error(kScene) if the file is missing, unreadable or not regular; (kLimit) if it has more than
+/// Limit::kSceneBytes.
 std::string readSceneText(const std::filesystem::path& path, const Limits& limits = {});
 
-/// Reads a scene file. `overrides` are the words after -D, "key.path=value", where value is a TOML value or, when
-/// it is none, text; the last of several for one key wins. `allowance` is what the user lets the scene have.
-/// @throws SceneErrors with every problem of the file and the overrides at once;
-/// core::Error(kScene) for a file that is missing, unreadable, or not a regular file.
+/// Reads a scene file.
+/// @param overrides  "key.path=value" as after -D; a value that is not TOML counts as a string; the last override
+/// of a key wins
+/// @throws SceneErrors with all problems of the file and the overrides together; core::Error as readSceneText().
 Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {},
                 const TextCheck& textCheck = {}, const Allowance& allowance = {});
 
-/// The same for text in memory. `fileName` stands in messages, and gives the scene its name and the folder in
-/// which the files that it names are looked for.
-/// @throws SceneErrors, and nothing else, whatever the text.
+/// Parses a scene in memory.
+/// @param fileName  for messages; also gives the scene its name and the folder in which it finds its files
+/// @throws SceneErrors, and nothing else, for any text.
 Scene parseScene(std::string_view text, const std::string& fileName,
                  const std::vector<std::string>& overrides = {}, const TextCheck& textCheck = {},
                  const Allowance& allowance = {});

@@ -6,7 +6,7 @@
 namespace poinsot::scene {
 namespace {
 
-using namespace physics;  // its solids, by the dozen
+using namespace physics;  // for its many solids
 using Eigen::Vector3d;
 using physics::Vector2;
 
@@ -69,8 +69,8 @@ NamedShape polyhedron(std::string_view word, PolyhedronKind kind) {
           .usual = Polyhedron{kind, 0.1}};
 }
 
-/// What a thing is like where nothing is said: a book, an egg, a can, a tennis racket (ITF: 0.737 m x 0.317 m at
-/// most), the proportions of the lecture notes' table of solids.
+/// Returns the shapes given by their extents. The default proportions in this file are those of a book, an egg, a
+/// can, a tennis racket (ITF: at most 0.737 m x 0.317 m), and the lecture notes' table of solids.
 std::vector<NamedShape> solidsWithExtents() {
   return {
       {.word = "box",

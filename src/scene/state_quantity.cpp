@@ -28,12 +28,11 @@ Vector3d figureAxis(const Basis& basis, const Vector3d& omega_P) {
   const Vector3d gravity_P = basis.axes().toP(basis.forcing().gravity_B);
   if (const auto top = physics::heavyTop(basis.axes().moments(), gravity_P)) return top->k_P;
   const auto cones = physics::precessionCones(basis.axes().moments(), omega_P);
-  // Of a sphere every axis is one of symmetry: the spun one says more than z.
+  // Every axis of a sphere is an axis of symmetry; the axis of its spin is more telling than z.
   const bool symmetric = cones && cones->sense != physics::RollingSense::kNone;
   return symmetric ? cones->k_P : spunAxis(omega_P);
 }
 
-/// The principal axis after that of k.
 Vector3d nextAxis(const Vector3d& k_P) {
   int axis = 0;
   k_P.cwiseAbs().maxCoeff(&axis);
@@ -45,15 +44,16 @@ Vector3d toW(const RigidBodyState& s, const Basis& b, const Vector3d& v_P) { ret
 Vector3d omega_P(const RigidBodyState& s, const Basis& b) { return b.axes().toP(s.omega_B); }
 Vector3d L_P(const RigidBodyState& s, const Basis& b) { return b.axes().moments().angularMomentum(omega_P(s, b)); }
 
-/// Between two directions, exact for small angles and for nearly opposite ones too; NaN for a zero vector.
+/// Returns the angle between two directions, exact also for small angles and nearly opposite directions; NaN for a
+/// zero vector.
 double angle(const Vector3d& a, const Vector3d& b) {
   if (a.isZero(0) || b.isZero(0)) return kMissing;
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// Horizontal axes for a pole: the world's x and y, turned the shortest way with z onto the pole. That way has no
-/// limit at -z: within 1.4e-6 rad of it, which is more than the rounding of any pole that is meant to point down,
-/// z is turned onto -z about x, and from there the shortest way.
+/// Horizontal axes for a pole: the world's x and y after the shortest turn that takes z to the pole.
+/// That turn has no limit at -z. Within 1.4e-6 rad of -z, more than the rounding of any pole meant to point down,
+/// z is first turned onto -z about x, and then the shortest way.
 struct Meridians {
   Vector3d x_W, y_W;
 };
@@ -70,9 +70,7 @@ double size(const Vector3d& v) { return v.norm(); }
 double omegaSize(const RigidBodyState& s, const Basis&) { return size(s.omega_W); }
 double LSize(const RigidBodyState& s, const Basis&) { return size(s.L_W); }
 
-// ---- of a thrown body
-
-/// Zero where the body does not fly, besides L; NaN where it has no mass.
+/// Returns the quantities of the flight: 0 except for L if the body does not fly, NaN if its mass is unknown.
 physics::FlightQuantities flightOf(const RigidBodyState& s, const Basis& b) {
   static const ThrownBody still{.flight = {.gravity_W = Vector3d::Zero()}, .mass_kg = 0};
   const ThrownBody& thrown = b.thrown() ? *b.thrown() : still;
@@ -97,7 +95,7 @@ double totalL(const RigidBodyState& s, const Basis& b) {
 }
 double totalLSize(const RigidBodyState& s, const Basis& b) { return size(flightOf(s, b).orbital_W) + size(s.L_W); }
 
-// ---- energies: of a body without mass those of its flight are not known, and left out
+// ---- energies; those of the flight are left out if the body's mass is unknown
 
 double orZero(double value) { return std::isnan(value) ? 0 : value; }
 double kineticEnergy(const RigidBodyState& s, const Basis&) { return s.kineticEnergy; }
@@ -138,7 +136,8 @@ double thetaVertical(const RigidBodyState& s, const Basis& b) {
 }
 double omegaToL(const RigidBodyState& s, const Basis&) { return angle(s.omega_W, s.L_W); }
 
-// Euler's angles in the order z, x, z: the line of nodes is pole × k. On the pole itself there is none.
+// Euler angles in the order z, x, z, with the line of nodes pole × k. If k lies on the pole, the line does not
+// exist.
 double phi(const RigidBodyState& s, const Basis& b) {
   const Vector3d pole_W = b.pole_W(s), nodes_W = pole_W.cross(toW(s, b, b.k_P()));
   const Meridians m = meridians(pole_W);
@@ -151,7 +150,8 @@ double psi(const RigidBodyState& s, const Basis& b) {
   return first == 0 && second == 0 ? kMissing : std::atan2(first, second);
 }
 
-// omega = phi' pole + psi' k + theta' along the line of nodes; of a free symmetric body omega_p and -Omega_p k.
+// omega = phi' pole + psi' k + theta' along the line of nodes. For a free symmetric body the first two terms are
+// omega_p and -Omega_p k.
 double phiRate(const RigidBodyState& s, const Basis& b) {
   const Vector3d pole_W = b.pole_W(s), k_W = toW(s, b, b.k_P());
   const double across = pole_W.cross(k_W).squaredNorm();

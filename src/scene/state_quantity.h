@@ -14,22 +14,23 @@
 #include "physics/rigid_body_state.h"
 #include "scene/units.h"
 
-/// The named scalars of a motion: what plots and read-outs show.
 namespace poinsot::scene {
 
-/// A body in flight; of one without a mass, no momentum and no energy of the flight exists.
+/// Body in flight. Without a mass, momentum and energy of the flight are undefined (NaN).
 struct ThrownBody {
   physics::Flight flight;
   double mass_kg = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// What a state's quantities are measured against: the body, what acts on it, and its axis k. Of a symmetric body
-/// k is the axis of symmetry (lecture, eq 19 to 37), of a top under gravity whose centre of mass lies on a
-/// principal axis that axis, of any other body the principal axis with the largest part of omega at the start.
-/// Without gravity it points along the start's omega, of such a top to the centre of mass.
+/// Reference for the quantities of a state: the body, its forcing and its axis k.
+///
+/// For a top under gravity whose centre of mass lies on a principal axis, k is that axis and points to the centre
+/// of mass. For any other symmetric body, k is the axis of symmetry (lecture, eq 19 to 37). For the rest, k is the
+/// principal axis with the largest component of omega at the start. Without gravity k points along the start's
+/// omega.
 class QuantityBasis {
  public:
-  /// `thrown`: none where the body does not fly.
+  /// @param thrown  nullopt if the body does not fly
   QuantityBasis(const physics::PrincipalAxes& axes, const physics::Forcing& forcing,
                 const Eigen::Vector3d& startOmega_P, std::optional<ThrownBody> thrown = {});
 
@@ -37,12 +38,12 @@ class QuantityBasis {
   const physics::Forcing& forcing() const { return forcing_; }
   const std::optional<ThrownBody>& thrown() const { return thrown_; }
 
-  /// Third Euler axis of the body, and the first, across it; in P, unit.
+  /// Third Euler axis of the body (k), and the first, which is perpendicular to k. Unit vectors in P.
   const Eigen::Vector3d& k_P() const { return k_P_; }
   const Eigen::Vector3d& across_P() const { return across_P_; }
 
-  /// The direction about which phi is counted: L's, or the upward vertical where gravity acts. Unit; of a body
-  /// without angular momentum the vertical.
+  /// Returns the unit direction about which phi is counted: that of L, or the upward vertical if gravity acts or L
+  /// is 0.
   Eigen::Vector3d pole_W(const physics::RigidBodyState& state) const;
 
  private:
@@ -52,47 +53,46 @@ class QuantityBasis {
   Eigen::Vector3d k_P_, across_P_;
 };
 
-/// Which meaning a quantity's colour has.
+/// Group of quantities with a common colour.
 enum class QuantityFamily { kTime, kOmega, kL, kEnergy, kBody, kFlight };
 
-/// What the values of neighbouring states have in common, where they are not continuous: angles jump by 2 pi, the
-/// sign of a quaternion is free.
+/// Kind of discontinuity between neighbouring states: angles jump by 2 pi, and the sign of a quaternion is free.
 enum class QuantityBranch { kSmooth, kTurns, kSign };
 
 enum class QuantityUnit { kSecond, kMetre, kMetrePerSecond, kRadianPerSecond, kAction, kJoule, kAngle, kBare };
 
-/// What a quantity cannot do without, besides a motion.
+/// Requirement of a quantity, besides a motion.
 enum class QuantityNeeds { kNothing, kFlight, kFlightAndMass };
 
 struct StateQuantity {
-  std::string_view name;  ///< in a scene: "omega_1"
+  std::string_view name;  ///< as written in a scene: "omega_1"
   std::string_view tex;   ///< without dollar signs: "\omega_1"
   std::string_view help;
   QuantityUnit unit;
   QuantityFamily family;
   QuantityBranch branch = QuantityBranch::kSmooth;
-  /// In SI and radians; NaN where it does not exist (an angle to L at rest).
+  /// Returns the value in SI units and radians; NaN if it does not exist (an angle to L at rest).
   double (*value)(const physics::RigidBodyState&, const QuantityBasis&);
-  /// What the value's rounding is a small part of: |omega| for omega_1; null: 1.
+  /// Returns the magnitude to which the value's rounding is relative, such as |omega| for omega_1. Null: 1.
   double (*size)(const physics::RigidBodyState&, const QuantityBasis&) = nullptr;
   QuantityNeeds needs = QuantityNeeds::kNothing;
-  std::string_view texUnderGravity = {};  ///< empty: as ever
+  std::string_view texUnderGravity = {};  ///< replaces `tex` if gravity acts; empty: `tex`
 };
 
-/// Of a unit that one may ask for: kNone for a bare number.
 Dimension dimensionOf(QuantityUnit unit);
 
-/// For messages and the reference: "in rad/s", "an angle".
+/// Describes a unit for messages and the reference: "in rad/s", "an angle".
 std::string_view unitText(QuantityUnit unit);
 
-/// All of them, in the order of the reference. An index into it is what a scene keeps.
+/// Returns all quantities in the order of the reference. Scenes store indices into this list.
 std::span<const StateQuantity> stateQuantities();
 
+/// Returns a quantity by its index in stateQuantities().
 /// @pre index of a quantity.
 const StateQuantity& stateQuantity(int index);
 
-/// What pictures of a body with that forcing call it: angles are counted from the vertical where gravity acts, so
-/// theta is the one to the vertical there.
+/// Returns the TeX symbol of a quantity in pictures of a body with this forcing. If gravity acts, angles are
+/// counted from the vertical, so theta means the angle to the vertical.
 /// @pre index of a quantity.
 std::string quantityTex(int index, const physics::Forcing& forcing);
 

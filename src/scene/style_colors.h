@@ -10,7 +10,6 @@
 
 namespace poinsot::scene {
 
-/// What a colour stands for in a picture.
 enum class ColorMeaning {
   kPaper,
   kInk,
@@ -34,15 +33,15 @@ enum class ColorMeaning {
 };
 constexpr std::size_t kColorMeanings = 19;
 
-/// Its key in [style.colors], with an example and what the reference says.
+/// Key of a colour in [style.colors], with an example and its text in the reference.
 struct ColorKey {
   std::string_view name, example, help;
 };
 
-/// In the order of the enumerators.
+/// Returns the keys in the order of ColorMeaning.
 const std::array<ColorKey, kColorMeanings>& colorKeys();
 
-/// Colours that a scene gives, 0xRRGGBB in sRGB, by meaning; the others are the theme's.
+/// Colours that a scene defines, by meaning, 0xRRGGBB in sRGB. The theme supplies the rest.
 using GivenColors = std::array<std::optional<std::uint32_t>, kColorMeanings>;
 
 }  // namespace poinsot::scene

@@ -23,7 +23,7 @@ struct Number {
   std::string typed, unit;
 };
 
-/// "10 rpm"; nothing where no number begins.
+/// Parses a number with its unit, such as "10 rpm"; nullopt if the text does not begin with a number.
 std::optional<Number> numberIn(std::string_view text) {
   text = core::trimmed(text);
   const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
@@ -34,7 +34,7 @@ std::optional<Number> numberIn(std::string_view text) {
   return Number{value, std::string(text.substr(0, length)), std::string(core::trimmed(text.substr(length)))};
 }
 
-/// What of a word after -D may be a range, and what is around it.
+/// Part of an override that may be a range, and the text around it.
 struct Found {
   std::string key, before, range, after;
   std::optional<int> element;
@@ -50,7 +50,7 @@ class Reader {
     SweepAxis axis{found_.key, found_.element, unitOf(numbers), {}, found_.before, found_.after};
     for (const Number& number : numbers) {
       std::string text = axis.unit.empty() ? number.typed : number.typed + " " + axis.unit;
-      // A quantity in a list is text; by itself it may stand bare.
+      // A quantity in a list must be quoted; a single one may be bare.
       if (!axis.unit.empty() && found_.element && !found_.quoted) text = fmt::format("\"{}\"", text);
       axis.values.push_back({std::move(text), number.typed});
     }
@@ -64,7 +64,7 @@ class Reader {
         fmt::format("-D {}: '{}': {}", core::printable(found_.key), core::printable(found_.range), why));
   }
 
-  /// All have one unit, which need not be said more than once.
+  /// Returns the common unit of all numbers. Numbers without a unit take the unit of the others.
   std::string unitOf(const std::vector<Number>& numbers) const {
     std::string unit;
     for (const Number& number : numbers) {
@@ -121,22 +121,21 @@ class Reader {
     return from.unit.empty() ? to.unit : from.unit;
   }
 
-  /// Digits of x with so many decimals; never "-0.0".
   static std::string fixed(double x, int decimals) {
     std::string digits = fmt::format("{:.{}f}", x, decimals);
     const bool zero = digits.find_first_of("123456789") == std::string::npos;
     return zero && digits[0] == '-' ? digits.substr(1) : digits;
   }
 
-  /// As few digits as a person would write; beyond what decimals are good for with a power of ten.
+  /// Formats x with few digits, as a person would; uses a power of ten if x needs many decimals or is large.
   static std::string digitsOf(double x, int decimals) {
     constexpr int kMostDecimals = 9;
     constexpr double kMostWritten = 1e7;
     return decimals > kMostDecimals || std::abs(x) >= kMostWritten ? fmt::format("{:.6g}", x) : fixed(x, decimals);
   }
 
-  // So many decimals that no value is off by more than a hundredth of a step, which nobody sees; the numbers that
-  // are written are the numbers that are drawn.
+  // Chooses the fewest decimals with which no value is off by more than a hundredth of a step, which nobody sees.
+  // The rounded numbers are both printed and used.
   std::vector<Number> even(const Number& from, const Number& to, int count) const {
     if (from.value == to.value) refuse("both ends are the same");
     unitOf({from, to});
@@ -173,7 +172,7 @@ class Reader {
   Found found_;
 };
 
-/// Whether numbers are what the key is about. Of a key that there is not, the scene says so.
+/// Returns whether a key takes numbers; false for an unknown key, because the scene reports that.
 bool takesNumbers(std::string_view path) {
   const Key* key = findKey(path);
   if (!key) return false;
@@ -197,21 +196,21 @@ bool isRange(std::string_view text) {
   return text.find("..") != std::string_view::npos || text.find('|') != std::string_view::npos;
 }
 
-/// Other ways to write a range: 1:3:5, 1 to 3, 1…3.
+/// Returns whether a text uses another notation for a range: 1:3:5, 1 to 3, 1…3.
 bool meansRange(std::string_view text) {
   constexpr std::string_view kOtherSeparators[] = {":", " to ", "\u2026", "\u2013"};
   return std::ranges::any_of(kOtherSeparators,
                              [&](std::string_view way) { return text.find(way) != std::string_view::npos; });
 }
 
-/// The element of a list at a place of its text; none outside of lists.
+/// Returns the index of the list element at a position in the text; nullopt outside a list.
 std::optional<int> elementAt(std::string_view value, std::size_t place) {
   const auto before = value.substr(0, place);
   if (std::ranges::count(before, '[') <= std::ranges::count(before, ']')) return std::nullopt;
   return static_cast<int>(std::ranges::count(before.substr(before.rfind('[')), ','));
 }
 
-/// The piece of the value about a place, between what delimits values.
+/// Extracts the part of a value around a position, up to the delimiters of values.
 Found foundAt(const std::string& override, std::size_t equals, std::size_t place) {
   constexpr std::string_view kDelimiters = "[],\"'";
   const auto begin = std::max(override.find_last_of(kDelimiters, place) + 1, equals + 1);  // npos + 1 is 0

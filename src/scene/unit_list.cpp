@@ -10,10 +10,10 @@
 namespace poinsot::scene {
 namespace {
 
-/// Returns the SI unit of a row of the table: "m"; empty for a plain number.
+/// Returns the SI unit with these exponents, such as "m"; empty for a plain number.
 std::string_view siOf(const Exponents& exponents) {
-  if (exponents == kForce) return "N";  // no key takes a force
-  // From the end, so that J of an energy comes before N·m of a torque, which has the same exponents.
+  if (exponents == kForce) return "N";  // missing in kDimensions, because no key takes a force
+  // Searches backwards to find J of an energy before N·m of a torque, which has the same exponents.
   const auto found =
       std::find_if(std::rbegin(kDimensions), std::rend(kDimensions),
                    [&](const DimensionText& dimension) { return dimension.exponents == exponents; });

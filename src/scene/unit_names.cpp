@@ -35,8 +35,8 @@ Names expandedTable() {
   return names;
 }
 
-/// Whether the SI has a prefix with the letter's other case. Of those in the table only m and M are such a pair; P
-/// and p are one in the SI.
+/// Returns whether the SI also has the prefix in the other case. In the table only m and M are such a pair; p has
+/// P in the SI.
 bool caseMatters(std::string_view prefix) { return prefix == "m" || prefix == "M" || prefix == "p"; }
 
 bool keepsPrefix(const NamedUnit& known, std::string_view name) {

@@ -21,7 +21,7 @@ std::vector<std::string> eachOf(std::string_view words) {
   return {parts.begin(), parts.end()};
 }
 
-/// "(k|c|m)?"; empty where the row takes no prefix.
+/// Returns a pattern such as "(k|c|m)?"; empty if the row takes no prefix.
 std::string optionalPrefix(const UnitRow& row, std::string_view Prefix::*spelling) {
   std::vector<std::string> prefixes;
   for (const Prefix& prefix : prefixesOf(row))
@@ -29,7 +29,7 @@ std::string optionalPrefix(const UnitRow& row, std::string_view Prefix::*spellin
   return prefixes.empty() ? "" : either(prefixes) + "?";
 }
 
-/// All spellings of a row: "(k|c|m)?m|(kilo|centi|milli)?(metre|meter)s?".
+/// Returns patterns for all spellings of a row: "(k|c|m)?m", "(kilo|centi|milli)?(metre|meter)s?".
 std::vector<std::string> rowPatterns(const UnitRow& row) {
   std::vector<std::string> patterns = eachOf(row.symbols);
   patterns.front() = optionalPrefix(row, &Prefix::symbols) + patterns.front();
@@ -38,7 +38,6 @@ std::vector<std::string> rowPatterns(const UnitRow& row) {
   return patterns;
 }
 
-/// The named units with these exponents.
 std::string namesPattern(const Exponents& exponents) {
   std::vector<std::string> patterns;
   for (const UnitRow& row : kUnits)
@@ -50,7 +49,7 @@ constexpr const char* kTimes = R"(( +| *(\*|·|⋅|×|\.|-) *))";
 
 constexpr const char* kOver = "( */ *)";
 
-/// A unit to a power: "(m|cm)((\^|\*\*)?2|²)".
+/// Returns a pattern for a unit to a power: "(m|cm)((\^|\*\*)?2|²)".
 std::string power(const std::string& names, int exponent) {
   if (exponent == 1) return names;
   constexpr std::string_view kSuperscripts[] = {"¹", "²", "³", "⁴"};
@@ -59,12 +58,12 @@ std::string power(const std::string& names, int exponent) {
                      kSuperscripts[size - 1]);
 }
 
-/// Both in either order.
+/// Returns a pattern for the product of two units, in either order.
 std::string product(const std::string& a, const std::string& b) {
   return fmt::format("({}{}{}|{}{}{})", a, kTimes, b, b, kTimes, a);
 }
 
-/// a/b or a times b to the power -1 (for b squared: -2).
+/// Returns a pattern for a/b or a times b^-1; with `exponent` 2, for a/b^2 or a times b^-2.
 std::string quotient(const std::string& a, const std::string& b, int exponent = 1) {
   return fmt::format("({}({}{}|{}{}))", a, kOver, power(b, exponent), kTimes, power(b, -exponent));
 }
@@ -75,7 +74,7 @@ std::string massSquarePattern() {
   return product(namesPattern(kM), square);
 }
 
-/// "J", "N m", "in lbf".
+/// Returns a pattern for "J", "N m", "in lbf".
 std::string shortWorkPattern() {
   return either({namesPattern(kWork), product(namesPattern(kForce), namesPattern(kL))});
 }
@@ -84,7 +83,7 @@ std::string workPattern() {
   return either({shortWorkPattern(), quotient(massSquarePattern(), namesPattern(kT), 2)});
 }
 
-/// "kg m^2", "lbf in s^2", "lbf s^2 in".
+/// Returns a pattern for "kg m^2", "lbf in s^2", "lbf s^2 in".
 std::string momentPattern() {
   const std::string square = power(namesPattern(kT), 2);
   return either({massSquarePattern(), shortWorkPattern() + kTimes + square,

@@ -7,12 +7,11 @@
 
 #include "scene/units.h"
 
-/// The one table of units and dimensions. The parser, the JSON schema, `poinsot explain units` and docs/scene.md
-/// are made from it.
+/// Table of all units and dimensions, for the parser, the JSON schema, `poinsot explain units` and docs/scene.md.
 namespace poinsot::scene {
 
-// Exponents of length, mass, time and angle. The angle is a dimension here, so that "3 Hz" is a rotation rate and
-// "1 rad" never passes for a plain number.
+// Exponents of length, mass, time and angle. Angle counts as a dimension, so that "3 Hz" is a rotation rate and "1
+// rad" never passes for a plain number.
 using Exponents = std::array<int, 4>;
 
 struct Unit {
@@ -20,13 +19,13 @@ struct Unit {
   Exponents exponents{};
 };
 
-/// A prefix of the SI. Blanks separate the symbols; the first has one letter, by which UnitRow names the prefix.
+/// SI prefix. Blanks separate the symbols; UnitRow names a prefix by its first symbol, which is one letter.
 struct Prefix {
   std::string_view symbols, name;
   double factor;
 };
 
-// Micro has the micro sign (U+00B5) and the Greek letter (U+03BC).
+// Micro is written with the micro sign (U+00B5) or the Greek letter (U+03BC).
 inline constexpr Prefix kPrefixes[] = {
     {"T", "tera", 1e12}, {"G", "giga", 1e9},   {"M", "mega", 1e6},   {"k", "kilo", 1e3},
     {"d", "deci", 1e-1}, {"c", "centi", 1e-2}, {"m", "milli", 1e-3}, {"u µ μ", "micro", 1e-6},
@@ -35,10 +34,10 @@ inline constexpr Prefix kPrefixes[] = {
 
 /// All spellings of one unit. Blanks separate the symbols and the nouns.
 struct UnitRow {
-  std::string_view symbols;  ///< The first one is printed, and takes the prefixes
-  std::string_view nouns;    ///< read also with an s at the end; take the prefixes' names
+  std::string_view symbols;  ///< the first is printed and takes the prefixes
+  std::string_view nouns;    ///< also accepted with a final s; take the prefixes' names
   Unit unit;
-  std::string_view prefixes{};  ///< first letters of the prefixes that are read
+  std::string_view prefixes{};  ///< first letters of the accepted prefixes
 };
 
 inline constexpr Exponents kPlain{0, 0, 0, 0}, kL{1, 0, 0, 0}, kM{0, 1, 0, 0}, kT{0, 0, 1, 0}, kA{0, 0, 0, 1},

@@ -26,12 +26,12 @@ void skipBlanks(std::string_view& text) {
   while (skip(text, " ")) continue;
 }
 
-// A superscript at n is the power n; a minus may stand before it.
+// The superscript at index n is the power n; a superscript minus may precede it.
 constexpr std::string_view kSuperscripts[] = {"⁰", "¹", "²", "³", "⁴"};
 constexpr std::string_view kSuperscriptMinus = "⁻";
 
-// Between two units. A hyphen before a digit is the sign of a power instead; a dot may be any of two Unicode
-// points.
+// Multiplication signs between two units. A hyphen before a digit is the sign of a power instead. A raised dot may
+// be either of two Unicode characters.
 constexpr std::string_view kTimesSigns[] = {"*", "·", "⋅", "×", ".", "-"};
 
 bool startsWithOneOf(std::string_view text, std::span<const std::string_view> signs) {
@@ -56,7 +56,7 @@ std::string_view takeName(std::string_view& text) {
   return name;
 }
 
-// Four is the largest power any sensible unit needs; the bound also keeps the sums of exponents small.
+// Sensible units need no larger power than four. The bound also keeps the sums of exponents small.
 constexpr int kLargestPower = 4;
 constexpr int kMostTerms = 8;
 
@@ -71,7 +71,7 @@ std::optional<int> takeSuperscript(std::string_view& text) {
   return std::nullopt;
 }
 
-/// Whether the power is written without a sign of its own: cm3, s-1.
+/// Returns whether a power follows without ^ or **, as in cm3 and s-1.
 bool hasBarePower(std::string_view text) {
   if (text.size() > 1 && text[0] == '-') return isDigit(text[1]);
   return !text.empty() && text[0] >= '2' && text[0] <= '0' + kLargestPower;
@@ -97,7 +97,7 @@ struct ParsedUnit {
   std::string problem;
 };
 
-/// The '/' that a unit may begin with, or "1/".
+/// Consumes the '/' or "1/" that a unit may begin with.
 bool takeDivisor(std::string_view& text) {
   std::string_view rest = text;
   if (skip(rest, "1")) skipBlanks(rest);
@@ -107,8 +107,8 @@ bool takeDivisor(std::string_view& text) {
   return true;
 }
 
-// [[1] /] term { (blank | times) term | / term }, term = name [power], times = one of kTimesSigns, power = a
-// superscript, or [^ | **] and a number. A '/' divides by the one term after it.
+// Grammar: [[1] /] term { (blank | times) term | / term }, term = name [power], times = one of kTimesSigns, power
+// = a superscript, or [^ | **] and a number. A '/' divides by the one term after it.
 ParsedUnit parseUnit(std::string_view text) {
   ParsedUnit parsed;
   const std::string whole = core::printable(text);
@@ -130,7 +130,7 @@ ParsedUnit parseUnit(std::string_view text) {
 }
 
 void multiply(Unit& product, const Unit& unit, int power) {
-  // Repeated products and one division: std::pow gives different last bits with and without FMA.
+  // Multiplies repeatedly and divides once, because the last bits of std::pow depend on FMA.
   double factor = 1;
   for (int i = 0; i < std::abs(power); ++i) factor *= unit.factor;
   product.factor = power < 0 ? product.factor / factor : product.factor * factor;
@@ -148,7 +148,6 @@ bool isUnitOf(const ParsedUnit& parsed, Dimension dimension) {
   return parsed.problem.empty() && productOf(parsed.terms).exponents == textOf(dimension).exponents;
 }
 
-/// The unit with every name replaced by what `other` gives for it.
 template <class F>
 std::string renamed(std::string_view unit, F other) {
   std::string text;
@@ -162,7 +161,7 @@ std::string renamed(std::string_view unit, F other) {
 
 std::string knownName(const std::string& name) { return unitNamed(name) ? name : recased(name).value_or(name); }
 
-/// "lbf" for "lb": who writes a torque in lb ft means the force.
+/// Returns "lbf" for "lb", because a torque written in lb ft means the force.
 std::string forceName(const std::string& name) {
   constexpr std::pair<std::string_view, std::string_view> kForces[] = {
       {"lb", "lbf"}, {"lbs", "lbf"}, {"oz", "ozf"}, {"kg", "kgf"}, {"g", "gf"}};
@@ -170,9 +169,9 @@ std::string forceName(const std::string& name) {
   return found == std::end(kForces) ? name : std::string(found->second);
 }
 
-/// "; did you mean "rpm"?" where that would have been a unit of the dimension, else empty.
+/// Returns "; did you mean "rpm"?" if a corrected unit has the dimension; else empty.
 std::string hint(std::string_view unit, Dimension dimension) {
-  constexpr std::size_t kLongest = 64;  // every name of more is looked up in vain
+  constexpr std::size_t kLongest = 64;  // each of the text's names costs a search of the table
   if (unit.size() > kLongest) return "";
   for (const std::string& meant : {renamed(unit, knownName), renamed(unit, forceName)})
     if (isUnitOf(parseUnit(meant), dimension))

@@ -7,11 +7,10 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr int kOrbitDirections = 180;  // an orbit in steps of 2 degrees: between two, the reach differs by 0.02 %
+// Steps along the path. A full orbit has steps of 2 degrees; between two of them the reach differs by 0.02 %.
+constexpr int kOrbitDirections = 180;
 
 }  // namespace
-
-// ---- path
 
 CameraPath::CameraPath(const scene::Camera& camera, const scene::Timeline& timeline, double duration_s)
     : camera_(camera), duration_s_(duration_s), moves_(tracksOf(camera, timeline)) {}
@@ -49,8 +48,6 @@ std::vector<scene::Camera> CameraPath::directions() const {
   for (int i = 0; i <= kOrbitDirections; ++i) cameras.push_back(at(duration_s_ * i / kOrbitDirections));
   return cameras;
 }
-
-// ---- framing
 
 double PathFraming::unit_px(const Extent& extent, const Margins& margins, glm::vec2 size_px) const {
   const std::lock_guard lock(mutex_);

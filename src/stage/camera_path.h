@@ -12,15 +12,15 @@
 
 namespace poinsot::stage {
 
-/// Where a view's camera stands while the film runs: as its scene has it, moved by an orbit and by the timeline.
+/// Path of a view's camera over the film: the scene's camera, moved by its orbit and by the timeline.
 class CameraPath {
  public:
   CameraPath(const scene::Camera& camera, const scene::Timeline& timeline, double duration_s);
 
   scene::Camera at(double filmTime_s) const;
-  /// It stands in one direction all the time.
+  /// Returns true if the camera looks in one direction for the whole film. The zoom may still change.
   bool still() const;
-  /// Directions that it looks from over the film, close to one another; where it is still, one.
+  /// Returns the camera at 181 equally spaced film times, or once if the path is still().
   std::vector<scene::Camera> directions() const;
 
  private:
@@ -34,16 +34,16 @@ class CameraPath {
   Tracks moves_;
 };
 
-/// The camera on its path. The whole motion is drawn as large as it can be from all of the path's directions
-/// alike, so that nothing breathes while the camera moves. The answers for what was asked last are kept: they cost
-/// up to a few milliseconds, and every picture of a film asks for the same. Safe from several threads.
+/// Framing of a view for a camera path. The scale fits the whole motion from all directions of the path, so that
+/// the drawing keeps its size while the camera moves. The latest results are cached, because each costs up to a
+/// few milliseconds and every picture of a film needs the same ones. Thread-safe.
 class PathFraming {
  public:
   explicit PathFraming(const CameraPath& path) : directions_(path.directions()), still_(path.still()) {}
 
-  /// The least fittingUnit_px() of all directions.
+  /// Returns the smallest fittingUnit_px() of all directions of the path.
   double unit_px(const Extent& extent, const Margins& margins, glm::vec2 size_px) const;
-  /// frameAll() of a camera of the path.
+  /// Returns frameAll() for one camera of the path, at a scale that fits from all its directions.
   draw::Camera camera(const scene::Camera& placed, const Extent& extent, const Margins& margins, glm::vec2 size_px,
                       double mostUnit_px) const;
 

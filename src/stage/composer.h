@@ -9,17 +9,18 @@
 
 namespace poinsot::stage {
 
-/// Makes pictures-as-values of a film. compose() is a pure function of the moment.
+/// Interface for composing the pictures of a film as plain values. compose() is a pure function of the moment.
 class Composer {
  public:
   virtual ~Composer() = default;
 
-  /// What the picture shows at a moment, for a picture of `size_px` (width, height), with type and
-  /// lines of a size of their own, such as printSizing().
+  /// Returns the picture at a moment.
+  /// @param size_px  width and height
+  /// @param sizing  size of type and lines, for example printSizing()
   /// @pre the film time is finite and not negative; width, height > 0.
   /// @throws core::Error(kLimit) beyond the film's end.
   virtual draw::Picture compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing) const = 0;
-  /// With type and lines to be seen from afar.
+  /// Returns the picture at a moment, with type and lines that are legible from afar.
   draw::Picture compose(const Moment& moment, glm::ivec2 size_px) const {
     return compose(moment, size_px, screenSizing(size_px));
   }

@@ -8,8 +8,8 @@
 
 namespace poinsot::stage {
 
-/// What a scene's plots and read-outs go through in its film, in the order of the scene. Those of films that are
-/// to be compared are joined: the axes are the same then, and the digits.
+/// Ranges of the values in a scene's plots and read-outs over its film, in the order of the scene. Films that are
+/// to be compared use joined ranges, so that their axes and their numbers of digits agree.
 struct FilmRanges {
   std::vector<PlotRanges> plots;
   std::vector<QuantityRange> readouts;

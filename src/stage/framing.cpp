@@ -12,15 +12,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// An extent in camera axes about the centre: x right, y up, z towards the eye.
+/// Extent in camera axes about the centre: x right, y up, z towards the eye.
 struct Seen {
   std::vector<Vector3d> points_C;
   double ballRadius;
-  bool parallel;  // rays
+  bool parallel;  // orthographic camera
 
-  /// How far it reaches up (sign 1) or down. At distance d the camera shows y <= k (d - z) on a side whose angle
-  /// has tangent k: what counts is y + k z, which is at most r sqrt(1 + k²) on a ball. With parallel rays it shows
-  /// y <= k d: what counts is y.
+  /// Returns how far the extent reaches up (sign 1) or down (sign -1). At distance d the camera shows
+  /// y <= k (d - z) on a side whose angle has tangent k. The reach is therefore the largest y + k z, which is at
+  /// most r sqrt(1 + k²) on a ball. With parallel rays the camera shows y <= k d, and the reach is the largest y.
   double reach(double sign, double tangent) const {
     const double k = parallel ? 0 : tangent;
     double farthest = ballRadius > 0 ? ballRadius * std::sqrt(1 + k * k) : -1e300;
@@ -29,7 +29,7 @@ struct Seen {
   }
 };
 
-/// Along the view, from the plane through the centre: towards the eye and away from it.
+/// Depth of the extent along the view, from the plane through the centre: towards the eye and away from it.
 struct Depths {
   double towards, away;
 
@@ -43,32 +43,34 @@ struct Depths {
   double slack() const { return 0.3 * (towards + away) + 0.1; }
 };
 
-// ---- up and down: the eye moves, with its target ----
+// Vertical fit: the eye moves up or down together with its target.
 
-/// The tangents of the angles that the picture shows below its middle and above it.
+/// Tangents of the angles that the picture shows below and above its middle.
 struct Upright {
   double kLow, kHigh;
 
-  /// The smallest distance at which both hold, the target shifted as it pleases. With parallel rays: from which a
-  /// pinhole would show what is across the view as large.
+  /// Returns the smallest distance at which the extent fits below and above, for the best shift of the target.
+  /// With parallel rays: the distance from which a pinhole camera shows the plane through the centre at the same
+  /// scale.
   double distance(const Seen& seen) const {
     return (seen.reach(-1, kLow) + seen.reach(1, kHigh)) / (kLow + kHigh);
   }
-  /// The shift of the target that leaves both equally free.
+  /// Returns the shift of the target that leaves equal room below and above the extent.
   double shift(const Seen& seen, double d) const {
     return 0.5 * (seen.reach(1, kHigh) - kHigh * d + kLow * d - seen.reach(-1, kLow));
   }
 };
 
-// ---- across: the eye stays in the vertical plane through the centre, so that L is upright in every picture; the
-// picture moves instead, as the film of a view camera
+// Horizontal fit: the eye stays in the vertical plane through the centre, so that L is upright in every picture.
+// The picture shifts instead, like the film of a view camera.
 
-/// Tangents of the angles at which an extent begins to the left of that plane and ends to the right of it, and how
-/// their sum changes with the eye's distance. With parallel rays: of what a pinhole would show as large.
+/// Tangents of the angles from the vertical plane through the centre to the left and right ends of an extent, and
+/// the change of their sum with the eye's distance. With parallel rays: the tangents that a pinhole camera has at
+/// the same scale.
 struct Width {
   double left = -1e300, right = -1e300, slope = 0;
 
-  /// @pre the eye is farther than the extent, or rays are parallel.
+  /// @pre the eye is farther away than the extent, or rays are parallel.
   Width(const Seen& seen, double d) {
     double leftSlope = 0, rightSlope = 0;
     const double r = seen.ballRadius;
@@ -86,12 +88,12 @@ struct Width {
   }
 
   double sum() const { return left + right; }
-  /// Of the middle between both ends.
+  /// Returns the tangent halfway between both ends, positive to the right.
   double middle() const { return 0.5 * (right - left); }
 };
 
-/// The smallest distance from which no more than `tangents` is across. The sum is convex in the distance: Newton's
-/// steps, once they come from below, stay there.
+/// Returns the smallest distance from which the extent is at most `tangents` wide. The width is convex in the
+/// distance, so Newton's steps stay below the solution once they are below it.
 double distanceAcross(const Seen& seen, double tangents) {
   constexpr int kSteps = 40;
   const Depths depths(seen);
@@ -100,7 +102,7 @@ double distanceAcross(const Seen& seen, double tangents) {
   double d = std::max(least, depths.towards + size);
   for (int i = 0; i < kSteps; ++i) {
     const Width width(seen, d);
-    if (!(width.slope < 0)) break;  // nothing is across
+    if (!(width.slope < 0)) break;
     const double next = std::max(d - (width.sum() - tangents) / width.slope, least);
     if (std::abs(next - d) < 1e-12 * d) break;
     d = next;
@@ -108,14 +110,13 @@ double distanceAcross(const Seen& seen, double tangents) {
   return d;
 }
 
-/// An extent before a camera that stands in a direction and looks at it, at any distance.
 struct Fit {
   double tanY;
   Vector3d right, up, backward;
   Seen seen;
   Upright upright;
-  double across;         // tangents of what the picture shows, without its margins
-  double freeMiddle_px;  // between the margins
+  double across;  // width of the picture without its margins, as a sum of tangents
+  double freeMiddle_px;
 
   Fit(const scene::Camera& camera, const Extent& extent, const Margins& margins, glm::vec2 size_px)
       : tanY(std::tan(0.5 * camera.fov_rad)) {
@@ -134,7 +135,7 @@ struct Fit {
   }
 
   double needed() const { return std::max(distanceAcross(seen, across), upright.distance(seen)); }
-  /// The z axis; straight from above or below it has no direction in the picture.
+  /// Returns the z axis, except straight from above or below, where z has no direction in the picture.
   glm::vec3 upwards() const { return std::abs(backward.z()) > 0.9999 ? toPicture(up) : glm::vec3(0, 0, 1); }
 };
 
@@ -164,11 +165,11 @@ draw::Camera frameAll(const scene::Camera& camera, const Extent& extent, const M
   Depths depths(seen);
   for (const Vector3d& p : extent.passing_V) depths.include(fit.backward.dot(p));
   const double slack = depths.slack();
-  // With parallel rays the eye may stand anywhere: here far enough for all to be before it.
+  // With parallel rays the eye may stand anywhere. Here it stands far enough away for everything to be in front.
   const double eye = seen.parallel ? std::max(needed, depths.towards + 2 * slack) : needed;
   draw::Camera result = draw::lookAt(toPicture(Vector3d(target + eye * fit.backward)), toPicture(target),
                                      fit.upwards(), static_cast<float>(camera.fov_rad), size_px);
-  // The eye stays: one that went nearer would be among what it looks at.
+  // The zoom narrows the field of view. A nearer eye could stand among the things that it looks at.
   result.tanHalfFovY = static_cast<float>(fit.tanY / camera.zoom);
   result.orthographic = seen.parallel;
   result.halfHeight_V = static_cast<float>(needed * fit.tanY / camera.zoom);

@@ -7,21 +7,23 @@
 
 namespace poinsot::stage {
 
-/// An instant of a film, or a still of it. A label that is on its way to another place, or behind a body, is faint
-/// for a while in a film, as a caption is that comes or goes; in a still it is there or not.
+/// Instant of a film, or of a still from that film. In a film, a label fades while it changes place or is behind a
+/// body, and a caption fades in and out. In a still, labels and captions are either shown or absent.
 struct Moment {
   double filmTime_s = 0;
   bool still = false;
 
-  Moment(double t_s, bool isStill = false) : filmTime_s(t_s), still(isStill) {}  // a time is one of the film
+  // Implicit, because every film time is a moment.
+  Moment(double t_s, bool isStill = false) : filmTime_s(t_s), still(isStill) {}
 };
 
-/// Checks what every composer expects: a film time that is finite and not negative, a picture of at least one
+/// Checks what every composer expects: a finite film time that is not negative, and a picture of at least one
 /// pixel.
 /// @throws std::logic_error otherwise.
 void expectPicture(const Moment& moment, glm::ivec2 size_px);
 
-/// @throws core::Error(kLimit) beyond the film's end: cameras, axes and labels are worked out for the film.
+/// Checks that a moment is within the film, because cameras, axes and labels are computed for its duration only.
+/// @throws core::Error(kLimit) beyond the film's end.
 void requireWithin(const Moment& moment, double duration_s);
 
 }  // namespace poinsot::stage

@@ -9,17 +9,16 @@ namespace {
 
 using scene::ColorMeaning;
 
-/// 0xRRGGBB, sRGB.
 using Srgb = std::uint32_t;
 
-/// What cannot be made from another colour.
+/// Base colours of a theme. All other colours are mixed from them.
 struct Theme {
   Srgb paper, ink, L, omega, ellipsoid, omegaParts, separatrix, body, axis, torque, vector, support;
-  double sheetOpacity = 1;  ///< on paper that is not dark
+  double sheetOpacity = 1;
 };
 
-// After Okabe & Ito (blue 0072B2, orange E69F00, vermilion D55E00, bluish green 009E73), the last two darker: as
-// labels on white they need a contrast of 4.5.
+// After Okabe & Ito (blue 0072B2, orange E69F00, vermilion D55E00, bluish green 009E73). The last two are darker
+// here, because labels on white need a contrast of 4.5.
 constexpr Theme kLight{.paper = 0xFFFFFF,
                        .ink = 0x2B2F36,
                        .L = 0x0072B2,
@@ -46,8 +45,8 @@ constexpr Theme kDark{.paper = 0x14171C,
                       .vector = 0x8A92A0,
                       .support = 0x5A616D};
 
-// Black, greys and one colour, which all of omega's is a tint of: a book's second ink. Without it the greys are
-// apart by lightness.
+// Black, greys and the second ink of a book: all colours of omega are tints of that one ink. Printed without it,
+// the greys still differ in lightness.
 constexpr Theme kPrint{.paper = 0xFFFFFF,
                        .ink = 0x000000,
                        .L = 0x1E1E1E,
@@ -74,7 +73,7 @@ const Theme& themeOf(scene::Theme theme) {
   return kLight;
 }
 
-/// A share of one colour over another by sRGB values, which are even steps to the eye.
+/// Mixes two sRGB colours by sRGB values, whose steps look even to the eye. `share` is the part of `color`.
 Srgb blend(Srgb color, Srgb over, double share) {
   Srgb result = 0;
   for (const int shift : {16, 8, 0}) {
@@ -86,7 +85,7 @@ Srgb blend(Srgb color, Srgb over, double share) {
 
 bool isDark(Srgb paper) {
   const draw::Color linear = draw::fromSrgb(paper);
-  return 0.2126f * linear.r + 0.7152f * linear.g + 0.0722f * linear.b < 0.18f;  // the middle grey
+  return 0.2126f * linear.r + 0.7152f * linear.g + 0.0722f * linear.b < 0.18f;  // middle grey
 }
 
 }  // namespace

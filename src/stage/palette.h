@@ -6,30 +6,30 @@
 
 namespace poinsot::stage {
 
-/// Colours by meaning, each meaning one hue: what belongs to L, what to omega, what to the body. They stay apart
-/// for colour-blind eyes (tests/stage/palette_test.cpp); tints and shades of one meaning follow it.
+/// Colours by meaning. Each meaning (L, omega, the body) has one hue, and tints and shades keep that hue. The hues
+/// differ for colour-blind eyes too (tests/stage/palette_test.cpp).
 struct Palette {
   draw::Color paper, ink, quietInk;
   draw::Color L, plane, planeLine;
   draw::Color omega;
-  draw::Color polhode, futurePolhode;        ///< of omega in the body; travelled, and still to come
-  draw::Color herpolhode, futureHerpolhode;  ///< of omega in space
+  draw::Color polhode, futurePolhode;  ///< path of omega in the body: travelled, and still to come
+  draw::Color herpolhode, futureHerpolhode;
   draw::Color ellipsoid, graticule;
-  draw::Color omegaParts;  ///< components of omega
+  draw::Color omegaParts;
   draw::Color separatrix;
   draw::Color body, bodyEdge, axis;
   draw::Color spaceCone, bodyCone;
   draw::Color torque, vector;
-  draw::Color rod;      ///< space axes, and what holds a body together or up and has no mass
-  double sheetOpacity;  ///< factor: in linear light a tint shows far more on dark paper than on white
+  draw::Color rod;  ///< space axes, supports, and massless rods between masses
+  /// Factor on the thickness of translucent sheets, because in linear light a tint shows far more on dark paper.
+  double sheetOpacity;
 };
 
-/// The theme's colours, with those that the style gives itself and what follows them.
+/// Returns the theme's colours, overridden by those of the style, with the colours that follow from them.
 Palette palette(const scene::Style& style);
-/// The theme's own.
 Palette palette(scene::Theme theme);
 
-/// How well one colour is read on another, from 1 to 21: the ratio of their luminances (WCAG 2).
+/// Returns the contrast ratio of two colours, 1 to 21 (WCAG 2).
 double contrastRatio(const draw::Color& a, const draw::Color& b);
 
 }  // namespace poinsot::stage

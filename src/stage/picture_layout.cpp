@@ -9,11 +9,11 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr double kMostTaken = 0.4;  // of the picture from each side: panels keep the rest however small it is
-constexpr double kRule = 0.75, kRuleInset = 16;  // width, and free at either end, in ordinary lines
+constexpr double kMostTaken = 0.4;               // largest share of the picture that type takes at each side
+constexpr double kRule = 0.75, kRuleInset = 16;  // width of a rule, and gap at either end, in ordinary lines
 constexpr float kRuleOpacity = 0.35f;
 
-/// Where line `i` of `n` cells is between two ends.
+/// Returns the position of grid line `i` if `n` cells of equal size lie between `from` and `to`.
 int lineAt(int i, int n, int from, int to) {
   return from + static_cast<int>(std::lround(static_cast<double>(to - from) * i / n));
 }

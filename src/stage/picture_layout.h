@@ -10,21 +10,20 @@
 
 namespace poinsot::stage {
 
-/// A rectangle of the picture, in pixels.
 struct Cell {
   glm::ivec2 origin_px{0}, size_px{1, 1};
 };
 
-/// The panels of a picture: cells of a grid that fills it, but for what its type takes.
+/// Layout of a picture's panels: cells of a grid that fills the picture, except for the room that type takes.
 class PictureLayout {
  public:
-  /// @pre there are places, no two over one cell.
+  /// @pre `places` is not empty, and no two places overlap.
   explicit PictureLayout(std::vector<scene::GridPlace> places);
 
-  /// The panels in the order of the places.
+  /// Returns the cells of the panels, in the order of the places.
+  /// @param taken  room for type at each side
   std::vector<Cell> cells(glm::ivec2 size_px, const NoteReach& taken) const;
 
-  /// Hairlines between panels.
   void addRules(draw::Picture& picture, const std::vector<Cell>& cells, double line_px,
                 const Palette& colors) const;
 

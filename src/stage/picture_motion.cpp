@@ -16,11 +16,11 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kPathStep = 0.06;  // of a circle's radius: 105 points a turn, 0.1 px off a circle of 200 px
+constexpr double kPathStep = 0.06;  // step in radii of a circle: 105 points a turn, 0.1 px off a circle of 200 px
 constexpr int kOutlinePoints = 600;
-constexpr double kRecent_s = 0.9;  // film time of the bright end of a trail
+constexpr double kRecent_s = 0.9;  // film time that the bright end of a trail lasts
 
-// The body standing with its spin axis up (down where L points down).
+// Returns the attitude in which the body stands with its spin axis up, or down if L points down.
 Matrix3d standingBody(const scene::Scene& scene) {
   const Vector3d omega_P = scene::startOmega_P(scene);
   const int axis = scene::spinAxis(omega_P);
@@ -28,15 +28,16 @@ Matrix3d standingBody(const scene::Scene& scene) {
   return physics::turnOntoVertical(spin_B, scene::verticalOfL(scene)).toRotationMatrix();
 }
 
-// V's z is up or down L as the scene has it; at time 0 the body's axis k lies in V's half plane of y and z.
+// Returns V's axes, which turn about L. z is along L, or opposite to L if L points down in the scene. At time 0
+// the body's axis k lies in V's y-z plane, where y >= 0.
 Precession precessionOf(const scene::Scene& scene, const physics::Motion& motion) {
   const physics::RigidBodyState start = motion.at(0);
   const auto cones = physics::precessionCones(motion.axes().moments(), motion.axes().toP(start.omega_B));
-  POINSOT_EXPECT(cones);  // a scene with another body has no such view
+  POINSOT_EXPECT(cones);  // only symmetric bodies have this view
   const bool down = scene::verticalOfL(scene) == physics::Vertical::kDown;
   const Vector3d along_W = start.L_W.normalized(), up_W = down ? -along_W : along_W;
   const Vector3d k_W = start.q_WB * motion.axes().toB(cones->k_P);
-  // Of a body that spins about k, any direction will do.
+  // If the body spins about k, any direction across L is as good.
   const Vector3d across_W = cones->tilt_rad > 1e-12 ? k_W : Vector3d(up_W.unitOrthogonal());
   Precession precession{Matrix3d::Identity(), along_W, cones->precessionRate};
   precession.R_VW.row(2) = up_W;
@@ -56,7 +57,7 @@ std::vector<PathPoint> outlineOf(const PictureMotion& motion) {
   return points;
 }
 
-// More than by rounding: of a free motion it is the first.
+// Counts only differences beyond rounding, so that a free motion yields its first point.
 std::size_t indexOfMostEnergy(const PictureMotion& motion, const std::vector<PathPoint>& outline) {
   std::size_t best = 0;
   double most = 0;
@@ -69,8 +70,8 @@ std::size_t indexOfMostEnergy(const PictureMotion& motion, const std::vector<Pat
   return best;
 }
 
-// Of the tip of omega, per played time, the same in the body and in space (eq 30, 31): from a difference over a
-// time in which the body turns by a ten thousandth of a turn.
+// Returns the speed of omega's tip per played time, which is the same in the body and in space (eq 30, 31). The
+// difference quotient spans a time in which the body turns by a ten-thousandth of a turn.
 double tipSpeed(const PictureMotion& motion, const PathPoint& p) {
   const double turning = std::abs(motion.speed()) * p.omega_W.norm(), longest_s = 1e-3 * motion.length_s();
   const double step_s = turning * longest_s > 6e-4 ? 6e-4 / turning : longest_s;
@@ -78,7 +79,7 @@ double tipSpeed(const PictureMotion& motion, const PathPoint& p) {
   return (motion.pathPoint(other_s).omega_P - p.omega_P).norm() / step_s;
 }
 
-// Played time in which the tip of omega goes, where it is fastest, by a small part of its greatest distance from
+// Returns the played time in which omega's tip, where fastest, moves by a small part of its greatest distance from
 // L.
 double pathStep(const PictureMotion& motion) {
   double fastest = 0, farthest = 0;

@@ -14,63 +14,64 @@
 
 namespace poinsot::stage {
 
-/// The motion as the picture shows it. V: the picture's axes, z up: inertial axes, or the body's turned so that
-/// the axis it spins about points up, or those in which the axis k of a symmetric body and L stand still (k to the
-/// right, as most cameras see it). V's origin is the point that the body turns about: where a thrown body moves
-/// along, it is space that goes the other way, with the camera. Still in SI units; scaling comes later (scales.h).
+/// State of the motion in the picture's axes V, z up, in SI units; scaling to lengths in the picture comes later
+/// (scales.h). V are the inertial axes, or axes fixed in the body with its spin axis up, or axes in which L and
+/// the axis k of a symmetric body stand still (k to the right, as most cameras see it). V's origin is the point
+/// that the body turns about. If a thrown body moves through the view, space moves the other way, together with
+/// the camera.
 struct PictureState {
   Eigen::Matrix3d R_VB;
-  Eigen::Matrix3d R_VP;  ///< principal axes
+  Eigen::Matrix3d R_VP;
   Eigen::Matrix3d R_VW;
   Eigen::Vector3d omega_V;
   Eigen::Vector3d omega_P;
   Eigen::Vector3d L_V;
   Eigen::Vector3d L_W;
-  Eigen::Vector3d torque_V;    ///< N·m
-  Eigen::Vector3d centre_V;    ///< the centre of mass from the origin of space, m; zero unless it moves along
-  Eigen::Vector3d velocity_V;  ///< of the centre of mass, m/s; zero unless it moves along
+  Eigen::Vector3d torque_V;
+  Eigen::Vector3d centre_V;    ///< centre of mass from the origin of space; zero unless the body flies in the view
+  Eigen::Vector3d velocity_V;  ///< velocity of the centre of mass; zero unless the body flies in the view
 
-  /// Of a point of the body, m from the fixed point, m/s: V + omega × r of one that moves along.
+  /// Returns the velocity of a body point, m/s: V + omega × r, where V is the velocity of the centre of mass.
+  /// @param r_B  from the fixed point to the body point, m
   Eigen::Vector3d velocityAt(const Eigen::Vector3d& r_B) const;
   bool atRest() const { return omega_P.isZero(0); }
 };
 
 using scene::chosenSpeed;
 
-/// The motion that the scene's film shows, over the film: with larger angles where it says so.
-/// @throws core::Error(kScene) where larger angles would be another kind of motion, kPhysics where it has no
-/// solution.
+/// Returns the motion that the scene's film shows, with exaggerated angles if the scene sets them.
+/// @throws core::Error(kScene) if larger angles would be another kind of motion, kPhysics if it has no solution.
 std::shared_ptr<const physics::Motion> drawnMotion(const scene::Scene& scene);
 
-/// From film time to the time of drawnMotion(), through the scene's changes of speed.
+/// Returns the clock from film time to the time of drawnMotion(), including the scene's changes of speed.
 scene::FilmClock filmClock(const scene::Scene& scene);
 
-/// One sample of the path of the tip of omega.
+/// Sample of the path of the tip of omega.
 struct PathPoint {
   double played_s;
-  Eigen::Vector3d omega_P;  ///< in principal axes
+  Eigen::Vector3d omega_P;
   Eigen::Vector3d omega_W;
   Eigen::Vector3d L_W;
 };
 
-/// What of a path has been travelled and what is to come, in played times: [from, recent] a while ago, [recent,
-/// now] just now, [now, end] soon. Where a film repeats, all of it has been travelled once before it begins.
+/// Parts of a path in played time: [from, recent] travelled a while ago, [recent, now] travelled just now, [now,
+/// end] still to come. A film that repeats has travelled the whole path once before it begins.
 struct Trail {
   double from, recent, now, end;
 };
 
-/// Axes that turn about L.
+/// Picture axes that turn about L at a constant rate.
 struct Precession {
-  Eigen::Matrix3d R_VW = Eigen::Matrix3d::Identity();  ///< at motion time 0
-  Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();   ///< unit
-  double rate = 0;                                     ///< rad per motion second
+  Eigen::Matrix3d R_VW = Eigen::Matrix3d::Identity();  ///< axes at motion time 0
+  Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();
+  double rate = 0;  ///< rate of turning, rad per second of motion time
 };
 
-/// Paths are functions of the played time (scene/motion/film_clock.h), on which changes of speed do not tell: it
-/// runs slower where the motion does, and stands still with it.
+/// Motion of a scene as its pictures show it. Paths are functions of the played time (scene/motion/film_clock.h),
+/// which slows down and stops with the motion. Changes of speed therefore do not affect paths.
 class PictureMotion {
  public:
-  /// `motion`: drawnMotion() of the scene; its views share it.
+  /// @param motion  drawnMotion() of the scene, shared by all views of the scene
   PictureMotion(const scene::Scene& scene, std::shared_ptr<const physics::Motion> motion);
 
   PictureState at(double filmTime_s) const { return atPlayed(played_s(filmTime_s)); }
@@ -78,27 +79,28 @@ class PictureMotion {
   double played_s(double filmTime_s) const { return clock_.played_s(filmTime_s); }
 
   PathPoint pathPoint(double played_s) const;
-  /// The tip of omega from one played time to another, dense enough to look smooth. The inner points lie on a grid
-  /// of times that is the same for every frame, so that a curve does not crawl; at most `kMostPathPoints`.
+  /// Returns the path of omega's tip between two played times, dense enough to look smooth, with at most
+  /// `kMostPathPoints` points. Inner points lie on a time grid common to all frames, so that the curve does not
+  /// shimmer.
   std::vector<PathPoint> path(double from_s, double to_s) const;
-  /// The longest stretch of played time that path() can show.
+  /// Returns the longest played time that path() can show.
   double longestPath_s() const { return pathStep_s_ * static_cast<double>(kMostPathPoints - 2); }
-  /// At a film time, no stretch longer than `longest_s`.
+  /// Returns the parts of a path at a film time, none longer than `longest_s`.
   Trail trail(double filmTime_s, double longest_s) const;
-  /// A few hundred points of the path over the whole film: enough to know how far it reaches.
+  /// Returns 601 points of the path at equal steps over the whole film, enough to show how far the path reaches.
   const std::vector<PathPoint>& outline() const { return outline_; }
-  /// The point of the outline where the kinetic energy is greatest; of a free motion, the first.
+  /// Returns the point of the outline with the greatest kinetic energy; the first point of a free motion.
   const PathPoint& liveliest() const { return outline_[liveliest_]; }
 
   const physics::PrincipalAxes& axes() const { return motion_->axes(); }
   const physics::PrincipalMoments& moments() const { return axes().moments(); }
-  /// Of a body that moves along in the picture; else none.
+  /// Returns the flight of a body that moves through the view; otherwise nullopt.
   const std::optional<physics::Flight>& flight() const { return flight_; }
-  /// Nothing acts on the body: L and the energy are constant.
+  /// Returns true if nothing acts on the body, so that L and the energy are constant.
   bool isFree() const { return forcing_.none(); }
-  /// Seconds of motion per second of played time.
+  /// Returns seconds of motion per second of played time.
   double speed() const { return clock_.speed(); }
-  /// Played time of the whole film.
+  /// Returns the played time of the whole film.
   double length_s() const { return length_s_; }
 
  private:
@@ -109,16 +111,16 @@ class PictureMotion {
 
   std::shared_ptr<const physics::Motion> motion_;
   scene::FilmClock clock_;
-  double length_s_;  // of played time
+  double length_s_;
   bool repeats_;
   physics::Forcing forcing_;
   std::optional<physics::Flight> flight_;
   scene::CameraFrame frame_;
-  Eigen::Matrix3d R_VB_;   // where the body stands, when it does
-  Precession precession_;  // of the picture's axes, when they precess
+  Eigen::Matrix3d R_VB_;
+  Precession precession_;
   std::vector<PathPoint> outline_;
   std::size_t liveliest_;
-  double pathStep_s_;  // of played time
+  double pathStep_s_;
 };
 
 static_assert(core::laidOut<PictureState, 384>());

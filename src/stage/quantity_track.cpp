@@ -14,12 +14,12 @@ namespace {
 
 using scene::QuantityBranch;
 
-// 25 in a turn: an angle that goes round twice as fast as the body is still followed with 12.
+// 25 samples a turn. An angle that turns twice as fast as the body still gets 12.
 constexpr double kSamplesPerRadian = 4;
-constexpr int kSpeedPoints = 500;  // at which |omega| is looked at
+constexpr int kSpeedPoints = 500;
 constexpr std::size_t kSamplesPerPixel = 4, kLeastSamples = 2000;
 
-/// The value of that branch that is nearest to another.
+/// Returns the value, moved to the branch (whole turns, or the sign) that is nearest to `to`.
 double nearest(QuantityBranch branch, double value, double to) {
   if (!std::isfinite(to)) return value;
   if (branch == QuantityBranch::kTurns) {
@@ -30,7 +30,8 @@ double nearest(QuantityBranch branch, double value, double to) {
   return value;
 }
 
-/// A quaternion's parts change sign together; each alone could not tell at its zeros.
+/// Gives a quaternion the sign of `of`. All parts change sign together; one part cannot show the sign at its
+/// zeros.
 void takeSign(physics::Quaternion& q, const physics::Quaternion& of) {
   if (q.dot(of) < 0) q.coeffs() = -q.coeffs();
 }
@@ -51,8 +52,8 @@ std::optional<scene::ThrownBody> thrownBody(const scene::Scene& scene) {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-constexpr double kRounding = 1e-11;  // of a quantity's size: what integration to 1e-12 may leave
-constexpr double kFlat = 1e-5;       // of the value: smaller changes would need more than six digits
+constexpr double kRounding = 1e-11;  // error that integration to 1e-12 may leave, as a share of a quantity's size
+constexpr double kFlat = 1e-5;       // share of the value; smaller changes need more than six digits
 
 double largestOf(const QuantityRange& range) { return std::max(std::abs(range.low), std::abs(range.high)); }
 
@@ -85,7 +86,7 @@ QuantityTrack::QuantityTrack(const scene::Scene& scene, std::shared_ptr<const ph
 }
 
 void QuantityTrack::chooseTimes(const scene::Scene& scene) {
-  double fastest = 0;  // rad per second of film
+  double fastest = 0;  // fastest rotation, rad per second of film
   for (int i = 0; i <= kSpeedPoints; ++i) {
     const double film_s = duration_s_ * (static_cast<double>(i) / kSpeedPoints);
     const double rate = std::abs(clock_.speed()) * clock_.pace(film_s);
@@ -118,7 +119,7 @@ void QuantityTrack::sampleAll() {
     }
   }
   for (QuantityRange& range : ranges_)
-    if (range.low > range.high) range = {0, 0, 1};  // it exists at no time
+    if (range.low > range.high) range = {0, 0, 1};  // the quantity exists at no time
 }
 
 double QuantityTrack::at(std::size_t which, double filmTime_s) const {

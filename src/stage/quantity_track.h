@@ -12,34 +12,35 @@
 
 namespace poinsot::stage {
 
-/// The least and the largest value of a film, and what its rounding is measured by (StateQuantity::size). SI.
+/// Least and largest value of a quantity over a film, and the size that its rounding is measured by
+/// (StateQuantity::size). SI.
 struct QuantityRange {
   double low = 0, high = 0, size = 0;
 };
 
-/// Both, for films that are to be compared.
+/// Returns a range that holds both ranges, for films that are to be compared.
 QuantityRange joined(const QuantityRange& a, const QuantityRange& b);
-/// Whether the values differ by more than rounding, and by more than six digits show.
+/// Returns true if the values vary by more than rounding, and by enough to be seen in six digits.
 bool varies(const QuantityRange& range);
-/// The largest absolute value; of what is zero but for rounding, what its size could be.
+/// Returns the largest absolute value. For values that are zero except for rounding: the size they could have.
 double sizeOf(const QuantityRange& range);
 
-/// Quantities of a scene's motion over its film: sampled once, evenly and densely enough that angles can be
-/// followed through their jumps, and exact at any time.
+/// Quantities of a scene's motion over its film. The samples are even, and dense enough to follow angles through
+/// their jumps. Values at other times are exact, not interpolated.
 class QuantityTrack {
  public:
-  /// `motion`: drawnMotion() of the scene. `quantities`: indices into scene::stateQuantities().
+  /// @param motion  drawnMotion() of the scene
+  /// @param quantities  indices into scene::stateQuantities()
   QuantityTrack(const scene::Scene& scene, std::shared_ptr<const physics::Motion> motion,
                 std::vector<int> quantities);
 
   std::size_t samples() const { return filmTimes_s_.size(); }
   double filmTime_s(std::size_t sample) const { return filmTimes_s_[sample]; }
-  /// Of the `which`-th quantity, SI; NaN where it does not exist.
+  /// Returns a sample of the `which`-th quantity, SI; NaN if the quantity does not exist at that time.
   double sample(std::size_t which, std::size_t sample) const { return values_[which][sample]; }
 
-  /// Exact, on the branch of the samples around it.
+  /// Returns the exact value, on the branch of the samples around that time.
   double at(std::size_t which, double filmTime_s) const;
-  /// Of all quantities together.
   QuantityRange range() const;
   QuantityRange range(std::size_t which) const { return ranges_[which]; }
 
@@ -48,11 +49,9 @@ class QuantityTrack {
   const scene::StateQuantity& quantity(std::size_t which) const {
     return scene::stateQuantity(quantities_[which]);
   }
-  /// What pictures of the scene call it.
   std::string tex(std::size_t which) const { return scene::quantityTex(quantities_[which], basis_.forcing()); }
   std::size_t quantities() const { return quantities_.size(); }
 
-  /// However long the film and fast the motion.
   static constexpr std::size_t kMostSamples = std::size_t{1} << 18;
 
  private:

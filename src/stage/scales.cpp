@@ -10,16 +10,16 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr double kBodyInEllipsoid =
-    0.62;                              // of the ellipsoid, along the direction where the body comes nearest to it
-constexpr double kBodyAlone = 0.8;     // half the body's longest extent where no ellipsoid is shown,
-constexpr double kRadiusAlone = 1.05;  // and the most of its radius: of a top, or a cube to its corners
-constexpr double kOmegaAlone = 1.25;   // longest omega where no ellipsoid is shown
-constexpr double kVelocity = 0.7;      // of a point, where it is fastest
-constexpr double kLongestPath = 9;     // of a flight, in radii of what flies
+// Size of the body as a share of the ellipsoid, in the direction where the body comes nearest to it.
+constexpr double kBodyInEllipsoid = 0.62;
+constexpr double kBodyAlone = 0.8;     // half the body's longest extent, if no ellipsoid is shown
+constexpr double kRadiusAlone = 1.05;  // largest radius, if no ellipsoid is shown: a top, or a cube to its corners
+constexpr double kOmegaAlone = 1.25;   // longest omega if no ellipsoid is shown
+constexpr double kVelocity = 0.7;      // length of the fastest point's velocity
+constexpr double kLongestPath = 9;     // longest path of a flight, in radii of the body
 constexpr double kLAbove = 1.5, kLBelowPlane = 0.42;
 
-// Longest omega (rad/s) and L (kg·m²/s) of the film.
+// Largest magnitudes of omega (rad/s) and L (kg·m²/s) in the film.
 struct Longest {
   double omega = 0, L = 0;
   explicit Longest(const PictureMotion& motion) {
@@ -30,7 +30,7 @@ struct Longest {
   }
 };
 
-// Of the centre of mass and of the points whose velocities are drawn, over the film, m/s.
+// Returns the film's largest speed of the centre of mass and of the points whose velocities are drawn, m/s.
 double fastestShown(const scene::Scene& scene, const PictureMotion& motion) {
   double fastest = 0;
   for (const PathPoint& p : motion.outline()) {
@@ -43,7 +43,7 @@ double fastestShown(const scene::Scene& scene, const PictureMotion& motion) {
   return fastest;
 }
 
-// The diagonal of the box that holds the path of the centre of mass, m; 0 where it does not move along.
+// Returns the diagonal of the box around the path of the centre of mass, m; 0 if that point stands still.
 double pathExtent(const PictureMotion& motion) {
   Eigen::AlignedBox3d box;
   for (const PathPoint& p : motion.outline()) box.extend(motion.atPlayed(p.played_s).centre_V);

@@ -22,30 +22,29 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kBands = 96;              // of colours: neighbours differ by less than an eye sees
-constexpr int kSeparatrixPoints = 240;  // of the separatrix
-constexpr double kDarkShare = 0.6;      // of the scale: below, lines are white, else black
-constexpr float kQuiet = 0.45f;         // opacity of the lines of equal time
+constexpr int kBands = 96;  // bands of colour; neighbours differ by less than the eye can see
+constexpr int kSeparatrixPoints = 240;
+constexpr double kDarkShare = 0.6;  // share of the scale below which lines are white, else black
+constexpr float kQuiet = 0.45f;
 
-// Where the eye stands, from the middle axis towards that of smallest moment and up that of largest: both lines of
-// the separatrix cross in sight, and no axis points at the eye.
+// Direction of the eye, from the middle axis: aside towards the axis of smallest moment, up towards that of
+// largest. Both lines of the separatrix cross in view, and no axis points at the eye.
 constexpr double kAside_rad = 0.66, kAbove_rad = 0.42;
 
-constexpr double kAxis = 1.3;  // in radii of the sphere
-// In em of the type.
-constexpr double kMapType = 0.034;  // of what type is sized by
+constexpr double kAxis = 1.3;  // length of an axis, in radii of the sphere
+// Lengths in em of the type, unless stated otherwise.
+constexpr double kMapType = 0.034;  // size of the type, as a share of Sizing::type_px
 constexpr double kBarGap = 3.2, kBarWidth = 1.0;
 constexpr double kBarTick = 0.3, kBarTickGap = 0.35, kMapDigit = 0.67;
-constexpr double kBarHeight = 1.7;                // in radii
-constexpr double kBarTip = 1.1, kOverBar = 0.9;   // height of the bar's end; of the unit over it
-constexpr double kMark = 1.1, kBesideMark = 0.8;  // where the scene's L is on the bar
-constexpr double kMapNames = 1.1, kBesideAxis = 1.15, kBesideName = 2.1, kHead = 0.5,
-                 kHeadWidth = 0.22;  // of axes and L
-constexpr double kMapEdge = 0.6;     // free at the picture's edges, of what notes leave
-// In ordinary lines.
+constexpr double kBarHeight = 1.7;
+constexpr double kBarTip = 1.1, kOverBar = 0.9;  // height of the bar's pointed end; of the unit above the bar
+constexpr double kMark = 1.1, kBesideMark = 0.8;
+constexpr double kMapNames = 1.1, kBesideAxis = 1.15, kBesideName = 2.1, kHead = 0.5, kHeadWidth = 0.22;
+constexpr double kMapEdge = 0.6;  // share of the notes' margin that stays free at the picture's edges
+// Widths and radii in ordinary lines.
 constexpr double kThin = 0.5, kOutline = 0.7, kRim = 1.1, kSeparatrix = 1.5, kMapAxisLine = 1.4, kAxisFoot = 1.6,
                  kStartDot = 3.2, kRing = 1.3;
-constexpr double kLeastRim_px = 2;  // covers the steps that areas over one another leave at their common edge
+constexpr double kLeastRim_px = 2;  // covers the steps that overlapping areas leave at a common edge
 
 [[noreturn]] void refuse(const std::string& why) { throw core::physicsError("stability map: " + why); }
 
@@ -58,14 +57,12 @@ Vector3d startingL_P(const scene::Scene& scene) {
   return m_P;
 }
 
-/// Without its dollar signs.
 std::string inFormula(const std::string& tex) { return tex.substr(1, tex.size() - 2); }
 
 Vector3d signsOf(const Vector3d& m_P) {
   return m_P.unaryExpr([](double x) { return x < 0 ? -1.0 : 1.0; });
 }
 
-/// In one formula, so that it is spaced as one.
 std::string lengthOfL(double L, scene::DecimalSign sign) {
   const WrittenUnit unit = writtenUnit(scene::QuantityUnit::kAction, L);
   return fmt::format("$|\\mathbf{{L}}| = {}{}$",
@@ -94,7 +91,7 @@ draw::Stroke stroke(std::vector<glm::vec2> points_px, double width_px, const dra
   return made;
 }
 
-/// A round spot, over lines: the joins of a stroke are round.
+/// Returns a round spot as a stroke with round joins, because only strokes lie over lines.
 draw::Stroke spot(glm::vec2 centre_px, double radius_px, const draw::Color& color) {
   constexpr int kCorners = 32;
   std::vector<glm::vec2> circle;
@@ -113,7 +110,6 @@ void addRectangle(draw::Picture& picture, const PixelBox& box, const draw::Color
   picture.areas.push_back(std::move(area));
 }
 
-/// Type on the sphere, with a rim that keeps it legible on every colour.
 void addName(draw::Picture& picture, const std::string& tex, glm::dvec2 centre_px, double em_px,
              const draw::Color& color, const draw::Color& halo) {
   if (tex.empty()) return;
@@ -129,7 +125,6 @@ void addName(draw::Picture& picture, const std::string& tex, glm::dvec2 centre_p
 
 }  // namespace
 
-/// Sizes of type and lines, px.
 struct StabilityMap::Pen {
   double em_px, line_px;
 };
@@ -158,7 +153,7 @@ draw::Picture StabilityMap::compose(const Moment& moment, glm::ivec2 size_px, co
   const PictureWriting writing = pictureWriting(scene_, {}, size_px, sizing, colors_);
   const Sizing type = typeScaled(sizing, scene_.style.textSize);
   const Pen pen{std::max(kMapType * type.type_px, type.least_px), sizing.line_px * scene_.style.lineWidth};
-  // What stands in a corner at the bottom is beside the sphere.
+  // Notes at the bottom corners lie beside the sphere and take no room from it.
   const double edge_px = kMapEdge * noteEdge_px(type);
   const Layout layout =
       layoutIn({edge_px, std::max(edge_px, writing.reach.top), size_px.x - edge_px, size_px.y - edge_px}, pen);
@@ -187,7 +182,6 @@ StabilityMap::Layout StabilityMap::layoutIn(const PixelBox& room, const Pen& pen
   const double bar_px = (kBarGap + kBarWidth + kBarTick + kBarTickGap) * pen.em_px + labels_px;
   const double radius_px = std::max(1.0, std::min((room.height() - name_px) / (e3_radii + 1),
                                                   (room.width() - name_px - bar_px) / (e1_radii + 1)));
-  // Sphere and bar together in the middle.
   const double width_px = (e1_radii + 1) * radius_px + name_px + bar_px;
   const double height_px = (e3_radii + 1) * radius_px + name_px;
   const glm::dvec2 centre(room.left + 0.5 * (room.width() - width_px) + e1_radii * radius_px + name_px,
@@ -196,7 +190,7 @@ StabilityMap::Layout StabilityMap::layoutIn(const PixelBox& room, const Pen& pen
   return {centre, radius_px, {left, centre.y - half, left + kBarWidth * pen.em_px, centre.y + half}};
 }
 
-// Each band lies over the wider ones, so that no paper shows between two.
+// Lays each band over the wider ones, so that no paper shows between two bands.
 void StabilityMap::addBands(draw::Picture& picture, const Globe& globe) const {
   picture.areas.push_back({globe.rim(), StabilityScale::color(1), 1});
   for (int band = kBands; band > 0; --band)
@@ -253,9 +247,9 @@ void StabilityMap::addScenesL(draw::Picture& picture, const Globe& globe, const 
           kMapNames * pen.em_px, colors_.L, colors_.paper);
 }
 
-// Its end stands for all longer times, up to infinity.
+// Draws the colour bar, whose pointed end stands for all longer times up to infinity.
 void StabilityMap::addBar(draw::Picture& picture, const PixelBox& bar, const Pen& pen) const {
-  const double top = bar.top + kBarTip * pen.em_px;  // of the times that are told apart
+  const double top = bar.top + kBarTip * pen.em_px;  // end of the part with distinct colours
   const auto at = [&](double share) { return bar.bottom + share * (top - bar.bottom); };
   const glm::vec2 tip(0.5 * (bar.left + bar.right), bar.top);
   const std::vector<glm::vec2> outline{

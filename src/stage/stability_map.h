@@ -14,24 +14,22 @@
 
 namespace poinsot::stage {
 
-/// How long a body takes from flip to flip, for every direction of L in it: the momentum sphere, coloured by the
-/// time, with the separatrix, the principal axes, and the scene's own L. Half of the sphere is seen, that in whose
-/// middle octant the scene's L lies; the other half is the same, as the time does not depend on the signs of L's
-/// components. The picture is flat and stands still.
-///
-/// The time is one of the energy alone, so that its colours are bands along polhodes: each is the part of the
-/// sphere within a polhode, laid over the wider ones.
+/// Map of the time from flip to flip for every direction of L in the body: the momentum sphere, coloured by that
+/// time, with the separatrix, the principal axes and the scene's own L. The map shows the half of the sphere
+/// around the octant of the scene's L. The other half is the same, because the time does not depend on the signs
+/// of L's components. The picture is flat and does not change.
+/// || The time depends on the energy alone, so the colours form bands along polhodes. Each band is the part of the
+/// sphere inside a polhode, laid over the wider bands.
 class StabilityMap final : public Composer {
  public:
-  /// @throws core::Error(kPhysics) for a body that does not flip (two moments are equal), is at rest, or is not
-  /// free.
+  /// @throws core::Error(kPhysics) if the body does not flip (two moments are equal), is at rest, or is not free.
   explicit StabilityMap(const scene::Scene& scene);
 
   using Composer::compose;
   draw::Picture compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing) const override;
 
   const StabilityScale& scale() const { return scale_; }
-  /// Of the scene's L, s; infinite on the separatrix.
+  /// Returns the time from flip to flip for the scene's L, s; infinite on the separatrix.
   double sceneTime_s() const { return scale_.time_s(sceneDirection_P_); }
 
  private:
@@ -44,17 +42,17 @@ class StabilityMap final : public Composer {
   void addAxes(draw::Picture& picture, const Globe& globe, const Pen& pen) const;
   void addScenesL(draw::Picture& picture, const Globe& globe, const Pen& pen) const;
   void addBar(draw::Picture& picture, const PixelBox& bar, const Pen& pen) const;
-  /// `at`: of a share of the scale the height in the picture.
+  /// @param at  maps a share of the scale to a height in the picture
   void addTimes(draw::Picture& picture, const PixelBox& bar, const std::function<double(double)>& at,
                 const Pen& pen) const;
 
-  scene::Scene scene_;  // with what is written
+  scene::Scene scene_;
   Palette colors_;
   Eigen::Vector3d m_P_;  // L at the start, kg·m²/s
   Eigen::Vector3d sceneDirection_P_;
-  Eigen::Vector3d signs_;  // of the octant that is seen
+  Eigen::Vector3d signs_;
   StabilityScale scale_;
-  WrittenUnit unit_;  // of times
+  WrittenUnit unit_;
 };
 
 }  // namespace poinsot::stage

@@ -18,8 +18,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kWide = 8;       // longest over shortest: beyond, most of an even scale would be one colour
-constexpr double kDarkest = 0.1;  // of magma, whose first entries no eye tells from black
+constexpr double kWide = 8;       // longest over shortest time; beyond, a linear scale would be mostly one colour
+constexpr double kDarkest = 0.1;  // share of magma's table, whose first entries look black
 constexpr int kMostScaleTicks = 7;
 
 }  // namespace
@@ -57,8 +57,8 @@ draw::Color StabilityScale::color(double share) {
   return {draw::linearFromSrgb8(r), draw::linearFromSrgb8(g), draw::linearFromSrgb8(b)};
 }
 
-// In the plane of the extreme axes the time grows from the one to the separatrix, where it is infinite as a
-// logarithm is.
+// In the plane of the extreme axes, the time grows from the given axis to the separatrix, where it diverges
+// logarithmically. Bisection therefore finds the direction.
 std::optional<double> StabilityScale::energyOf(int axis, double time_s) const {
   constexpr int kHalvings = 60;
   const bool smallest = axis == separatrix_.smallest;

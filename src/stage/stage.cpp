@@ -15,13 +15,13 @@ namespace {
 
 using scene::Spot;
 
-// Type in a small panel shrinks less than the panel, so that it stays legible from afar: this power of its share
-// of the picture. In half a picture to 87 %, in a quarter to 76 %.
+// Power of a panel's share of the picture's area. Type shrinks less than its panel, so that it stays legible from
+// afar: to 87 % in half a picture, to 76 % in a quarter.
 constexpr double kTypeShrinks = 0.2;
-// Of the picture's height: a title that reaches farther down, as on a small print, would run into what is shown.
+// Share of the picture's height. A title that reaches farther down, as on a small print, would run into the view.
 constexpr double kTallTitle = 0.16;
-constexpr double kCornerMargin = 0.1;  // type in a corner stands over the picture, not in it
-constexpr double kAir = 0.02;          // between type and what is shown
+constexpr double kCornerMargin = 0.1;  // margin for type in a corner, which may overlap the view
+constexpr double kAir = 0.02;          // gap between type and the drawing
 
 double typeShare(glm::ivec2 panel_px, glm::ivec2 picture_px) {
   const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * static_cast<double>(size.y); };
@@ -33,7 +33,7 @@ PixelBox boxOf(const Cell& cell) {
   return {low.x, low.y, high.x, high.y};
 }
 
-/// A panel's heading. Returns how far down it reaches from the panel's top; 0 without one.
+/// Adds a panel's heading. Returns the distance from the panel's top to the heading's end; 0 without a heading.
 double addHeading(draw::Picture& picture, const Cell& cell, const scene::View& view, const Sizing& type,
                   const Palette& colors) {
   const double edge_px = 0.5 * noteEdge_px(type);
@@ -59,13 +59,12 @@ std::vector<scene::GridPlace> placesOf(const scene::Scene& scene) {
   return places;
 }
 
-/// What of the view stays free for type at an edge's middle, or at its corners.
+/// Return the margins, as shares of the view, that type at the middle of an edge or at a corner needs.
 double besideEdge(double reach_px, double length_px) { return reach_px / length_px + kAir; }
 double besideCorner(double reach_px, double length_px) {
   return reach_px > kCornerMargin * length_px ? kCornerMargin : Margins().top;
 }
 
-/// A view's margins under type that stands over it.
 Margins marginsBeside(const std::vector<NoteBlock>& blocks, const std::vector<PixelBox>& boxes,
                       glm::dvec2 size_px) {
   Margins margins;
@@ -101,7 +100,6 @@ Margins marginsBeside(const std::vector<NoteBlock>& blocks, const std::vector<Pi
   return margins;
 }
 
-/// The body is as large in all panels where it can be.
 void shareScale(const std::vector<ViewStage>& views, std::vector<PanelFrame>& frames) {
   std::vector<double> metres_px;
   for (std::size_t i = 0; i < views.size(); ++i) metres_px.push_back(views[i].metre_px(frames[i]));
@@ -171,7 +169,7 @@ int Stage::strip_px(glm::ivec2 size_px, const Sizing& sizing) const {
 std::vector<double> Stage::metres_px(glm::ivec2 size_px, const Sizing& sizing) const {
   draw::Picture headings;
   headings.size_px = size_px;
-  const Arrangement made = arrange(headings, 0, sizing);  // of no account: nothing moves with the time
+  const Arrangement made = arrange(headings, 0, sizing);  // The arrangement is the same at all times.
   std::vector<double> metres_px;
   for (std::size_t i = 0; i < views_.size(); ++i) metres_px.push_back(views_[i].metre_px(made.frames[i]));
   return metres_px;
@@ -189,7 +187,7 @@ PictureWriting Stage::writing(double filmTime_s, glm::ivec2 size_px, const Sizin
   return pictureWriting(scene_, things, size_px, sizing, colors_);
 }
 
-// Type of one size, which fits into the smallest; plots that stand right under one another have one axis of time.
+// Type has one size that fits into the smallest plot. Plots right under one another share one axis of time.
 void Stage::addPlots(draw::Picture& picture, std::span<const Cell> cells, const Sizing& own,
                      double filmTime_s) const {
   double share = 1;
@@ -235,7 +233,7 @@ void Stage::makeRoomFor(const PictureWriting& writing, PanelFrame& frame) const 
   frame.margins = marginsBeside(writing.blocks, writing.boxes, frame.size_px);
   if (scene_.show.title.empty()) return;
   frame.margins.top = std::max(frame.margins.top, kCornerMargin);
-  const double title_px = writing.boxes.front().bottom;  // the top left comes first
+  const double title_px = writing.boxes.front().bottom;  // the block at the top left is the first
   if (title_px <= kTallTitle * frame.size_px.y) return;
   frame.heading_px = title_px;
   frame.margins.top = std::max(frame.margins.top, std::min(besideEdge(title_px, frame.size_px.y), 0.4));

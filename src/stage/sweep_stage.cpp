@@ -15,19 +15,18 @@
 namespace poinsot::stage {
 namespace {
 
-// Type and lines shrink less than their cell, so that they stay legible: this power of its share of the picture.
-// In a ninth to 46 %.
+// Power of a cell's share of the picture's area. Type and lines shrink less than their cell, so that they stay
+// legible: to 46 % in a ninth of the picture.
 constexpr double kShrinks = 0.35;
-constexpr double kLabel = 0.05;                    // of what type is sized by in a cell
-constexpr double kOver = 1.25, kUnder = 0.35;      // of a label's line over its baseline and under it, em
-constexpr double kBeside = 0.8;                    // free at either side of the rows' labels, em
-constexpr double kAcross = 0.95, kMostBand = 0.3;  // of a cell, for its label
-constexpr double kMostMargin = 0.3;                // of the picture's width, for those of the rows
-constexpr double kLeastType_px = 9;                // nobody reads less
+constexpr double kLabel = 0.05;                    // size of the labels, as a share of the cells' Sizing::type_px
+constexpr double kOver = 1.25, kUnder = 0.35;      // height of a label's line above and below its baseline, em
+constexpr double kBeside = 0.8;                    // gap at either side of the rows' labels, em
+constexpr double kAcross = 0.95, kMostBand = 0.3;  // largest width and height of a label, as shares of its cell
+constexpr double kMostMargin = 0.3;                // largest share of the picture's width for the rows' labels
+constexpr double kLeastType_px = 9;                // smaller type is illegible
 
 double area(glm::ivec2 size) { return static_cast<double>(size.x) * static_cast<double>(size.y); }
 
-/// What is written once is not written in each cell.
 scene::Scene withoutWriting(scene::Scene cell) {
   cell.show.title.clear();
   cell.show.subtitle.clear();
@@ -36,7 +35,7 @@ scene::Scene withoutWriting(scene::Scene cell) {
   return cell;
 }
 
-/// That a thing is not to scale stands in each cell, where the thing is.
+/// Removes what each cell writes itself: the read-outs and the note on exaggerated angles.
 scene::Scene writingOf(scene::Scene scene) {
   scene.readouts.clear();
   scene.show.exaggerateAngles = 1;
@@ -73,9 +72,10 @@ FilmRanges rangesOf(const scene::Scene& cell, const std::shared_ptr<const physic
   return ranges;
 }
 
-/// For numbers of the same digits; for any where the smallest would have too few of them left.
+/// Returns the joined range, which gives the numbers of all cells the same digits. Returns an empty range (low >
+/// high) if the smallest numbers would keep too few digits.
 QuantityRange commonDigits(const std::vector<QuantityRange>& ofCells) {
-  constexpr double kMostUnlike = 10 * (1 + 1e-9);  // ten times, whatever the rounding
+  constexpr double kMostUnlike = 10 * (1 + 1e-9);  // ten, with a tolerance for rounding
   constexpr double kUnbounded = std::numeric_limits<double>::infinity();
   QuantityRange all{kUnbounded, -kUnbounded, 0};
   double least = kUnbounded;
@@ -86,7 +86,6 @@ QuantityRange commonDigits(const std::vector<QuantityRange>& ofCells) {
   return sizeOf(all) <= kMostUnlike * least ? all : QuantityRange{kUnbounded, -kUnbounded, 0};
 }
 
-/// So that curves and numbers of the cells can be compared.
 FilmRanges commonRanges(const std::vector<scene::Scene>& cells,
                         const std::vector<std::shared_ptr<const physics::Motion>>& motions) {
   FilmRanges all = rangesOf(cells[0], motions[0]);
@@ -150,8 +149,8 @@ draw::Picture SweepStage::compose(const Moment& moment, glm::ivec2 size_px, cons
   return picture;
 }
 
-// A scene is made for its picture: a cell is worth what that picture, made smaller, would have in it. Nearly as
-// large with fewer places left over is better.
+// Chooses the columns by the size that the scene's whole picture would have in a cell, because the scene is made
+// for that picture. Slightly smaller cells win if they leave fewer places empty.
 int SweepStage::columnsFor(glm::ivec2 size_px, glm::ivec2 picture_px) const {
   const int count = static_cast<int>(cells_.size());
   if (hasRows()) return static_cast<int>(labels_[0].whole.size());
@@ -178,9 +177,9 @@ SweepStage::Grid SweepStage::gridIn(const Cell& room, glm::ivec2 picture_px, con
   grid.label_px = labelSize_px(typeScaled(grid.sizing, written_.style.textSize), share_px, room.size_px);
   const int band_px = static_cast<int>(std::ceil((kOver + kUnder) * grid.label_px));
   const int margin_px = static_cast<int>(std::ceil(margin_em() * grid.label_px));
-  // One band over all for the columns, or one in each cell.
+  // One band above all cells for the columns, or one band in each cell.
   const int headBand_px = hasRows() ? band_px : 0, cellBand_px = band_px - headBand_px;
-  // Whole pixels, the same for all: what is left over is at the edges.
+  // All cells have the same whole number of pixels. The remainder is left at the edges.
   const glm::ivec2 cells_px = room.size_px - glm::ivec2(margin_px, headBand_px);
   grid.pitch_px = glm::max(cells_px / glm::ivec2(grid.columns, grid.rows), glm::ivec2(1));
   grid.cell_px = glm::max(grid.pitch_px - glm::ivec2(0, cellBand_px), glm::ivec2(1));
@@ -189,7 +188,6 @@ SweepStage::Grid SweepStage::gridIn(const Cell& room, glm::ivec2 picture_px, con
   return grid;
 }
 
-/// Beside the rows, for their labels.
 double SweepStage::margin_em() const { return hasRows() ? widest_em(labels_[1].whole) + 2 * kBeside : 0; }
 
 double SweepStage::labelSize_px(const Sizing& type, glm::dvec2 cell_px, glm::dvec2 room_px) const {

@@ -8,8 +8,8 @@
 
 namespace poinsot::stage {
 
-/// The motion, with the time of its states entered into the ledger: then it is of one thread. Without a ledger as
-/// it is.
+/// Returns a motion that enters the time spent on its states into the ledger; only one thread may use the result.
+/// Without a ledger, returns `motion` itself.
 std::shared_ptr<const physics::Motion> timed(std::shared_ptr<const physics::Motion> motion,
                                              core::StepLedger* steps);
 

@@ -27,8 +27,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Where the ends of a flight are, and the origin, from the body that the camera goes along with: drawn when they
-// come into the picture.
+// Returns the origin of space and points of the flight, relative to the moving body that the camera follows. These
+// points are drawn when they come into the picture.
 std::vector<Vector3d> passing_V(const PictureMotion& motion, double flightScale) {
   constexpr std::size_t kStride = 50;
   std::vector<Vector3d> ends{Vector3d::Zero()}, points;
@@ -39,7 +39,8 @@ std::vector<Vector3d> passing_V(const PictureMotion& motion, double flightScale)
   return points;
 }
 
-// The whole film at once, so that nothing breathes. From the origin of space where a body passes by.
+// Returns the extent over the whole film, so that the scale does not change with time. Points are relative to the
+// origin of space if the body passes by.
 Extent wholeExtent(const std::vector<ShownActor>& actors, const PictureMotion& motion, const Scales& scales,
                    double heldFlight) {
   Extent whole;
@@ -52,11 +53,11 @@ Extent wholeExtent(const std::vector<ShownActor>& actors, const PictureMotion& m
         whole.points_V.push_back(centre_V + point_V);
   }
   if (whole.points_V.empty() && whole.ballRadius == 0) whole.ballRadius = scales.reach;
-  if (!motion.flight()) whole.points_V.push_back(Vector3d::Zero());  // where arrows begin
+  if (!motion.flight()) whole.points_V.push_back(Vector3d::Zero());  // start of all arrows
   return whole;
 }
 
-// A camera's vectors are floats, whose squares have to be numbers.
+// Throws if the squares of the camera's vectors, which are floats, would overflow.
 void refuseTooFar(const Extent& extent) {
   constexpr double kFarthest = 1e18;
   double farthest = 0;
@@ -69,7 +70,7 @@ void refuseTooFar(const Extent& extent) {
                   farthest));
 }
 
-// Puts the extent about the origin; returns where its middle was.
+// Moves the middle of the extent to the origin. Returns the former middle.
 Vector3d centre(Extent& extent) {
   Eigen::AlignedBox3d box;
   for (const Vector3d& point_V : extent.points_V) box.extend(point_V);
@@ -85,11 +86,11 @@ struct ViewStage::Plan {
   PictureMotion motion;
   BodyFigure body;
   Scales scales;
-  double heldFlight = 0;  // lengths of a flight in what the frame holds: none where the camera goes along
+  double heldFlight = 0;  // scale of the flight inside the frame; 0 if the camera follows the body
   std::optional<Construction> construction;
   std::vector<ShownActor> actors;
   Extent extent;
-  Vector3d middle_V = Vector3d::Zero();  // of the extent from the origin of space, where a body moves along
+  Vector3d middle_V = Vector3d::Zero();  // middle of the extent from the origin of space, for a body in flight
   CameraPath path;
   PathFraming framing;
   PresencePlan presence;
@@ -119,13 +120,12 @@ struct ViewStage::Plan {
   double presenceOf(std::string_view thing, double filmTime_s) const;
 };
 
-// The height is that of the plane.
+// Returns how much of a thing is there. The height line belongs to the plane and fades with the plane.
 double ViewStage::Plan::presenceOf(std::string_view thing, double filmTime_s) const {
   const double there = presence.at(thing, filmTime_s);
   return thing == "height" ? std::min(there, presence.at("plane", filmTime_s)) : there;
 }
 
-// It stands still in space, or goes along.
 draw::Camera ViewStage::Plan::cameraAt(double filmTime_s, const PanelFrame& frame,
                                        const PictureState& state) const {
   const draw::Camera camera =

@@ -14,40 +14,39 @@
 
 namespace poinsot::stage {
 
-/// What a view is composed for.
+/// Size and margins of the panel that a view is composed for.
 struct PanelFrame {
-  glm::ivec2 size_px{1, 1};  ///< width, height
-  double type_px = 1;        ///< what type is sized by, as Sizing (lettering.h)
-  double line_px = 2;        ///< width of an ordinary line
-  double least_px = 0;       ///< no label is smaller
+  glm::ivec2 size_px{1, 1};
+  double type_px = 1;  ///< reference size of type, as in Sizing (lettering.h)
+  double line_px = 2;
+  double least_px = 0;  ///< smallest size of a label
   Margins margins;
-  double heading_px = 0;        ///< at the top, where no label goes
-  std::vector<PixelBox> taken;  ///< from the panel's corner: where no label goes either
-  double mostUnit_px = std::numeric_limits<double>::infinity();  ///< as in frameAll()
+  double heading_px = 0;        ///< height at the top that labels avoid
+  std::vector<PixelBox> taken;  ///< boxes that labels avoid, from the panel's corner
+  double mostUnit_px = std::numeric_limits<double>::infinity();  ///< limit on the scale, as in frameAll()
 };
 
-/// Turns one view of a scene into draw lists. Everything that does not depend on time (scales, framing, whole
-/// curves) is worked out once, here; compose() is a pure function of the moment.
+/// Composer of the draw lists of one view. The constructor computes everything that does not depend on time
+/// (scales, framing, whole curves); compose() is a pure function of the moment.
 class ViewStage {
  public:
-  /// `scene`: its camera and what it shows are the view's. `motion`: of the scene (picture_motion.h), shared by
-  /// its views.
-  /// @throws core::Error(kPhysics) where the view asks for something the motion does not have.
+  /// @param scene  scene whose camera and shown objects are the view's
+  /// @param motion  of the scene (picture_motion.h), shared by all views
+  /// @throws core::Error(kPhysics) if the view shows something that the motion does not have.
   ViewStage(scene::Scene scene, std::shared_ptr<const physics::Motion> motion);
   ~ViewStage();
   ViewStage(ViewStage&&) noexcept;
 
-  /// What the view shows at a moment.
   draw::DrawList compose(const Moment& moment, const PanelFrame& frame) const;
 
-  /// Pixels that a metre of the body would have at most in this frame; its mostUnit_px does not count.
+  /// Returns the largest possible pixels per metre of the body in this frame. Ignores the frame's mostUnit_px.
   double metre_px(const PanelFrame& frame) const;
-  /// Picture lengths per metre of the body.
+  /// Returns picture lengths per metre of the body.
   double bodyScale() const;
-  /// How many times as large as the body the path of its flight is drawn; 1 where it does not fly.
+  /// Returns how many times larger than the body the path of its flight is drawn; 1 if the body does not fly.
   double flightScale() const;
 
-  /// Motion seconds per film second.
+  /// Returns seconds of motion per second of film.
   double speed() const;
 
  private:

@@ -28,7 +28,8 @@ namespace fs = std::filesystem;
                   core::printable(place.native()), owner, core::printable(renderer)));
 }
 
-/// Returns the file that a new reference takes. @throws core::Error(kUsage) if another renderer or test has it.
+/// Returns the file that a new reference takes. @throws core::Error(kUsage) if another renderer or test owns that
+/// file.
 fs::path placeOf(const std::vector<GoldenReference>& there, const std::string& renderer, const GoldenName& name,
                  const fs::path& usual, bool beside) {
   for (const GoldenReference& reference : there)
@@ -44,7 +45,8 @@ fs::path placeOf(const std::vector<GoldenReference>& there, const std::string& r
   return place;
 }
 
-/// Copies the new picture of an outcome under a temporary name.
+/// Copies the new picture of an outcome to a temporary file.
+/// @throws core::Error(kIo) if the copy's pixels differ from those that were compared
 core::AtomicFile copyOf(const compare::Outcome& outcome, const fs::path& place) {
   core::AtomicFile file(place);
   file.write(core::readRegularFile(outcome.actual, request::kMostPicture, core::ErrorKind::kIo));

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the renderers for which references of images with a variant were approved; "" where none is known.
+/// Returns the renderers of approved references of images with a variant; "" stands for an unknown renderer.
 std::set<std::string> approvedRenderers(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases) {
   std::set<std::string> renderers;
   for (const GoldenCase& one : cases) {
@@ -27,13 +27,12 @@ std::set<std::string> approvedRenderers(const GoldenManifest& manifest, const st
     try {
       for (const GoldenReference& reference : referencesOf(manifest.references, one.reference()))
         renderers.insert(reference.origin.renderer);
-    } catch (const core::Error&) {  // is reported when the case is compared
+    } catch (const core::Error&) {  // reported when the case is compared
     }
   }
   return renderers;
 }
 
-/// A file of a suite, and its use.
 struct SuiteFile {
   fs::path file;
   const GoldenCase* of;
@@ -45,7 +44,6 @@ std::string useText(const SuiteFile& file) {
   return fmt::format("{} of test '{}' (line {}{})", file.use, test.name, test.at.line, matchedText(test, ": "));
 }
 
-/// Returns the message about two uses of one file, with the change to make.
 std::string sharedText(const SuiteFile& first, const SuiteFile& second) {
   const std::string file = core::printable(second.file.native());
   if (first.of == second.of)
@@ -57,12 +55,12 @@ std::string sharedText(const SuiteFile& first, const SuiteFile& second) {
                      useText(second));
 }
 
-/// The files of a suite, of which each has one use.
+/// Index of a suite's files, in which each file may have only one use.
 class FileUses {
  public:
   FileUses(const fs::path& references, const fs::path& output) : references_(references), output_(output) {}
 
-  /// Adds the files that a run keeps: references, and images and masks, which tests may share.
+  /// Adds the files that a run does not write: references, and the images and masks, which tests may share.
   void addKept(const GoldenCase& one) {
     const fs::path usual = usualFile(references_, one.reference());
     addReference(one, usual);
@@ -71,12 +69,12 @@ class FileUses {
     if (!one.test.rule.mask.empty()) addInput({one.test.rule.mask, &one, "the mask"});
   }
 
-  /// Whether an image is its own reference. That is told where it is compared.
+  /// Reports whether an image is its own reference. Comparing the case reports this error.
   static bool isOwn(const SuiteFile& input, const SuiteFile& reference) {
     return input.of == reference.of && input.file == input.of->actual;
   }
 
-  /// Checks that approving no picture would change an image or a mask. After all are added.
+  /// Checks that approving a picture cannot overwrite an image or a mask. Call after all addKept().
   void expectInputsApart() const {
     for (const auto& [name, input] : inputs_)
       if (const auto found = referenceFiles_.find(name);
@@ -88,7 +86,6 @@ class FileUses {
               "", 0, 0}});
   }
 
-  /// Adds the files that a run writes.
   void addWritten(const GoldenCase& one) {
     if (!one.test.scene.empty()) write({one.actual, &one, "the new picture"});
     write({one.fileIn(output_, kMapEnding), &one, "FLIP's map"});
@@ -104,7 +101,7 @@ class FileUses {
   }
 
   void addInput(const SuiteFile& file) {
-    std::error_code ignored;  // a link is read, not replaced
+    std::error_code ignored;  // inputs are only read, so links are followed
     inputs_.try_emplace(names_.of(fs::weakly_canonical(file.file, ignored)), file);
   }
 
@@ -154,7 +151,7 @@ void expectKnownVariants(const GoldenManifest& manifest, const GoldenRequest& re
 }
 
 void enterPatterns(output::RunFiles& files, const GoldenManifest& manifest) {
-  const GoldenTest* last = nullptr;  // those of a pattern follow each other
+  const GoldenTest* last = nullptr;  // tests of one pattern follow each other
   for (const GoldenTest& test : manifest.tests) {
     if (!isPattern(test.file) || (last && last->at.line == test.at.line)) continue;
     last = &test;

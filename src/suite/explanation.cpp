@@ -8,11 +8,10 @@ namespace {
 
 using scene::Explanation;
 
-/// A table of a golden.toml.
 struct Table {
-  const char* name;   ///< as GoldenKey has it
-  const char* path;   ///< by which it is explained
-  const char* title;  ///< as a manifest has it
+  const char* name;  ///< GoldenKey::table of the keys in this table
+  const char* path;
+  const char* title;  ///< heading as written in a manifest
   const char* help;
 };
 
@@ -30,7 +29,8 @@ const Table& tableOf(const GoldenKey& key) {
   return kTables[0];
 }
 
-/// Returns "rule.max" for "[test.rule.max]", "golden.test.rule.max" and "golden.toml.rule.max".
+/// Strips brackets and prefixes: "rule.max" for "[test.rule.max]", "golden.test.rule.max" and
+/// "golden.toml.rule.max".
 std::string_view plainPath(std::string_view word) {
   while (word.size() > 1 && word.starts_with('[') && word.ends_with(']')) word = word.substr(1, word.size() - 2);
   if (word == "golden.toml") return "golden";
@@ -63,7 +63,7 @@ std::string markdownCell(std::string_view text) {
   return cell;
 }
 
-/// A form, "[width, height]", as code; words as words.
+/// Returns a form such as "[width, height]" in backticks, and a description in words unchanged.
 std::string markdownForm(std::string_view value) {
   const bool isForm = value.find_first_of("[\"=") != std::string_view::npos;
   return isForm ? fmt::format("`{}`", value) : std::string(value);
@@ -84,7 +84,7 @@ std::vector<Explanation> explainGolden(std::string_view word) {
     const std::string_view own = *table.name ? table.name : "golden";
     if (path == own || (own == "rule" && path == "test.rule")) found.push_back(ofTable(table));
   }
-  const bool isWhole = word != path;  // a path from the file, not a name alone
+  const bool isWhole = word != path;  // a full path, which a key's bare name cannot match
   for (const GoldenKey& key : goldenKeys()) {
     if (pathInFile(key) == path || (key.name == path && !isWhole)) found.push_back(ofKey(key));
   }

@@ -13,17 +13,17 @@ namespace poinsot::suite {
 /// Returns the path of a key in its file: "references", "test.image", "rule.max".
 std::string pathInFile(const GoldenKey& key);
 
-/// Returns the path by which a key is explained: "golden.references", "golden.test.image", "golden.rule.max".
+/// Returns the full path of a key: "golden.references", "golden.test.image", "golden.rule.max".
 std::string pathOf(const GoldenKey& key);
 
-/// Explains names of a golden.toml: all of it ("golden"), a table ("golden.test", "[[test]]", "rule"), a key
-/// ("golden.rule.max", "test.rule.max", "flip_max"). Empty for other words.
+/// Explains a name of golden.toml: the file ("golden"), a table ("golden.test", "[[test]]", "rule"), or a key
+/// ("golden.rule.max", "test.rule.max", "flip_max"). Returns an empty list for an unknown name.
 std::vector<scene::Explanation> explainGolden(std::string_view word);
 
-/// Words that explainGolden() takes.
+/// Returns the names that explainGolden() accepts: paths of tables and keys, and bare names of keys.
 std::vector<std::string> goldenWords();
 
-/// The keys as a table in Markdown for each table of the file, as docs/golden.md has them.
+/// Returns the keys in Markdown, one table for each table of the file; docs/golden.md contains this text.
 std::string goldenKeysMarkdown();
 
 }  // namespace poinsot::suite

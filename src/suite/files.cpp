@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> entriesOf(const fs::path& folder) {
   std::vector<fs::path> entries;
-  std::error_code ignored;  // no folder has no files
+  std::error_code ignored;  // a missing folder counts as an empty one
   for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored))
     if (!entry.path().filename().native().starts_with('.')) entries.push_back(folder / entry.path().filename());
   std::sort(entries.begin(), entries.end());
@@ -25,12 +25,12 @@ bool isFolder(const fs::path& path) {
   return fs::symlink_status(path, ignored).type() == fs::file_type::directory;
 }
 
-/// Collects what the parts from `part` on mean in a folder.
+/// Collects the files below a folder that match the pattern's parts from `part` to `end`.
 void collect(const fs::path& folder, fs::path::iterator part, const fs::path::iterator end,
              std::vector<fs::path>& files) {
   const auto next = std::next(part);
   if (*part == "**") {
-    if (next == end) return;  // folders alone are no files
+    if (next == end) return;  // a trailing ** matches folders only
     collect(folder, next, end, files);
     for (const fs::path& entry : entriesOf(folder))
       if (isFolder(entry)) collect(entry, part, end, files);
@@ -45,7 +45,7 @@ void collect(const fs::path& folder, fs::path::iterator part, const fs::path::it
   }
 }
 
-/// Whether the parts of a path from `name` on are what the parts of a pattern from `part` on mean.
+/// Reports whether a path's parts from `name` on match a pattern's parts from `part` on.
 bool matches(fs::path::iterator part, const fs::path::iterator end, fs::path::iterator name,
              const fs::path::iterator nameEnd) {
   if (part == end || name == nameEnd) return part == end && name == nameEnd;
@@ -57,13 +57,13 @@ bool matches(fs::path::iterator part, const fs::path::iterator end, fs::path::it
          matches(std::next(part), end, std::next(name), nameEnd);
 }
 
-/// The path of a file that may be missing, with the links among its folders followed.
+/// Returns a file's path with the links among its folders resolved. The file itself may be missing or a link.
 fs::path withoutLinks(const fs::path& file) {
   std::error_code ignored;
   return fs::weakly_canonical(fs::absolute(file, ignored).parent_path(), ignored) / file.filename();
 }
 
-/// A pattern in two: the folder before its first star, and the parts from there on; the last part is among them.
+/// Pattern, split into the folder before its first star and the remaining parts, of which there is at least one.
 struct SplitPattern {
   fs::path folder, rest;
 };

@@ -7,25 +7,23 @@
 
 namespace poinsot::suite {
 
-/// A file that a pattern means.
 struct MatchedFile {
   std::filesystem::path file;
-  /// Path from the folder in which the pattern's first star is, without the extension: "wave[1]", "axes/ticks".
+  /// Path relative to the pattern's fixedFolder(), without the extension: "wave[1]", "axes/ticks".
   std::string name;
 };
 
-/// Whether a path has a star.
 bool isPattern(const std::string& path);
 
-/// The folder before the first part of a path that has a star; of a path without one its parent.
+/// Returns the folder before the first path component that has a star; the parent folder if there is no star.
 std::filesystem::path fixedFolder(const std::filesystem::path& folder, const std::string& path);
 
-/// Files that a path means, by name. In a part of the path `*` stands for any characters of a name; a part `**`
-/// stands for any number of folders. A path without a star means itself, whether it is there or not. Links to
-/// folders are not followed, hidden files and folders not looked at.
+/// Returns the files that a path with stars matches, sorted. In a path component, `*` matches any characters of a
+/// name; a component `**` matches any number of folders. A path without a star yields itself, even if the file is
+/// missing. Links to folders are not followed; hidden files and folders are skipped.
 std::vector<MatchedFile> filesMatching(const std::filesystem::path& folder, const std::string& path);
 
-/// Whether a pattern means this file, if it is made: by its name, and where links among the folders lead.
+/// Reports whether a file, which may be missing, would match a pattern. Links among its folders are followed.
 bool isMatch(const std::filesystem::path& folder, const std::string& pattern, const std::filesystem::path& file);
 
 }  // namespace poinsot::suite

@@ -8,20 +8,20 @@
 
 namespace poinsot::suite {
 
-/// A key of a golden.toml, for people who write one.
+/// Key of a golden.toml with its documentation.
 struct GoldenKey {
-  const char* table;  ///< "" of the file itself, "test", "rule"
+  const char* table;  ///< "" for the file itself, "test", "rule"
   const char* name;
-  const char* value;  ///< what it takes: "text", "[width, height]"
+  const char* value;  ///< accepted value: "text", "[width, height]"
   const char* help;
-  const char* fallback;  ///< what holds without it; empty: nothing
-  const char* example;   ///< value that a manifest may have
+  const char* fallback;  ///< default, in words; empty if there is none
+  const char* example;
 };
 
-/// All keys, by table. A rule may stand in the file itself and in a test.
+/// Returns all keys, grouped by table. The table "rule" may stand in the file itself and in a test.
 std::span<const GoldenKey> goldenKeys();
 
-/// Names of the keys of a table, sorted.
+/// Returns the names of a table's keys, sorted.
 std::vector<std::string> goldenKeysOf(std::string_view table);
 
 }  // namespace poinsot::suite

@@ -25,10 +25,11 @@ namespace fs = std::filesystem;
 using scene::Entry;
 using scene::Node;
 
-/// What a key may be, and what takes its value. A taker that throws core::Error has its message said at the value.
+/// Callbacks that read the values of a table, by key. A core::Error thrown by a callback is reported at the
+/// value's place.
 using Takers = std::map<std::string, std::function<void(const Node&)>, std::less<>>;
 
-/// Whether a text can name a test: a file, perhaps in folders, that no shell and no list hides or breaks.
+/// Reports whether a text can name a test: a relative path without hidden parts, at most 200 bytes, all printable.
 bool isName(const std::string& name) {
   constexpr std::size_t kLongest = 200;
   if (name.empty() || name.size() > kLongest || core::printable(name) != name) return false;
@@ -37,13 +38,12 @@ bool isName(const std::string& name) {
   return std::ranges::none_of(path, [](const fs::path& part) { return part.native().starts_with('.'); });
 }
 
-/// Puts the name of a file in place of the star of a test's name; `a//b` becomes `a/b`.
+/// Replaces the star in a test's name by the name of a file, and normalises the path: `a//b` becomes `a/b`.
 std::string filledIn(std::string pattern, const std::string& file) {
   if (const auto star = pattern.find('*'); star != std::string::npos) pattern.replace(star, 1, file);
   return isName(pattern) ? fs::path(pattern).lexically_normal().native() : pattern;
 }
 
-/// Reads one manifest; all that is wrong is gathered.
 class Reader {
  public:
   Reader(const fs::path& file, std::string text, const scene::Allowance& allowance, const fs::path& images)
@@ -83,7 +83,7 @@ class Reader {
     return isAllowed(path) || isBeneath(path, images_) || isBeneath(path, ".");
   }
 
-  /// The folder of references, into which --update writes.
+  /// Returns the folder of references, to which --update writes.
   fs::path written(const Node& node) const {
     fs::path path = folder_ / textOf(node);
     if (!isAllowed(path))
@@ -92,7 +92,7 @@ class Reader {
     return path;
   }
 
-  /// A path from a folder, perhaps with stars, in folders that may be read.
+  /// Returns a path relative to `folder`, perhaps with stars, after checking that its fixed folder may be read.
   std::string readable(const Node& node, const fs::path& folder) const {
     const std::string& path = textOf(node);
     if (!mayBeRead(fixedFolder(folder, path))) refuseOutside(describe(node));
@@ -112,7 +112,6 @@ class Reader {
                     what));
   }
 
-  /// "rule" for "test.rule."
   static std::string tableOf(std::string_view prefix) {
     if (prefix.empty()) return "";
     prefix.remove_suffix(1);
@@ -156,7 +155,6 @@ class Reader {
     }
   }
 
-  /// A rule by its name, or a table of limits with the reason for them.
   compare::PictureRule rule(const Node& node, const std::string& prefix) {
     compare::PictureRule rule;
     if (node.as<std::string>()) {
@@ -167,7 +165,7 @@ class Reader {
                      {"ignore", [&](const Node& n) { rule.ignore = boxesOf(n); }},
                      {"mask", [&](const Node& n) { rule.mask = readableFile(n); }},
                      {"reason", [&](const Node& n) { rule.reason = textOf(n); }}};
-    // After "like", which sets all limits, wherever it stands in the table.
+    // These limits are applied after "like", which sets all limits, even if "like" is a later key of the table.
     std::map<std::string_view, std::string> words;
     for (const compare::RuleLimit& limit : compare::ruleLimits())
       takers[limit.key] = [&words, &limit](const Node& n) {
@@ -212,7 +210,7 @@ class Reader {
           {"set", [&](const Node& n) { test.overrides = listOf(n, textOf); }},
           {"variant", [&](const Node& n) { test.variant = textOf(n); }},
           {"rule", [&](const Node& n) { test.rule = rule(n, "test.rule."); }}});
-    if (problems_.size() > problems) return;  // what follows would follow from these
+    if (problems_.size() > problems) return;  // further errors would only be consequences
     if (scene.empty() == image.empty())
       return problems_.add(node.place, "test: expected a scene or an image, one of the two");
     if (!image.empty() && (!test.times_s.empty() || !test.overrides.empty()))
@@ -224,7 +222,6 @@ class Reader {
     addFiles(scene.empty() ? image : scene, scene.empty() ? &GoldenTest::image : &GoldenTest::scene, test, node);
   }
 
-  /// A test for each file that a path means.
   void addFiles(const std::string& path, fs::path GoldenTest::*place, GoldenTest test, const Node& node) {
     const bool isImage = place == &GoldenTest::image;
     const char* key = isImage ? "test.image" : "test.scene";
@@ -234,7 +231,7 @@ class Reader {
     test.at = locationOf(node.place);
     if (test.name.empty()) test.name = "*";
     test.namePattern = test.name;
-    if (!isName(filledIn(test.name, "x"))) return refuseName(test.name, node);  // whether a file matches or not
+    if (!isName(filledIn(test.name, "x"))) return refuseName(test.name, node);  // checked even if no file matches
     std::vector<MatchedFile> files = filesMatching(folder, path);
     if (isImage && isPattern(path))
       std::erase_if(files, [](const auto& f) { return !output::isPictureOrFilmName(f.file); });
@@ -252,7 +249,8 @@ class Reader {
     }
   }
 
-  /// Images that are not there yet are an error of the run, which writes reports, and not of the manifest.
+  /// Adds a pattern of images without a match. The run reports this error in its reports; the manifest itself is
+  /// valid.
   void addUnmatched(GoldenTest test, const fs::path& pattern) {
     test.name = core::printable(test.file);
     test.image = pattern;
@@ -271,7 +269,7 @@ class Reader {
     return fmt::format("line {}{}", test.at.line, matchedText(test, ", of "));
   }
 
-  /// `file` stands for the * of a test's name, or is the name.
+  /// Adds a test. @param file  replaces the * of the test's name
   void add(GoldenTest test, const std::string& file, const Node& node) {
     test.name = filledIn(test.name, file);
     if (!isName(test.name)) return refuseName(test.name, node);
@@ -288,7 +286,7 @@ class Reader {
   const scene::Allowance& allowance_;
   scene::Problems problems_;
   GoldenManifest manifest_;
-  std::map<std::string, std::string> names_;  ///< of tests, and where their [[test]] are
+  std::map<std::string, std::string> names_;  ///< places of the [[test]] tables, by the tests' names
 };
 
 }  // namespace

@@ -12,31 +12,32 @@
 
 namespace poinsot::suite {
 
-/// A picture that was approved for a test. Usually there is one, NAME.png; where drivers draw differently and each
-/// is right, others stand beside it, NAME@RENDERER.png.
+/// Picture that was approved for a test. A test usually has one, NAME.png. If drivers draw differently and all are
+/// right, the test also has references for single renderers, NAME@RENDERER.png.
 struct GoldenReference {
   std::filesystem::path picture;
   compare::PictureOrigin origin;
 };
 
-/// Reads a NAME.json. Returns nothing unless it is an object of exactly these texts, as GoldenApproval writes.
-/// Only the driver may be missing, because early references lack it.
+/// Parses the description of a reference, NAME.json. Returns nullopt unless the text is a JSON object with exactly
+/// the fields that GoldenApproval writes. Only `driver` may be missing, because early references lack it.
 std::optional<compare::PictureOrigin> parsePictureOrigin(std::string_view text);
 
-/// Whether a file is such a NAME.json.
+/// Reports whether a file is the description of a reference, see parsePictureOrigin().
 bool isDescription(const std::filesystem::path& file);
 
-/// Returns the origin that the NAME.json of a picture describes; an empty one if it describes none.
+/// Returns the origin from a reference's description, or an empty origin if there is no valid description.
 compare::PictureOrigin describedOrigin(const std::filesystem::path& picture);
 
-/// Whether a picture was approved beside the usual one of a test: its description says for which renderer.
+/// Reports whether a picture was approved with --beside: its description names the renderer in its file name.
+/// @param usual  the test's main reference, NAME.png
 bool isApprovedBeside(const std::filesystem::path& picture, const std::filesystem::path& usual);
 
-/// References of a test, the usual one first. A NAME@X counts only if its NAME@X.json says that it was approved
-/// for the renderer X. @throws core::Error(kIo) for a link to a folder.
+/// Returns the references of a test, the main one first. A file NAME@X.png counts only if its description
+/// NAME@X.json names the renderer X. @throws core::Error(kIo) if a link to a folder is in the path
 std::vector<GoldenReference> referencesOf(const std::filesystem::path& folder, const GoldenName& name);
 
-/// Which of them a picture is compared with: those of its own renderer, if there are any, else all.
+/// Returns the references to compare a picture with: those of its own renderer or, if there are none, all.
 std::vector<GoldenReference> relevant(const std::vector<GoldenReference>& references, const std::string& renderer);
 
 }  // namespace poinsot::suite

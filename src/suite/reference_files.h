@@ -8,39 +8,36 @@
 
 #include "core/abi.h"
 
-/// Names and places of the files of references: NAME.png, NAME@RENDERER.png, and a description NAME.json of each.
+/// File names of references: NAME.png, NAME@RENDERER.png, and a description NAME.json of each.
 namespace poinsot::suite {
 
-/// Largest description that is read, in bytes.
 inline constexpr std::size_t kMostDescription = std::size_t{64} << 10;
 
-/// Name of a test's references, beneath the folder of references.
+/// Identifies a test's references below the folder of references.
 struct GoldenName {
-  std::string name;       ///< of the case; may have folders: "axes/ticks"
-  std::string extension;  ///< of its pictures: ".png", ".mp4"
-  /// Stems "ticks@x" that are those of other tests, and not of this one's reference for a renderer x.
+  std::string name;       ///< name of the case; may contain folders: "axes/ticks"
+  std::string extension;  ///< extension of the pictures: ".png", ".mp4"
+  /// Stems such as "ticks@x" that belong to other tests; this test cannot use them for a renderer x.
   std::set<std::string> taken = {};
 };
 
-/// A stem in two, at its last @.
+/// File stem, split at its last @.
 struct ReferenceStem {
-  std::string name, renderer;  ///< the second empty without an @
+  std::string name, renderer;  ///< the renderer is empty if there is no @
 };
 
-/// Splits "ticks@softpipe" into "ticks" and "softpipe".
 ReferenceStem splitStem(const std::string& stem);
 
-/// Returns a renderer's name as part of a file name: a run of characters other than letters, digits and points
+/// Returns a renderer's name as part of a file name: each run of characters other than letters, digits and points
 /// becomes one _.
 std::string slugOf(const std::string& renderer);
 
-/// Returns the file that describes a picture.
 std::filesystem::path descriptionOf(const std::filesystem::path& picture);
 
-/// Returns the usual file of a test, which is not for one renderer only.
+/// Returns the main reference of a test, NAME.png, which is not specific to a renderer.
 std::filesystem::path usualFile(const std::filesystem::path& folder, const GoldenName& name);
 
-/// Returns the file of a test's reference for one renderer only. @param usual  usualFile()
+/// Returns a test's reference for one renderer, NAME@RENDERER.png. @param usual  usualFile() of the test
 std::filesystem::path fileFor(const std::string& renderer, const std::filesystem::path& usual);
 
 }  // namespace poinsot::suite

@@ -21,14 +21,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file in the folder of references that is nobody's reference.
 struct StrayFile {
   fs::path file;
-  std::string why;         ///< and what to do
-  bool isMissing = false;  ///< a pattern of images would make it, if its image were there
+  std::string why;         ///< reason and remedy
+  bool isMissing = false;  ///< whether a pattern would use the file if its image existed
 };
 
-/// Finds the files of one folder that no test refers to.
 class StrayFinder {
  public:
   StrayFinder(const fs::path& root, std::vector<fs::path> usual, std::vector<const GoldenTest*> patterns, bool all)
@@ -49,7 +47,6 @@ class StrayFinder {
   std::vector<StrayFile> strays() { return std::move(strays_); }
 
  private:
-  /// Says why a description has no picture.
   static std::string whyAlone(const fs::path& description, const std::vector<fs::path>& links) {
     for (const fs::path& link : links)
       if (link.stem() == description.stem() && output::isPictureOrFilmName(link))
@@ -80,7 +77,7 @@ class StrayFinder {
       strays_.push_back({file, "approved, and no test makes it: remove " + withDescription(file)});
   }
 
-  /// The pattern of images that would make a reference; null if none would.
+  /// Returns the pattern of images that would use a reference; null if there is none.
   const GoldenTest* patternOf(const fs::path& file) const {
     const fs::path relative = file.lexically_relative(root_);
     const std::string name = (relative.parent_path() / relative.stem()).native();
@@ -95,7 +92,8 @@ class StrayFinder {
     return nullptr;
   }
 
-  /// Returns a picture, and its description if there is one that is not also of a test's reference.
+  /// Returns the names of a picture and of its description, unless the description is missing or also belongs to a
+  /// test.
   std::string withDescription(const fs::path& file) const {
     std::error_code ignored;
     const fs::path json = descriptionOf(file);
@@ -113,18 +111,17 @@ class StrayFinder {
   std::vector<StrayFile> strays_;
 };
 
-/// Adds a folder and all below it; links are not followed.
 void addTree(const fs::path& root, std::set<fs::path>& folders) {
   folders.insert(root);
-  std::error_code ignored;  // no folder has no files
+  std::error_code ignored;  // a missing folder counts as an empty one
   for (const auto& entry : fs::directory_iterator(root, ignored))
     if (entry.is_directory(ignored) && !entry.is_symlink(ignored)) addTree(entry.path(), folders);
 }
 
-/// Returns the path of a folder without a slash at its end.
+/// Removes a trailing slash.
 fs::path plain(const fs::path& folder) { return (folder / ".").parent_path(); }
 
-/// Adds the folders in which references of a pattern lie, whether it matches a file now or not.
+/// Adds the folders that can hold a pattern's references, even if the pattern matches no file at present.
 void addPlaces(const GoldenManifest& manifest, const GoldenTest& pattern, std::set<fs::path>& folders) {
   const fs::path folder = plain(manifest.references / fs::path(pattern.namePattern).parent_path());
   if (!isBeneath(folder, manifest.references)) return;
@@ -134,7 +131,7 @@ void addPlaces(const GoldenManifest& manifest, const GoldenTest& pattern, std::s
     addTree(folder, folders);
 }
 
-/// The patterns of images that were asked for as a whole: all, or those that `only` has as the manifest does.
+/// Returns the patterns of images that were requested as written in the manifest; all if `only` is empty.
 std::vector<const GoldenTest*> imagePatterns(const GoldenManifest& manifest,
                                              const std::vector<std::string>& only) {
   std::vector<const GoldenTest*> patterns;
@@ -146,8 +143,8 @@ std::vector<const GoldenTest*> imagePatterns(const GoldenManifest& manifest,
   return patterns;
 }
 
-/// Returns pictures and descriptions that belong to no test, and those whose image is missing.
-/// @param only  tests that were asked for; empty for all: then every file is looked at
+/// Returns pictures and descriptions that belong to no test, and references whose image is missing.
+/// @param only  requested tests; empty for all, which examines every file
 std::vector<StrayFile> strayFiles(const GoldenManifest& manifest, const std::vector<GoldenName>& names,
                                   const std::vector<std::string>& only) {
   std::vector<fs::path> usual;

@@ -7,18 +7,16 @@
 
 namespace poinsot::suite {
 
-/// The error of a pattern of images that matches no file.
 compare::Outcome unmatchedOutcome(const GoldenCase& pattern);
 
-/// Files among the references that are compared with nothing.
-/// @param only     names of the tests that were asked for; empty for all. If some were, only files beside their
-///                 references are looked at, and those that a pattern among them would make.
-/// @param allMade  whether every case had a picture; else a stray file may belong to one that had none
+/// Returns an outcome for each file among the references that no case is compared with.
+/// @param only     names of the requested tests; empty for all. If not empty, the search covers only the folders
+///   and patterns of these tests.
+/// @param allMade  whether every case had a picture; otherwise, a stray file may belong to a case without one
 std::vector<compare::Outcome> strayOutcomes(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases,
                                             const std::vector<std::string>& only, bool allMade);
 
-/// Files among the references that no test makes, found without making or comparing any picture; and the errors of
-/// patterns that match no image.
+/// Finds references that no test uses and patterns that match no image, without drawing or comparing any picture.
 std::vector<compare::Outcome> unusedReferences(const GoldenManifest& manifest);
 
 }  // namespace poinsot::suite

@@ -35,7 +35,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the names of a test's pictures: its own, or with several times one for each ("racket_t1.5").
+/// Returns the names of a test's pictures: the test's name or, for several times, one per time ("racket_t1.5").
 std::vector<std::string> caseNames(const GoldenTest& test) {
   if (test.times_s.size() <= 1) return {test.name};
   std::vector<std::string> names;
@@ -43,7 +43,6 @@ std::vector<std::string> caseNames(const GoldenTest& test) {
   return names;
 }
 
-/// The test itself, or one for each of its times.
 std::vector<GoldenCase> casesOf(const GoldenTest& test, const fs::path& output) {
   std::vector<GoldenCase> cases;
   for (const std::string& name : caseNames(test)) {
@@ -54,7 +53,8 @@ std::vector<GoldenCase> casesOf(const GoldenTest& test, const fs::path& output) 
   return cases;
 }
 
-/// Marks the names NAME@X of other cases in the case NAME, whose references for a renderer X they are not.
+/// Marks names NAME@X of other cases in the case NAME, so that they do not count as NAME's references for a
+/// renderer X.
 void giveTakenStems(std::vector<GoldenCase>& cases) {
   std::map<std::string, GoldenCase*> byName;
   for (GoldenCase& one : cases) byName[one.name] = &one;
@@ -63,7 +63,6 @@ void giveTakenStems(std::vector<GoldenCase>& cases) {
       if (other->second != &one) other->second->taken.insert(fs::path(one.name).filename());
 }
 
-/// The first few, each once.
 std::string listText(const std::vector<std::string>& names) {
   constexpr std::size_t kMost = 8;
   std::vector<std::string> all;
@@ -74,12 +73,12 @@ std::string listText(const std::vector<std::string>& names) {
 }
 
 bool isAskedFor(const GoldenCase& one, const std::string& word) {
-  const std::string only = word.starts_with("./") ? word.substr(2) : word;  // of a name that begins with a dash
+  const std::string only = word.starts_with("./") ? word.substr(2) : word;  // ./ escapes a leading dash
   return only == one.test.file || core::matchesWildcard(only, one.name) ||
          core::matchesWildcard(only, one.test.name);
 }
 
-/// The cases that any of the names means. @throws core::Error(kUsage) for a name that means none.
+/// Returns the cases that match any of the names. @throws core::Error(kUsage) if a name matches none
 std::vector<GoldenCase> chosen(const std::vector<GoldenCase>& all, const std::vector<std::string>& only) {
   for (const std::string& name : only) {
     if (std::ranges::any_of(all, [&](const GoldenCase& one) { return isAskedFor(one, name); })) continue;
@@ -122,11 +121,10 @@ double timeOf(const GoldenCase& one, const scene::Scene& scene) {
                     one.test.timesAt);
 }
 
-/// A scene's picture, ready to be made.
 struct Drawing {
-  std::size_t place = 0;  ///< among the cases
+  std::size_t place = 0;  ///< index of the case
   job::RenderRequest request;
-  std::string scene;  ///< its digest
+  std::string scene;  ///< digest of the scene
 };
 
 Drawing drawingOf(const GoldenCase& one, std::size_t place, const GoldenRequest& golden) {
@@ -148,14 +146,14 @@ Drawing drawingOf(const GoldenCase& one, std::size_t place, const GoldenRequest&
   return {place, std::move(render), std::move(digest)};
 }
 
-/// Returns a picture's digest. @throws core::Error(kIo) if it, or a film's first one, cannot be read.
+/// Returns a picture's digest. @throws core::Error(kIo) if the PNG or the film's first frame cannot be read
 std::string pixelsOf(const fs::path& picture) {
   const bool isFilm = output::isFilm(picture);
   if (isFilm) output::FilmReader(picture).next();
   return pixelDigestOf(picture, isFilm);
 }
 
-/// Checks that the new picture of a case, which was read, is what its scene drew.
+/// Checks that the picture file of a case still has the pixels that its scene drew.
 void expectDrawn(const fs::path& picture, const std::string& read, const std::string& drawn) {
   if (read != drawn)
     throw core::ioError(
@@ -164,7 +162,7 @@ void expectDrawn(const fs::path& picture, const std::string& read, const std::st
                     core::printable(picture.native())));
 }
 
-/// Adds to the origin of a picture the texts in its file, and the variant that the user names.
+/// Adds to a picture's origin the software and renderer from its PNG texts; a variant overrides the renderer.
 compare::PictureOrigin completed(compare::PictureOrigin origin, const GoldenCase& one) {
   origin.renderer = one.variant();
   for (const auto& [key, value] : image::textsOfWholePng(one.actual).value_or(std::vector<image::PngText>{})) {
@@ -193,7 +191,7 @@ void expectApart(const fs::path& actual, const std::vector<GoldenReference>& ref
   }
 }
 
-/// Why a picture is near or different, and, if something else made it than its reference, what.
+/// Explains why a picture is near or different, and what changed in its origin since the reference was made.
 std::string messageOf(const compare::Outcome& outcome) {
   if (outcome.status == compare::OutcomeStatus::kIdentical) return compare::reasonOf(outcome.diff);
   const std::string change = compare::originChange(outcome.approved, outcome.origin);
@@ -203,7 +201,6 @@ std::string messageOf(const compare::Outcome& outcome) {
   return message + change;
 }
 
-/// The references that a picture is compared with, and the nearest of them.
 class Comparing {
  public:
   Comparing(const GoldenCase& one, const fs::path& references, const GoldenRequest& golden)
@@ -270,7 +267,7 @@ class Comparing {
   const scene::Limits& limits_;
 };
 
-/// One run over the cases: first all are drawn, then all compared.
+/// Run of a suite: all cases are drawn first and then compared.
 class Run {
  public:
   Run(const GoldenManifest& manifest, const GoldenRequest& request)
@@ -284,7 +281,7 @@ class Run {
     enterInputs();
     draw();
     core::forEachIndex(cases_.size(), request_.jobs, [&](std::size_t i) { compare(i); });
-    // A scene with a mistake may be what made a reference.
+    // A reference may belong to a scene that failed to load.
     const bool allMade =
         std::ranges::count(outcomes_, compare::OutcomeStatus::kError, &compare::Outcome::status) == 0;
     for (compare::Outcome& stray : strayOutcomes(manifest_, cases_, request_.only, allMade))
@@ -311,12 +308,12 @@ class Run {
     try {
       if (one.test.scene.empty()) return;
       drawings_.push_back(drawingOf(one, place, request_));
-    } catch (const core::Error& error) {  // all that is wrong with the scene
+    } catch (const core::Error& error) {  // contains all errors of the scene
       fail(place, error);
     }
   }
 
-  /// Reports may not replace what a scene reads. @throws core::Error(kUsage)
+  /// Enters the scenes' inputs, so that reports do not replace them. @throws core::Error(kUsage) if one would
   void enterInputs() const {
     if (request_.files == nullptr) return;
     for (const Drawing& drawing : drawings_)
@@ -330,7 +327,7 @@ class Run {
       const fs::path& picture = cases_[drawing.place].actual;
       core::makeFolders(picture.parent_path());
       std::error_code ignored;
-      fs::remove(picture, ignored);  // of an earlier run
+      fs::remove(picture, ignored);  // picture of an earlier run
       requests.push_back(std::move(drawing.request));
     }
     const int workers = jobsThatFit(requests);
@@ -344,7 +341,7 @@ class Run {
     }
   }
 
-  /// While each makes the largest picture.
+  /// Returns how many workers fit into free memory if each draws the largest picture.
   int jobsThatFit(const std::vector<job::RenderRequest>& requests) const {
     double most_bytes = 0;
     for (const job::RenderRequest& request : requests) most_bytes = std::max(most_bytes, request.worker_bytes);
@@ -359,7 +356,7 @@ class Run {
     if (failed_.contains(place)) return showApproved(place);
     const auto start = std::chrono::steady_clock::now();
     try {
-      const std::string pixels = pixelsOf(cases_[place].actual);  // what is wrong with it is said of it
+      const std::string pixels = pixelsOf(cases_[place].actual);  // throws if the picture is unreadable
       if (!cases_[place].test.scene.empty()) expectDrawn(cases_[place].actual, pixels, outcome.pixels);
       outcome.pixels = pixels;
       outcome.origin = completed(outcome.origin, cases_[place]);
@@ -373,11 +370,11 @@ class Run {
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
-  /// Names a reference of a test that has no new picture to compare with it.
+  /// Names the reference of a test that has no new picture to compare.
   void showApproved(std::size_t place) try {
     const auto all = referencesOf(manifest_.references, cases_[place].reference());
     if (!all.empty()) outcomes_[place].reference = all.front().picture;
-  } catch (const core::Error&) {  // the outcome already says what is wrong
+  } catch (const core::Error&) {  // the outcome already has an error
   }
 
   const GoldenManifest& manifest_;

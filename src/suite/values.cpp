@@ -22,7 +22,7 @@ double numberOf(const Node& node) {
   return static_cast<double>(*whole);
 }
 
-/// Without links; of what is not there, as far as it is.
+/// Returns a path without links, as far as it exists; empty on failure.
 fs::path real(const fs::path& path) {
   std::error_code failure;
   const fs::path whole = fs::weakly_canonical(fs::absolute(path.empty() ? "." : path, failure), failure);

@@ -10,27 +10,27 @@
 #include "scene/document/document.h"
 #include "scene/limits.h"
 
-/// Values of a golden.toml. All throw core::Error(kScene) that says what was expected and what there is.
+/// Functions that read values of a golden.toml. All throw core::Error(kScene), with the expected and the found
+/// value.
 namespace poinsot::suite {
 
 [[noreturn]] void refuseValue(const std::string& message);
 
-/// A text that is not empty.
+/// Returns a node's text, which must not be empty.
 const std::string& textOf(const scene::Node& node);
 
-/// A text, or a number as it would be written in one.
+/// Returns a node's text; a number is converted to text.
 std::string wordOf(const scene::Node& node);
 
-/// A side of a picture in pixels.
+/// Returns a picture's width or height in pixels, from scene::kLeastSide to the limit kSide.
 int sideOf(const scene::Node& node, const scene::Limits& limits);
 
-/// [width, height] of a picture.
 image::PixelSize sizeOf(const scene::Node& node, const scene::Limits& limits);
 
-/// A film time in seconds: 1.5 or "90 ms".
+/// Returns a film time in seconds, given as 1.5 or "90 ms".
 double timeOf(const scene::Node& node);
 
-/// A value, or a list of such. @param element  reads one
+/// Returns the elements of a list; a single value counts as a list of one. @param element  reads an element
 template <class F>
 auto listOf(const scene::Node& node, F element) {
   std::vector<std::decay_t<decltype(element(node))>> list;
@@ -42,10 +42,10 @@ auto listOf(const scene::Node& node, F element) {
   return list;
 }
 
-/// [x, y, width, height] in pixels, or a list of such.
+/// Returns the rectangles given as [x, y, width, height] in pixels, or as a list of such.
 std::vector<image::PixelRect> boxesOf(const scene::Node& node);
 
-/// Whether a path, with its links followed, lies in a folder or below it.
+/// Reports whether a path, with its links resolved, is a folder or lies below that folder.
 bool isBeneath(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 }  // namespace poinsot::suite

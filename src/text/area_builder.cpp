@@ -26,14 +26,13 @@ void AreaBuilder::addSegment(Segment segment) {
   }
 }
 
-// The piece of an edge within one row, cut at the pixels' sides.
 void AreaBuilder::addInRow(int y, double signedHeight, double x0, double x1) {
   const double left = std::min(x0, x1), right = std::max(x0, x1);
   double* row = change_.data() + static_cast<std::ptrdiff_t>(y) * (width_ + 2);
   for (int x = static_cast<int>(std::floor(left)); x == std::floor(left) || x < right; ++x) {
     const double start = std::max<double>(x, left), end = std::min<double>(x + 1, right);
     const double share = right > left ? signedHeight * ((end - start) / (right - left)) : signedHeight;
-    const double beyond = (start + end) / 2 - x;  // mean part of the pixel left of the edge: not covered
+    const double beyond = (start + end) / 2 - x;  // mean uncovered share, left of the edge
     row[x] += share * (1 - beyond);
     row[x + 1] += share * beyond;
   }

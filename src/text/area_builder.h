@@ -7,21 +7,21 @@
 
 namespace poinsot::text {
 
-/// Exact area of filled polygons in each pixel. An edge covers everything to its right; edges up and edges down
-/// have opposite signs, so what remains is the inside. Each edge leaves in the pixels it meets, and in their right
-/// neighbours, the change of that cover from the pixel before; a sum along the row gives it back.
+/// Computes the exact area of filled polygons in each pixel. An edge covers everything to its right; edges up and
+/// edges down have opposite signs, so what remains is the inside. Each edge stores the change of coverage from
+/// pixel to pixel, in the pixels it crosses and their right neighbours; a sum along the row restores the coverage.
 ///
-/// FreeType's own rasteriser was not taken: it knows points to 1/64 pixel, which makes the bar of a fraction up to
-/// one hundredth too light or dark and lets a label's weight flicker as it moves (measured: area of a minus sign
-/// at 40 pixels off by 1.2 %; here 0.03 %).
+/// FreeType's rasteriser is not used: it rounds points to 1/64 pixel, which makes the bar of a fraction up to one
+/// hundredth too light or dark and lets a label's weight flicker as the label moves (measured: area of a minus
+/// sign at 40 pixels off by 1.2 %; here 0.03 %).
 class AreaBuilder {
  public:
   AreaBuilder(int width, int height);
 
-  /// Within [0, width] x [0, height].
+  /// Adds an edge, which must lie within [0, width] x [0, height].
   void addSegment(Segment segment);
 
-  /// Share of each pixel that is inside, 0 to 1, rows from the top; inside twice is inside.
+  /// Returns the share of each pixel that is inside, 0 to 1, rows from the top. Overlaps count once.
   std::vector<double> coverage() const;
 
  private:
@@ -29,7 +29,7 @@ class AreaBuilder {
 
   int width_;
   int height_;
-  std::vector<double> change_;  // rows of width_ + 2: the last pixel has a right neighbour, and so has its edge
+  std::vector<double> change_;  // rows of width_ + 2, for right neighbours of the last pixel and its side
 };
 
 }  // namespace poinsot::text

@@ -38,7 +38,7 @@ constexpr Command text(std::string_view name, Alphabet which) {
 }
 
 constexpr Command kCommands[] = {
-    // Greek. \epsilon and \phi are the forms TeX gives them; the other ones are \varepsilon and \varphi.
+    // Greek. \epsilon and \phi are the forms of TeX; the other forms are \varepsilon and \varphi.
     letter("alpha", U'α'),
     letter("beta", U'β'),
     letter("gamma", U'γ'),
@@ -95,7 +95,6 @@ constexpr Command kCommands[] = {
     letter("Psi", U'Ψ'),
     letter("Omega", U'Ω'),
     letter("partial", U'∂'),
-    // Alphabets and running text.
     alphabet("mathrm", Alphabet::kRoman),
     alphabet("mathit", Alphabet::kMathItalic),
     alphabet("mathbf", Alphabet::kBold),
@@ -109,7 +108,7 @@ constexpr Command kCommands[] = {
     accent("bar", U'\u0304'),
     accent("vec", U'\u20D7'),
     accent("tilde", U'\u0303'),
-    // Spaces, in eighteenths of an em but for the word space, which is the font's.
+    // Spaces, in eighteenths of an em, except the word space, which is the font's.
     space(",", 3.0 / 18),
     space(":", 4.0 / 18),
     space(";", 5.0 / 18),
@@ -120,7 +119,6 @@ constexpr Command kCommands[] = {
     {.name = "frac", .kind = CommandKind::kFraction, .atomClass = kInner},
     {.name = "dfrac", .kind = CommandKind::kDisplayFraction, .atomClass = kInner},
     {.name = "sqrt", .kind = CommandKind::kRoot},
-    // Operators and relations.
     symbol("times", U'×', kBinary),
     symbol("cdot", U'⋅', kBinary),
     symbol("pm", U'±', kBinary),
@@ -147,7 +145,6 @@ constexpr Command kCommands[] = {
     symbol("mapsto", U'↦', kRelation),
     symbol("perp", U'⟂', kRelation),
     symbol("parallel", U'∥', kRelation),
-    // Signs.
     symbol("infty", U'∞', kOrdinary),
     symbol("degree", U'°', kOrdinary, true),
     symbol("nabla", U'∇', kOrdinary),
@@ -159,7 +156,7 @@ constexpr Command kCommands[] = {
     symbol("langle", U'⟨', kOpening),
     symbol("rangle", U'⟩', kClosing),
     symbol("|", U'‖', kOrdinary),
-    // Characters the language uses itself.
+    // Signs for characters that the language uses itself.
     symbol("$", U'$', kOrdinary, true),
     symbol("%", U'%', kOrdinary, true),
     symbol("&", U'&', kOrdinary, true),
@@ -167,7 +164,6 @@ constexpr Command kCommands[] = {
     symbol("_", U'_', kOrdinary, true),
     symbol("{", U'{', kOpening, true),
     symbol("}", U'}', kClosing, true),
-    // Names of functions.
     function("sin"),
     function("cos"),
     function("tan"),

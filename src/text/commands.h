@@ -11,19 +11,19 @@
 namespace poinsot::text {
 
 enum class CommandKind {
-  kSymbol,    ///< one character, the same in every alphabet
-  kLetter,    ///< a letter, shaped by the alphabet in force
-  kAccent,    ///< a mark over its argument
-  kSpace,     ///< a width
+  kSymbol,  ///< one character, the same in every alphabet
+  kLetter,  ///< a letter in the current alphabet
+  kAccent,
+  kSpace,
   kFunction,  ///< an upright name: \sin
   kAlphabet,  ///< \mathbf{...}: an alphabet for its argument
   kText,      ///< \text{...}, \textbf{...}: running text
   kFraction,
-  kDisplayFraction,  ///< its parts as large as the line's type
+  kDisplayFraction,  ///< a fraction with its parts in the type size of the line
   kRoot,
 };
 
-/// One \name of the language; which fields count depends on the kind.
+/// Command \name of the language. The kind decides which fields are used.
 struct Command {
   std::string_view name;
   CommandKind kind = CommandKind::kSymbol;
@@ -31,19 +31,18 @@ struct Command {
   AtomClass atomClass = AtomClass::kOrdinary;
   Alphabet alphabet = Alphabet::kRoman;
   double width_em = 0;
-  bool inText = false;  ///< also outside $...$
+  bool inText = false;  ///< allowed outside $...$ too
 };
 
-/// Every command there is.
 std::span<const Command> commands();
 
-/// Null where there is no such command.
+/// Returns null if there is no such command.
 const Command* findCommand(std::string_view name);
 
-/// The command a mistyped name was meant to be; empty when none is near.
+/// Returns the command whose name is nearest to a mistyped one; empty if none is near.
 std::string nearestCommand(std::string_view name);
 
-/// A character of mathematics as typed, and what stands for it: '-' is the minus sign, a binary operator.
+/// Sign that a typed character stands for in formulas: '-' is the minus sign, a binary operator.
 struct Symbol {
   char32_t character = 0;
   AtomClass atomClass = AtomClass::kOrdinary;

@@ -13,12 +13,13 @@
 namespace poinsot::text {
 namespace {
 
-// Chords this near to the curve change no 8-bit value by more than one step.
+// Chords this close to the curve change no 8-bit value by more than one step.
 constexpr double kFillTolerance_px = 0.005;
-// A halo's edge is background against background: a twentieth of a pixel is not seen, and costs a third.
+// The edge of a halo is background against background, so a twentieth of a pixel is not visible. It takes a third
+// of the time.
 constexpr double kHaloTolerance_px = 0.05;
 
-// The origin's place within its pixel, to 1/1024: so moving by whole pixels leaves every bit as it was, where the
+// Returns the place within its pixel, rounded to 1/1024. Moving by whole pixels then keeps every bit, which the
 // difference of two large numbers would not.
 double fractionOf(double coordinate_px) {
   return std::floor(1024 * (coordinate_px - std::floor(coordinate_px)) + 0.5) / 1024;
@@ -31,11 +32,11 @@ struct PixelBox {
   int bottom = 0;
 };
 
-// All pixels touched by the segments; there must be one.
+// Returns all pixels that the segments touch. There must be at least one segment.
 PixelBox boxOf(const std::vector<Segment>& segments) {
   Point least{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
   Point most = least * -1;
-  for (const Segment& s : segments) {  // closed outlines: every point is the start of one
+  for (const Segment& s : segments) {  // outlines are closed, so every point is the start of a segment
     least = {std::min(least.x, s.from.x), std::min(least.y, s.from.y)};
     most = {std::max(most.x, s.from.x), std::max(most.y, s.from.y)};
   }

@@ -48,14 +48,14 @@ EmbeddedFile fileOf(Typeface face) {
   return {"Latin Modern Roman 10 Bold", poinsot_font_latin_modern_bold, poinsot_font_latin_modern_bold_end};
 }
 
-// HarfBuzz goes on without what it got no memory for: a measure is zero then, a form is not found, a text is
+// Throws if memory ran out. HarfBuzz itself goes on: a measure is then zero, a form is missing, or a text is
 // short.
 void expectMemory(bool sufficed) {
   if (!sufficed) throw std::bad_alloc();
 }
 
-// The substitutions behind a feature of the mathematics font, which has it; none of a font for text. Asked
-// directly, as glyphs are set one by one.
+// Returns the substitutions of a feature of the mathematics font, which has it; none for a text font. They are
+// looked up directly, because glyphs are set one by one.
 std::vector<unsigned> lookupsOf(hb_face_t* face, const char* feature) {
   std::vector<unsigned> lookups;
   if (!hb_ot_math_has_data(face)) return lookups;
@@ -68,7 +68,7 @@ std::vector<unsigned> lookupsOf(hb_face_t* face, const char* feature) {
   return lookups;
 }
 
-// Direction, script and language are said, never guessed: guessing reads the machine's locale.
+// Sets direction, script and language, because guessing them would read the machine's locale.
 BufferPtr makeBuffer() {
   BufferPtr buffer(hb_buffer_create(), &hb_buffer_destroy);
   hb_buffer_set_direction(buffer.get(), HB_DIRECTION_LTR);
@@ -84,7 +84,7 @@ struct Font::Handles {
   FT_Face face = nullptr;
   hb_blob_t* blob = nullptr;
   hb_face_t* shapingFace = nullptr;
-  hb_font_t* shapingFont = nullptr;  // its scale is left at the font's units, so every position is a whole number
+  hb_font_t* shapingFont = nullptr;  // scaled to the font's units, so every position is a whole number
   double unitsPerEm = 1;
 
   explicit Handles(Typeface which) {
@@ -109,7 +109,6 @@ struct Font::Handles {
   Handles(const Handles&) = delete;
   Handles& operator=(const Handles&) = delete;
 
-  // Every one of these calls accepts a null pointer.
   void release() const {
     hb_font_destroy(shapingFont);
     hb_face_destroy(shapingFace);
@@ -224,7 +223,8 @@ GlyphId Font::scriptForm(GlyphId id, int level) const {
 }
 
 GlyphId Font::dotlessForm(GlyphId id) const {
-  // HarfBuzz lists no one-to-one substitutions, but grows a set of glyphs by them: what is new is the form.
+  // HarfBuzz does not list one-to-one substitutions, but it extends a set of glyphs by them. The new glyph is the
+  // form.
   hb_face_t* face = handles_->shapingFace;
   const SetPtr glyphs(hb_set_create(), &hb_set_destroy);
   hb_set_add(glyphs.get(), id);

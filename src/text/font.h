@@ -13,7 +13,7 @@ struct FT_FaceRec_;
 
 namespace poinsot::text {
 
-/// Measures of one glyph, in em at scale 1; left to top bound its ink.
+/// Measures of one glyph, in em at scale 1. Left, right, bottom and top bound its ink.
 struct GlyphMetrics {
   double advance = 0;
   double left = 0;
@@ -21,10 +21,10 @@ struct GlyphMetrics {
   double bottom = 0;
   double top = 0;
   double italicCorrection = 0;  ///< how far a slanted letter leans over its advance
-  double topAccent = 0;  ///< x of the point where an accent is attached; without a MATH table the ink's middle
+  double topAccent = 0;         ///< x where an accent is attached; without a MATH table the ink's middle
 };
 
-/// What the font's MATH table says, in em (scales are ratios). Names are those of the OpenType specification.
+/// Constants of the font's MATH table, in em (scales are ratios), with the names of the OpenType specification.
 struct MathConstants {
   double scriptScale = 0;
   double scriptScriptScale = 0;
@@ -56,14 +56,14 @@ struct MathConstants {
   double radicalDegreeBottomRaise = 0;  ///< a share of the root sign's whole height
 };
 
-/// An embedded font: unhinted outlines through FreeType, kerning and the MATH table through HarfBuzz. Everything
-/// is measured in the font's own whole units, so results have the same bits on every machine.
+/// Embedded font: unhinted outlines through FreeType, kerning and the MATH table through HarfBuzz. All measures
+/// are whole numbers of the font's own units, so results have the same bits on every machine.
 class Font {
  public:
-  /// The font. One per thread, made at its first use: it is a constant of the program, so nothing is gained by
-  /// passing it about, but FreeType keeps the last glyph in the face, so threads must not share one.
+  /// Returns the font of this thread, made at first use. A font is a constant of the program, so there is no need
+  /// to pass it on. Threads must not share one, because FreeType keeps the last glyph in the face.
   static const Font& of(Typeface face);
-  /// Latin Modern Math, the only one with a MATH table.
+  /// Returns Latin Modern Math, the only font with a MATH table.
   static const Font& mathematics() { return of(Typeface::kMath); }
 
   ~Font();
@@ -72,21 +72,22 @@ class Font {
 
   std::optional<GlyphId> glyph(char32_t character) const;
   GlyphMetrics metrics(GlyphId id) const;
-  /// All 0 where the font has no MATH table.
+  /// Returns the constants of the MATH table; all 0 if the font has none.
   const MathConstants& constants() const { return constants_; }
 
-  /// The glyph's form for scripts (sturdier at small size); level 1 is script, 2 script of a script.
+  /// Returns the glyph's form for scripts, which is sturdier at small size. Level 0 is text, 1 a script, 2 a
+  /// script of a script.
   GlyphId scriptForm(GlyphId id, int level) const;
-  /// The glyph without its dot, to carry an accent (i, j); itself where there is no such form.
+  /// Returns the glyph without its dot, to carry an accent (i, j); the glyph itself if it has no such form.
   GlyphId dotlessForm(GlyphId id) const;
-  /// The same sign at its heights, smallest first.
+  /// Returns the same sign at its heights, smallest first.
   std::vector<GlyphId> tallerForms(GlyphId id) const;
 
-  /// Extra space between two characters by the font's own table, in em (negative: closer). Latin Modern Math has
-  /// none.
+  /// Returns the extra space between two characters by the font's own table, in em; negative brings them closer.
+  /// Latin Modern Math has no such table.
   double kerning_em(char32_t left, char32_t right) const;
 
-  /// FreeType's face, for outlines, to be loaded unscaled.
+  /// Returns FreeType's face for outlines, which must be loaded unscaled.
   FT_FaceRec_* face() const;
   double unitsPerEm() const;
 
@@ -95,10 +96,10 @@ class Font {
   explicit Font(Typeface face);
   GlyphMetrics measured(GlyphId id) const;
 
-  std::unique_ptr<const Handles> handles_;  // hides FreeType and HarfBuzz from whoever includes this header
+  std::unique_ptr<const Handles> handles_;  // hides FreeType and HarfBuzz from users of this header
   MathConstants constants_;
-  mutable std::unordered_map<GlyphId, GlyphMetrics> measured_;  ///< HarfBuzz reads the outline for each
-  std::vector<unsigned> scriptLookups_, dotlessLookups_;        // of the table of substitutions
+  mutable std::unordered_map<GlyphId, GlyphMetrics> measured_;  ///< cache: HarfBuzz reads an outline each time
+  std::vector<unsigned> scriptLookups_, dotlessLookups_;
 };
 
 }  // namespace poinsot::text

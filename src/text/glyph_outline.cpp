@@ -16,7 +16,8 @@ namespace {
 
 Point pointOf(const FT_Vector& v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
 
-/// FreeType's calls, handed on to a sink. They are C, which no exception may pass through: it waits here.
+/// Forwards FreeType's calls to a sink. Exceptions must not pass through C code, so they are stored here
+/// meanwhile.
 struct Relay {
   OutlineSink& sink;
   std::exception_ptr thrown;
@@ -42,7 +43,7 @@ FT_Outline_Funcs relayed() {
   calls.line_to = [](const FT_Vector* to, void* relay) {
     return Relay::hand(relay, [&](OutlineSink& sink) { sink.lineTo(pointOf(*to)); });
   };
-  // CFF outlines are cubic; a quadratic piece would mean that another font has been put in.
+  // CFF outlines are cubic; a quadratic piece would mean that the font was replaced.
   calls.conic_to = [](const FT_Vector*, const FT_Vector*, void*) { return 1; };
   calls.cubic_to = [](const FT_Vector* c1, const FT_Vector* c2, const FT_Vector* to, void* relay) {
     return Relay::hand(relay, [&](OutlineSink& sink) { sink.cubicTo(pointOf(*c1), pointOf(*c2), pointOf(*to)); });

@@ -6,7 +6,7 @@
 
 namespace poinsot::text {
 
-/// Takes the contours of a glyph, one after the other. Each ends where it began.
+/// Receives the contours of a glyph, one after the other. Each contour ends where it began.
 class OutlineSink {
  public:
   virtual ~OutlineSink() = default;
@@ -20,8 +20,8 @@ class OutlineSink {
   OutlineSink& operator=(const OutlineSink&) = default;
 };
 
-/// Traces the unhinted outline of a glyph, in its font's own units, which are whole numbers.
-/// @throws std::bad_alloc; what the sink throws.
+/// Traces the unhinted outline of a glyph in its font's own units, which are whole numbers.
+/// @throws std::bad_alloc; exceptions of the sink.
 void traceGlyph(Typeface font, GlyphId id, OutlineSink& sink);
 
 }  // namespace poinsot::text

@@ -45,7 +45,8 @@ void HaloBuilder::growInto(std::vector<double>& coverage) const {
   for (std::size_t i = 0; i < coverage.size(); ++i) {
     const double inside = coverage[i];
     const double ring = radius_px_ + 0.5 - std::sqrt(distance2_[i]);
-    // A pixel mostly inside has its edge moved outwards by the radius; one mostly outside is met by the ring.
+    // The edge in a pixel that is mostly inside moves outwards by the radius; the ring covers pixels mostly
+    // outside.
     coverage[i] = std::clamp(inside >= 0.5 ? inside + radius_px_ : std::max(inside, ring), 0.0, 1.0);
   }
 }

@@ -12,7 +12,7 @@ constexpr double kSlight_em = -1.0 / 36;
 constexpr double kClear_em = -1.0 / 12;
 constexpr double kDeep_em = -1.0 / 9;
 
-// The gap that any letter of `left` leaves before any letter of `right`.
+// Kerning between any letter of `left` and any letter of `right`.
 struct Pair {
   std::u32string_view left;
   std::u32string_view right;
@@ -41,22 +41,20 @@ constexpr Pair kPairs[] = {
     {U"L", U"TY’", kClear_em},
     {U"L", U"VW", kDeep_em},
     {U"L", U"y", kSlight_em},
-    // Round capitals against slopes.
     {U"DO", U"AVWXY", kSlight_em},
     {U"KX", U"CGOQ", kSlight_em},
-    // Small letters: slopes, and the stem of a before v.
     {U"kvwy", U"aceo", kSlight_em},
     {U"a", U"vwy", kSlight_em},
     {U"hmn", U"tuvwy", kSlight_em},
     {U"bop", U"vwxy", kSlight_em},
     {U"c", U"hk", kSlight_em},
-    // Round beside round touches: give air.
+    // Round letters that would touch get more space.
     {U"bop", U"ceoq", -kSlight_em},
     {U"f", U"’?!)]", -kClear_em},
 };
 
-// Letters beyond the table's: Latin with accents, Greek. What the table has beside ASCII is punctuation, after
-// U+2000.
+// Reports whether a letter is beyond the table: Latin with accents, or Greek. The table's other characters beyond
+// ASCII are punctuation, after U+2000.
 bool isAccented(char32_t character) { return character >= U'\u00C0' && character < U'\u2000'; }
 
 }  // namespace

@@ -6,10 +6,10 @@
 namespace poinsot::text {
 namespace {
 
-// Greek letters drawn in a second form follow ω in Unicode's blocks in this order.
+// Variant forms of Greek letters, in the order in which they follow ω in Unicode's blocks.
 constexpr std::u32string_view kGreekVariants = U"∂ϵϑϰϕϱϖ";
 
-// Where one shape's runs start (Unicode chapter 22.2); 0 where the plain characters serve.
+// First characters of one alphabet's ranges (Unicode chapter 22.2); 0 if the plain characters serve.
 struct Starts {
   char32_t capital = 0;
   char32_t small = 0;
@@ -41,13 +41,13 @@ char32_t shifted(char32_t c, char32_t from, char32_t to) { return to == 0 ? c : 
 }  // namespace
 
 char32_t inAlphabet(char32_t letter, Alphabet alphabet) {
-  // Planck's constant was there first: the slot of the italic h is empty.
+  // The place of the italic h in Unicode's block is empty, because Planck's constant existed before.
   if (letter == U'h' && alphabet == Alphabet::kMathItalic) return U'ℎ';
   const Starts starts = startsOf(alphabet);
   if (between(letter, U'A', U'Z')) return shifted(letter, U'A', starts.capital);
   if (between(letter, U'a', U'z')) return shifted(letter, U'a', starts.small);
   if (between(letter, U'0', U'9')) return shifted(letter, U'0', starts.digit);
-  if (letter == U'\u03A2') return letter;  // a capital of the final sigma, which does not exist
+  if (letter == U'\u03A2') return letter;  // not assigned: the final sigma has no capital
   if (between(letter, U'Α', U'Ω')) return shifted(letter, U'Α', starts.greekCapital);
   if (between(letter, U'α', U'ω')) return shifted(letter, U'α', starts.greekSmall);
   const auto variant = kGreekVariants.find(letter);

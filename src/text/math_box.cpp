@@ -17,11 +17,11 @@ struct Ligature {
   char32_t character;
 };
 
-// Longest first. The font has the glyphs, but no feature that would choose them.
+// Longest first. The font has these glyphs, but no feature that selects them.
 constexpr Ligature kLigatures[] = {
     {U"ffi", U'\uFB03'}, {U"ffl", U'\uFB04'}, {U"ff", U'\uFB00'}, {U"fi", U'\uFB01'}, {U"fl", U'\uFB02'}};
 
-// A letter with a mark on it stands alone.
+// Reports whether text begins with a ligature. A last letter that bears a mark is not joined.
 bool begins(std::u32string_view text, const Ligature& ligature) {
   const std::size_t length = ligature.letters.size();
   return text.starts_with(ligature.letters) && (text.size() == length || !isMark(text[length]));
@@ -38,13 +38,12 @@ std::u32string withLigatures(std::u32string_view text) {
   return result;
 }
 
-// The letters that a character of shaped text was typed as.
+// Returns the letters that a character of shaped text was made from.
 std::u32string typedAs(char32_t character) {
   const auto* found = std::ranges::find(kLigatures, character, &Ligature::character);
   return found == std::end(kLigatures) ? std::u32string(1, character) : std::u32string(found->letters);
 }
 
-// Where the letter after the one at `at` and its marks begins.
 std::size_t afterMarks(std::u32string_view letters, std::size_t at) {
   do ++at;
   while (at < letters.size() && isMark(letters[at]));
@@ -79,7 +78,7 @@ Box glyphBox(char32_t character, const MathStyle& style) {
 
   Box box;
   addGlyph(box, {id, 0, 0, scale, {character}, nominal->face});
-  // Roman letters carry a correction too, which belongs to their use as accented or scripted bases, not to words.
+  // Roman letters have a correction too, for their use as accented or scripted bases, but not in words.
   box.italic = leans(character, style.alphabet) ? scale * metrics.italicCorrection : 0;
   box.width = scale * metrics.advance + box.italic;
   box.accentX = scale * metrics.topAccent;
@@ -90,7 +89,7 @@ Box glyphBox(char32_t character, const MathStyle& style) {
 
 namespace {
 
-// The same letter without its dot; only a bare letter has one to lose.
+// Returns a bare letter without its dot, if it has one; any other box as it is.
 Box withoutDot(Box base) {
   if (!base.character || base.glyphs.size() != 1 || base.glyphs.front().face != Typeface::kMath) return base;
   const Font& font = Font::mathematics();
@@ -105,7 +104,7 @@ Box withoutDot(Box base) {
   return base;
 }
 
-// A mark is drawn for a letter of the font's accent height that stands on the baseline.
+// Returns the rise of a mark, which is drawn for a letter of the font's accent height on the baseline.
 double riseOf(MarkPlace place, const Box& base, int level) {
   const double drawnFor = scaleOf(level) * Font::mathematics().constants().accentBaseHeight;
   switch (place) {
@@ -139,7 +138,7 @@ Box textBox(std::u32string_view text, bool bold, int level) {
     if (i > 0) box.width += scaleOf(level) * kerning_em(letters[before], letters[i], bold);
     Box letter = glyphBox(letters[i], style);
     letter.glyphs.front().plain = typedAs(letters[i]);
-    letter.accentX = letter.width / 2;  // as the font's own accented letters have it
+    letter.accentX = letter.width / 2;  // as in the font's own accented letters
     for (std::size_t mark = i + 1; mark < afterMarks(letters, i); ++mark)
       letter = accented(letter, letters[mark], style);
     place(box, letter, box.width, 0);

@@ -11,8 +11,8 @@ namespace {
 
 const MathConstants& constants() { return Font::mathematics().constants(); }
 
-// Binary operators that are only signs become ordinary; from left to right, as each sees its left neighbour
-// settled.
+// Makes binary operators ordinary that are only signs. Goes from left to right, because each operator depends on
+// the class of its left neighbour.
 std::vector<Atom> withSignsSettled(std::vector<Atom> atoms) {
   const AtomClass* before = nullptr;
   for (auto atom = atoms.begin(); atom != atoms.end(); ++atom) {
@@ -25,7 +25,7 @@ std::vector<Atom> withSignsSettled(std::vector<Atom> atoms) {
   return atoms;
 }
 
-// Baselines of the scripts, as distances up and down from the base's.
+// Distances of the scripts' baselines from the base's, up and down.
 struct Shifts {
   double up = 0;
   double down = 0;
@@ -47,7 +47,8 @@ double shiftDown(const Box& base, const Box& sub, const MathStyle& style) {
   return std::max(down, sub.height - scale * c.subscriptTopMax);
 }
 
-// Opens the gap between the two: first by raising the superscript as far as the font allows, then by lowering.
+// Opens the gap between the scripts, first by raising the superscript as far as the font allows, then by lowering
+// the subscript.
 Shifts apart(Shifts shifts, const Box& sub, const Box& sup, double scale) {
   const MathConstants& c = constants();
   const double gap = (shifts.up - sup.depth) - (sub.height - shifts.down);
@@ -72,7 +73,7 @@ Box joined(const std::vector<Atom>& list, const MathStyle& style) {
     append(line, atom.box);
     if (!atom.isSpace) before = &atom.atomClass;
   }
-  // A group of one is that one: its scripts and accents are placed by its own measures.
+  // A group of one atom keeps that atom's measures, by which its scripts and accents are placed.
   if (atoms.size() == 1) return atoms.front().box;
   line.accentX = line.width / 2;
   return line;
@@ -138,14 +139,15 @@ std::optional<Box> squareRoot(const Box& content, const MathStyle& style) {
     const GlyphMetrics sign = font.metrics(form);
     const double spare = scale * (sign.top - sign.bottom) - needed;
     if (spare < 0) continue;
-    // What the sign has to spare is shared between above and below.
+    // The spare height of the sign is shared between above and below.
     const double top = content.height + scale * c.radicalVerticalGap + spare / 2 + rule;
     const double y = top - scale * sign.top;
     Box box;
     box.glyphs.push_back({form, 0, y, scale, U"√"});
     box.depth = std::max(0.0, -(y + scale * sign.bottom));
     box.height = top;
-    // The bar starts where the sign's ink ends: overlapping edges would be darker than the rest of the bar.
+    // The bar starts where the sign's ink ends, because overlapping edges would be darker than the rest of the
+    // bar.
     const double barStart = scale * sign.right;
     const double contentX = scale * sign.advance;
     box.rules.push_back({barStart, top - rule, contentX + content.width - barStart, rule});
@@ -163,7 +165,7 @@ Box withIndex(const Box& root, const Box& index, const MathStyle& style) {
   const MathConstants& c = constants();
   const double scale = scaleOf(style.level);
   const double before = scale * c.radicalKernBeforeDegree;
-  // The sign tucks in under a wide index, and does not stand out to the left of a narrow one.
+  // The sign moves under a wide index, and does not stand out to the left of a narrow one.
   const double signX = std::max(0.0, before + index.width + scale * c.radicalKernAfterDegree);
   const double signHeight = root.height - scale * c.radicalExtraAscender + root.depth;
   const double bottom = c.radicalDegreeBottomRaise * signHeight - root.depth;
@@ -178,17 +180,12 @@ Box withIndex(const Box& root, const Box& index, const MathStyle& style) {
 
 namespace {
 
-// Rows left, columns right, both in the order of AtomClass. 1 thin, 2 medium, 3 thick; lower case letters t m k
-// are the same spaces left out in scripts. "*" cannot occur: such a binary has become ordinary.
+// Spaces between atoms: rows are the left class, columns the right class, both in the order of AtomClass
+// (ordinary, function, binary, relation, opening, closing, punctuation, inner). 0 is none and 1 thin; t (thin), m
+// (medium) and k (thick) are left out in scripts. "*" cannot occur, because such a binary operator has become
+// ordinary.
 constexpr char kSpaces[8][9] = {
-    "01mk000t",  // ordinary
-    "11*k000t",  // function
-    "mm**m**m",  // binary
-    "kk*0k00k",  // relation
-    "00*00000",  // opening
-    "01mk000t",  // closing
-    "tt*ttttt",  // punctuation
-    "t1mkt0tt",  // inner
+    "01mk000t", "11*k000t", "mm**m**m", "kk*0k00k", "00*00000", "01mk000t", "tt*ttttt", "t1mkt0tt",
 };
 
 double mu(double count) { return count / 18; }

@@ -24,7 +24,7 @@ class MathParser {
     std::vector<Atom> atoms;
     while (reader_.skipBlanks(), !takeEnd(reader_, end)) {
       if (isScriptSign(reader_.peek()))
-        atoms.push_back({});  // scripts of nothing, as in {}^2
+        atoms.push_back({});  // scripts without a base, as in {}^2
       else
         atoms.push_back(parseNucleus());
       parseScripts(atoms.back());
@@ -32,7 +32,7 @@ class MathParser {
     return joined(atoms, style_);
   }
 
-  // One letter, one command with its arguments or one group in braces, and the marks typed after it.
+  // Parses one letter, one command with its arguments or one group in braces, and the marks typed after it.
   Atom parseNucleus() {
     const TexReader::Nested nested(reader_);
     const std::size_t column = reader_.column();
@@ -50,7 +50,6 @@ class MathParser {
  private:
   static bool isScriptSign(char32_t c) { return c == U'_' || c == U'^' || c == U'\''; }
 
-  // A letter and its marks; a sign is spaced as what it is.
   Atom letterAtom(std::u32string_view glyphs) const {
     const Symbol symbol = symbolOf(glyphs.front());
     Atom atom{glyphBox(symbol.character, style_), symbol.atomClass};
@@ -83,7 +82,7 @@ class MathParser {
         parseArgument(column, fmt::format("'{}'", static_cast<char>(sign)), sign == U'_' ? cramped(style) : style);
   }
 
-  // What a script or a command applies to: a group in braces or the next single thing.
+  // Parses what a script or a command applies to: a group in braces or the next single item.
   Box parseArgument(std::size_t column, const std::string& what, const MathStyle& style) {
     reader_.skipBlanks();
     const char32_t next = reader_.peek();
@@ -144,7 +143,7 @@ class MathParser {
     return index ? withIndex(*root, *index, style_) : *root;
   }
 
-  // The 3 of \sqrt[3]{x}, in type of the smallest size.
+  // Parses the 3 of \sqrt[3]{x}, in type of the smallest size.
   std::optional<Box> rootIndex() {
     const std::size_t column = reader_.column();
     if (!reader_.takeIf(U'[')) return std::nullopt;

@@ -11,10 +11,10 @@ namespace poinsot::text {
 ///
 /// Outside formulas: upright roman text, kerned; ' is an apostrophe, ``...'' are quotes, -- and --- dashes, ~ a
 /// space; \textbf{...}, \, \; \quad and "\ " spaces, \$ \% \& \# \_ \{ \} \degree \ldots. Inside $...$: Latin
-/// letters italic, digits upright, Greek by command (\omega, \Omega) or as itself, \mathbf \boldsymbol \mathrm
-/// \mathit, accents \hat \dot \ddot \bar \vec \tilde, scripts _ ^ ', \frac{}{}, \dfrac{}{} with its parts in full
-/// size, \sqrt{} \sqrt[3]{}, \text{...}, functions (\sin) and the operators of commands.cpp, spaced as TeX spaces
-/// them; - is the minus sign.
+/// letters italic, digits upright, Greek by command (\omega, \Omega) or as the letter itself, \mathbf \boldsymbol
+/// \mathrm \mathit, accents \hat \dot \ddot \bar \vec \tilde, scripts _ ^ ', \frac{}{}, \dfrac{}{} with its parts
+/// in full size, \sqrt{} \sqrt[3]{}, \text{...}, functions (\sin) and the operators of commands.cpp, spaced as in
+/// TeX; - is the minus sign.
 ///
 /// Canonically equal texts, such as composed and decomposed letters, are set the same.
 ///

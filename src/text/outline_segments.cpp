@@ -9,7 +9,6 @@
 namespace poinsot::text {
 namespace {
 
-// Lays an outline down as segments.
 class Tracer {
  public:
   Tracer(std::vector<Segment>& segments, double tolerance_px) : segments_(segments), tolerance_px_(tolerance_px) {}
@@ -23,7 +22,7 @@ class Tracer {
 
   void cubicTo(Point c1, Point c2, Point end) {
     const Point start = pen_;
-    // A quarter circle of radius r cut into n chords is missed by 0.31 r / n², and its control polygon is 1.66 r
+    // A quarter circle of radius r cut into n chords deviates by 0.31 r / n², and its control polygon is 1.66 r
     // long.
     const double length = distance(start, c1) + distance(c1, c2) + distance(c2, end);
     const int pieces = 1 + static_cast<int>(std::sqrt(0.19 * length / tolerance_px_));
@@ -40,7 +39,6 @@ class Tracer {
   Point pen_;
 };
 
-// From the font's units into pixels.
 class GlyphTracer final : public OutlineSink {
  public:
   GlyphTracer(Tracer& tracer, Point origin, double pixelsPerUnit)
@@ -58,7 +56,7 @@ class GlyphTracer final : public OutlineSink {
   double pixelsPerUnit_;
 };
 
-// Counter-clockwise to the eye, as the outer contours of PostScript glyphs are.
+// Traces a rule counter-clockwise to the eye, like the outer contours of PostScript glyphs.
 void traceRule(Tracer& tracer, const Rule& rule, double size_px, Point origin) {
   const double left = origin.x + size_px * rule.x_em;
   const double right = origin.x + size_px * (rule.x_em + rule.width_em);

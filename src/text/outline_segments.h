@@ -8,14 +8,14 @@
 
 namespace poinsot::text {
 
-/// A straight piece of outline, in pixels, y down; filled shapes lie on one and the same side of all of them.
+/// Straight piece of outline in pixels, y down. Filled shapes lie on the same side of all segments.
 struct Segment {
   Point from;
   Point to;
 };
 
-/// The closed outlines of the run's glyphs (unhinted) and rules at `size_px` pixels to the em, the left end of the
-/// baseline at `origin`; curves are cut into chords no further than about `tolerance_px` from them.
+/// Returns the closed outlines of a run's glyphs (unhinted) and rules at `size_px` pixels to the em, with the left
+/// end of the baseline at `origin`. Curves are cut into chords at most about `tolerance_px` away from them.
 std::vector<Segment> outlineSegments(const GlyphRun& run, double size_px, Point origin, double tolerance_px);
 
 }  // namespace poinsot::text

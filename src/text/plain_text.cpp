@@ -10,12 +10,12 @@ constexpr std::u32string_view kRaised = U"⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼�
 
 std::u32string grouped(const std::u32string& part) { return part.size() > 1 ? U"(" + part + U")" : part; }
 
-// "2T" needs no parentheses before a slash; a sum or another quotient does.
+// Puts sums and quotients in parentheses. "2T" needs none before a slash.
 std::u32string quotientPart(const std::u32string& part) {
   return part.find_first_of(U" /+−") == part.npos ? part : grouped(part);
 }
 
-// With Unicode's own small digits where it has all that are needed, else with a TeX sign.
+// Returns a script in Unicode's own small digits if all characters have one, otherwise behind TeX's sign.
 std::u32string script(const std::u32string& content, std::u32string_view small, char32_t sign) {
   std::u32string mapped;
   for (const char32_t c : content) {

@@ -8,15 +8,15 @@
 
 namespace poinsot::text {
 
-/// UTF-8.
 std::string toUtf8(std::u32string_view characters);
 
-/// Formulas in one line of plain Unicode, to be read aloud or searched: "x₁", "x^(a + b)", "(a + b)/2", "√x".
+/// Returns formulas in one line of plain Unicode, to read aloud or to search: "x₁", "x^(a + b)", "(a + b)/2",
+/// "√x".
 std::u32string plainSubscript(const std::u32string& script);
 std::u32string plainSuperscript(const std::u32string& script);
 std::u32string plainFraction(const std::u32string& numerator, const std::u32string& denominator);
 std::u32string plainRoot(const std::u32string& content);
-/// A root of plainRoot() with an index: "∛x", "⁵√x", "[n]√x".
+/// Adds an index to a root of plainRoot(): "∛x", "⁵√x", "[n]√x".
 std::u32string plainWithIndex(const std::u32string& index, const std::u32string& root);
 
 }  // namespace poinsot::text

@@ -10,7 +10,7 @@
 namespace poinsot::text {
 namespace {
 
-// A label or a title; a longer string is a mistake, and a picture has no room for it.
+// Limit for a label or a title. A longer string is a mistake, and a picture has no room for it.
 constexpr std::size_t kMostCharacters = 2000;
 constexpr int kDeepest = 40;
 

@@ -7,27 +7,26 @@
 
 namespace poinsot::text {
 
-/// Reads a string of the small TeX language character by character and knows the column.
-/// Columns count characters from 1. Every failure is core::Error(kUsage) naming its column and the string.
+/// Reads a string of the small TeX language character by character. Columns count characters from 1. Every failure
+/// throws core::Error(kUsage) with its column and the string.
 class TexReader {
  public:
-  /// @throws core::Error(kUsage) when `tex` is not UTF-8 or is longer than 2000 characters.
+  /// @throws core::Error(kUsage) if `tex` is not UTF-8 or is longer than 2000 characters.
   explicit TexReader(std::string_view tex);
 
   bool atEnd() const { return position_ == characters_.size(); }
-  /// The next character, 0 at the end.
   char32_t peek() const { return atEnd() ? U'\0' : characters_[position_]; }
   char32_t take();
   bool takeIf(char32_t wanted);
-  /// The name after a backslash already taken: letters, or one other character.
+  /// Takes the name after a backslash, which has been taken already: letters, or one other character.
   std::string takeName();
   void skipBlanks();
 
-  /// Column of the next character.
   std::size_t column() const { return position_ + 1; }
   [[noreturn]] void fail(std::size_t column, const std::string& what) const;
 
-  /// Held while inside braces or an argument, so that hostile input cannot exhaust the stack.
+  /// Guard for the inside of braces or of an argument. It limits the depth, so that hostile input cannot exhaust
+  /// the stack.
   class Nested {
    public:
     explicit Nested(TexReader& reader);
@@ -46,7 +45,7 @@ class TexReader {
   int depth_ = 0;
 };
 
-/// A blank: space, tab or end of line.
+/// Reports whether a character is a space, a tab or an end of line.
 bool isBlank(char32_t c);
 
 }  // namespace poinsot::text

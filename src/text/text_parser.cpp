@@ -13,7 +13,7 @@
 namespace poinsot::text {
 namespace {
 
-// What is typed for a character that keyboards lack; longest first.
+// Typed replacement for a character that keyboards lack. The table is ordered longest first.
 struct Typed {
   std::u32string_view typed;
   char32_t character;
@@ -38,7 +38,7 @@ std::u32string withTypography(std::u32string_view text) {
   return result;
 }
 
-// How a character that the language uses itself is written as a sign.
+// Returns a hint how to write, as a sign, a character that the language uses itself.
 std::string orTheSign(char sign) {
   const std::string name(1, sign);
   return findCommand(name) ? fmt::format("for the sign write \\{}", name) : "there is no command for the sign";
@@ -92,7 +92,7 @@ class TextParser {
       case CommandKind::kText:
         return parseArgument(*command, column);
       default:
-        pending_ += command->character;  // a sign that running text has too
+        pending_ += command->character;  // a sign that is allowed in running text too
     }
   }
 
@@ -108,7 +108,7 @@ class TextParser {
     append(line_, box);
   }
 
-  // Text is shaped in runs as long as possible: kerning and ligatures look at neighbours.
+  // Sets the pending text. Runs are as long as possible, because kerning and ligatures depend on neighbours.
   void setPending() {
     if (!pending_.empty()) append(line_, textBox(withTypography(pending_), style_.bold, style_.level));
     pending_.clear();
@@ -130,7 +130,7 @@ Box parseText(TexReader& reader, const TextStyle& style, const ListEnd& end) {
 
 namespace {
 
-// How the end of an open list is missed at the end of the string, or of an index where braces or the formula end.
+// Reports a list that is still open at the end of the string, or an index open where braces or the formula end.
 void failUnclosed(const TexReader& reader, const ListEnd& end) {
   if (end.sign == U'}') reader.fail(end.openedAt, "'{' is never closed; " + orTheSign('{'));
   if (end.sign == U'$') reader.fail(end.openedAt, "'$' is never closed; a formula is $...$; " + orTheSign('$'));

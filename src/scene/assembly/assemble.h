@@ -7,13 +7,13 @@
 
 namespace poinsot::scene {
 
-/// Makes the scene from keys that passed their own checks: what several keys decide together, what the files say
-/// that it names, and what physics refuses, is checked here, each at the value it is about.
-/// What it returns counts only while nothing was found.
+/// Makes the scene from keys that passed their own checks. Also checks what several keys decide together, the
+/// contents of named files, and what physics rejects; reports each problem at its value. The result is valid only
+/// if no problem was found.
 Scene assemble(Draft draft, Findings& findings, const SceneFolder& folder);
 
-/// Doubts what is hardly ever meant: a bare whole number as an angle (who means radians writes a fraction), a bare
-/// length of metres in a body whose other lengths have units, a density that no matter has.
+/// Notes values that are rarely intended: a bare whole number as an angle (radians are usually fractions), a bare
+/// length of metres in a body whose other lengths have units, a density higher than that of any matter.
 void doubtValues(const Leaves& leaves, Findings& findings);
 
 }  // namespace poinsot::scene

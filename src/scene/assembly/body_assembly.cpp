@@ -19,7 +19,7 @@ constexpr const char* kWays = "principal_moments, inertia, shape, catalogue, or 
 
 std::string vectorText(const Vector3d& v) { return fmt::format("({:g}, {:g}, {:g})", v[0], v[1], v[2]); }
 
-/// "I3 must not exceed I1 + I2, got (0.1, 0.2, 0.9) kg·m²; ..."
+/// Returns a message such as "I3 must not exceed I1 + I2, got (0.1, 0.2, 0.9) kg·m²; ...".
 std::string triangleMessage(const Vector3d& moments) {
   int largest = 0;
   moments.maxCoeff(&largest);
@@ -28,7 +28,8 @@ std::string triangleMessage(const Vector3d& moments) {
                      largest + 1, other, another, vectorText(moments));
 }
 
-/// What physics could not solve, or empty. Bare moments were checked for their range before, a shape's were not.
+/// Returns why physics could not solve the moments; empty if it can. The range of bare moments is checked before,
+/// the range of a shape's moments only here.
 std::string outOfReach(const Vector3d& moments) {
   const double least = moments.minCoeff(), most = moments.maxCoeff();
   if (least < kLeastMoment || most > kMostMoment)
@@ -66,7 +67,6 @@ class BodyAssembly {
     findings_.refuse("body", fmt::format("the body is missing; give {}", kWays));
   }
 
-  /// For each way to describe a body that is used, the key to name it by.
   std::vector<std::string> waysGiven() const {
     std::vector<std::string> ways;
     for (const char* path : {"body.principal_moments", "body.inertia", "body.catalogue"})
@@ -133,7 +133,8 @@ class BodyAssembly {
     finishMeasured(*draft_.inertia, "body.inertia");
   }
 
-  /// The axes are those of the tensor as it was given.
+  /// Completes a body of measured moments. If the moments are about the fixed point, the axes stay those of the
+  /// tensor as given.
   void finishMeasured(const Eigen::Matrix3d& inertia_B, const std::string& path) {
     MeasuredBody measured(all_, path, findings_);
     if (!measured.keysFit()) return;
@@ -145,7 +146,7 @@ class BodyAssembly {
       setAxes(body_.mass->inertiaAbout(body_.fixedPoint_B()), path);
   }
 
-  /// @param inertia_B  about the fixed point, computed from what the scene gives
+  /// @param inertia_B  about the fixed point, computed from the scene's values
   void setAxes(const Eigen::Matrix3d& inertia_B, const std::string& path) {
     try {
       body_.axes = physics::PrincipalAxes(inertia_B);

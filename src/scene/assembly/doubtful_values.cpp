@@ -13,8 +13,8 @@
 namespace poinsot::scene {
 namespace {
 
-constexpr double kDensest_kg_m3 = 23000;  // osmium has 22 590
-constexpr double kLong_m = 2;             // of a body that is described in centimetres
+constexpr double kDensest_kg_m3 = 23000;  // osmium has 22 590 kg/m³
+constexpr double kLong_m = 2;             // long for a body that is described in centimetres
 
 std::optional<double> bareNumber(const Node& node) {
   if (const auto* integer = node.as<std::int64_t>()) return static_cast<double>(*integer);
@@ -22,7 +22,7 @@ std::optional<double> bareNumber(const Node& node) {
   return std::nullopt;
 }
 
-/// In SI; of what passed its check.
+/// Returns the SI value of a number or a text that passed its check.
 std::optional<double> valueOf(const Node& node, Dimension dimension) {
   const auto* text = node.as<std::string>();
   if (!text) return bareNumber(node);
@@ -30,7 +30,6 @@ std::optional<double> valueOf(const Node& node, Dimension dimension) {
   return read.ok() ? std::optional(read.value) : std::nullopt;
 }
 
-/// The value, or those of an array.
 std::vector<Node> elementsOf(const Node& node) {
   const auto* array = node.as<Node::Array>();
   return array ? std::vector<Node>(array->begin(), array->end()) : std::vector<Node>{node};

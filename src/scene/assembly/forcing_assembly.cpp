@@ -28,7 +28,7 @@ class ForcingAssembly {
   }
 
  private:
-  /// A table without keys would change nothing, which nobody writes one for.
+  /// Rejects tables without keys, because they would change nothing and nobody intends that.
   void emptyTables() {
     refuseEmpty("motion.gravity", "mgr_body = [x, y, z], or g for a body with mass and pivot");
     refuseEmpty("motion.torque", "body = [x, y, z], space = [x, y, z], a file, or steps");
@@ -64,9 +64,9 @@ class ForcingAssembly {
       checkDirection(*draft_.mgr_B, lever_B());
   }
 
-  /// M g r must agree with body.pivot and the centre of mass: it points from the one to the other.
+  /// Checks that the given M g r points from body.pivot to the centre of mass.
   void checkDirection(const Vector3d& mgr_B, const Vector3d& lever_B) {
-    constexpr double kRounded = 1e-3;  // sine of the angle between them: three digits
+    constexpr double kRounded = 1e-3;  // sine of the angle between them, for values of three digits
     const double product = mgr_B.norm() * lever_B.norm();
     const bool along = mgr_B.cross(lever_B).norm() <= kRounded * product && mgr_B.dot(lever_B) > 0;
     if (mgr_B.isZero(0) || along) return;
@@ -90,7 +90,6 @@ class ForcingAssembly {
     forcing_.gravity_B = body_->mass->mass_kg() * *draft_.g * lever_B();
   }
 
-  /// From the pivot to the centre of mass. @pre the body has both
   Vector3d lever_B() const { return body_->mass->centre_B() - *body_->pivot_B; }
 
   void torqueHistory() {

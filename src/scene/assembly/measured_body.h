@@ -13,25 +13,23 @@ namespace poinsot::scene {
 /// the moments are about.
 class MeasuredBody {
  public:
-  /// `way`: the key that gives the moments, "body.inertia" or "body.principal_moments".
+  /// @param way  key that gives the moments, "body.inertia" or "body.principal_moments"
   MeasuredBody(const Draft& draft, std::string way, Findings& findings);
 
-  /// Whether these keys fit together; what does not is refused.
   bool keysFit();
 
-  /// The mass, its centre and the tensor about its centre (eq 14). Empty without a mass, and if the tensor is
-  /// refused.
+  /// Returns the mass, the centre of mass and the tensor about it (eq 14). Empty without a mass, or if the tensor
+  /// is rejected.
   /// @param inertia_B  about the point that the keys name, kg·m²
   std::optional<physics::MassProperties> massProperties(const Eigen::Matrix3d& inertia_B);
 
-  /// Whether the moments are about the point that the body turns about. So they are without a mass.
+  /// Returns whether the moments are about the point that the body turns about. Always true without a mass.
   bool aboutFixedPoint() const { return point_B() == fixedPoint_B(); }
 
  private:
   bool massFits();
   bool pointFits();
   Eigen::Vector3d fixedPoint_B() const { return pivot_B_.value_or(centre_B_); }
-  /// The point that the moments are about.
   Eigen::Vector3d point_B() const;
   std::string contradiction(const std::string& why) const;
 
@@ -42,7 +40,7 @@ class MeasuredBody {
   Findings& findings_;
 };
 
-/// Refuses the keys that only a body of measured moments has, beside another way to describe a body.
+/// Rejects keys of measured moments in a body that is described in another way.
 void refuseMeasuredKeys(const std::string& way, Findings& findings);
 
 }  // namespace poinsot::scene

@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector3d;
 using physics::Quaternion;
 
-/// A way to give a start: its keys, those that it cannot do without first.
+/// Way to give a start: its keys, the required ones first.
 struct Way {
   std::vector<std::string_view> names;
   std::size_t required;
@@ -36,7 +36,7 @@ const std::vector<Way>& ways() {
 
 std::string pathOf(std::string_view name) { return fmt::format("motion.{}", name); }
 
-/// Turned by gravity, a torque: what lets a body at rest begin to turn.
+/// Returns whether gravity or a torque can set a body at rest going.
 bool setsGoing(const physics::Forcing& forcing) {
   physics::Forcing torques = forcing;
   torques.dragRate_P.setZero();
@@ -110,7 +110,7 @@ class StartAssembly {
     chooseOrientation();
     checkTilt();
     if (const auto value = restText()) return atRest({path, *value});
-    motion_.omega_B = Vector3d::Ones();  // one that was refused is not zero besides
+    motion_.omega_B = Vector3d::Ones();  // nonzero, so that a rejected start is not treated as rest
     if (!body_) return;
     try {
       if (const auto omega_B = omega()) setOmega(*omega_B, path);
@@ -126,8 +126,6 @@ class StartAssembly {
       motion_.orientation_WB = Quaternion::Identity();
   }
 
-  // ---- a tilt that does not lean the body
-
   void checkTilt() {
     if (findings_.has("motion.tilt_towards") && !findings_.has("motion.tilt"))
       findings_.refuseMissing("motion.tilt", "motion.tilt_towards",
@@ -140,7 +138,7 @@ class StartAssembly {
                        "has no effect where motion.spin is 0, as L is 0; leave it out, or give a spin");
   }
 
-  /// True also if the table of gravity has a mistake, so that both mistakes are reported at once.
+  /// Returns true also if [motion.gravity] has a mistake, so that both mistakes are reported at once.
   bool gravityPulls() const {
     return !motion_.forcing.gravity_B.isZero(0) || (findings_.hasBelow("motion.gravity") && !mgr_B_);
   }
@@ -182,7 +180,7 @@ class StartAssembly {
     return {q_WB.w(), q_WB.x(), q_WB.y(), q_WB.z()};
   }
 
-  /// The value that says that the body does not turn.
+  /// Returns the given value, such as "0 rad/s", if the start does not turn the body; else nullopt.
   std::optional<std::string> restText() const {
     const auto isZero = [](const std::optional<Vector3d>& v) { return v && v->isZero(0); };
     if (isZero(start_.omega_B) || isZero(start_.omega_W)) return "(0, 0, 0) rad/s";
@@ -217,7 +215,7 @@ class StartAssembly {
     return std::nullopt;
   }
 
-  /// Whether those that are given passed their checks.
+  /// Returns whether none of these keys failed its check.
   bool passed(std::initializer_list<std::string_view> names) const {
     for (const std::string_view name : names)
       if (findings_.failed(pathOf(name))) return false;

@@ -6,7 +6,6 @@
 namespace poinsot::scene {
 namespace {
 
-/// Which of the ways to say a vector are given, valid or not.
 std::vector<std::string> givenWays(const std::string& path, const Findings& findings) {
   std::vector<std::string> given;
   for (const char* way : {"components", "position_of", "velocity_of"})

@@ -8,7 +8,7 @@
 namespace poinsot::scene {
 namespace {
 
-constexpr int kMostCells = 8;  // a way: smaller panels could not be looked at
+constexpr int kMostCells = 8;  // in each direction; smaller panels would be illegible
 
 }  // namespace
 

@@ -11,13 +11,15 @@
 
 namespace poinsot::scene {
 
-/// Gives the panels of a picture, views and plots alike, their places, one after another.
+/// Grid of the picture that assigns places to panels, views and plots alike, one after another.
 class PanelGrid {
  public:
   explicit PanelGrid(Findings& findings) : findings_(findings) {}
 
-  /// Where it says, else to the right of the panel before; `span`: columns and rows, else one cell. What leaves
-  /// the grid or covers another is refused at `path`.at. `path` ("plot[1]") is also the panel's name in messages.
+  /// Places a panel at `at` or, without `at`, to the right of the previous panel. Rejects at `path`.at a panel
+  /// that leaves the grid or covers another.
+  /// @param path  such as "plot[1]"; also names the panel in messages
+  /// @param span  columns and rows; one cell if empty
   GridPlace take(const std::string& path, const std::optional<Eigen::Vector2i>& at,
                  const std::optional<Eigen::Vector2i>& span);
 

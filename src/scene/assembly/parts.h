@@ -12,65 +12,63 @@
 
 namespace poinsot::scene {
 
-/// The body that the keys below [body] describe together; empty where `findings` says what is wrong with it.
+/// Makes the body that the keys below [body] describe together; empty if `findings` has a problem with it.
 std::optional<Body> assembleBody(const Draft& draft, Findings& findings, const SceneFolder& folder);
 
-/// Whether the body is given by its moments or its tensor, without a mass.
+/// Returns whether the body is given by its moments or its tensor, without a mass.
 bool massIsUnknown(const Findings& findings);
 
-/// Message for a key that needs a mass, of a body given by its moments or its tensor alone.
+/// Message for a key that needs a mass, if the body is given by its moments or its tensor alone.
 inline constexpr const char* kNeedsMass = "needs a body with a mass; give body.mass beside the moments of inertia";
 
-/// What acts on the body: gravity, torques, drag, dissipation; what is wrong goes to `findings`. `body` is null
-/// where that is wrong itself.
+/// Assembles the forcing of the body: gravity, torques, drag, dissipation. Reports problems to `findings`.
+/// @param body  null if the body is invalid
 physics::Forcing assembleForcing(const Draft& draft, const Body* body, Findings& findings,
                                  const SceneFolder& folder);
 
-/// How a thrown body flies, where [motion.flight] stands in the file.
+/// Makes the flight of a thrown body; empty if the file has no [motion.flight].
 std::optional<Flight> assembleFlight(const Draft& draft, Findings& findings);
 
-/// A body that does not turn, and that nothing sets going: the key that says so, and its value.
+/// Body that does not turn and that nothing sets going: the key that causes this, and its value.
 struct Rest {
   std::string path, value;
 };
 
-/// The start that the keys of [motion] describe together, into `motion`, whose forcing is known; what is wrong
-/// goes to `findings`. `body` is null where that is wrong itself.
+/// Makes the start that the keys of [motion] describe together. Reports problems to `findings`.
+/// @param body  null if the body is invalid
+/// @param motion  receives the start; its forcing is already set
 std::optional<Rest> assembleStart(const Draft& draft, const Body* body, Findings& findings, Motion& motion);
 
-/// [[vector]] and [[angle]].
 void assembleNamed(const Draft& draft, Findings& findings, Scene& scene);
 
-/// The panels of [[plot]], into scene.plots, placed after the views that are in `grid`. What is wrong goes to
-/// `findings`.
+/// Makes the panels of [[plot]] and places them after the views in `grid`. Reports problems to `findings`.
 void assemblePlots(const Draft& draft, Findings& findings, PanelGrid& grid, Scene& scene);
 
-/// What [[readout]] and [[note]] say, into the scene.
 void assembleNotes(const Draft& draft, Findings& findings, Scene& scene);
 
-/// Of a thrown body Poinsot's construction is drawn where it is asked for; before anything is.
+/// Hides Poinsot's construction for a thrown body, except parts that the scene has keys for. Call before
+/// askForShown().
 void leaveOutOfFlight(const Findings& findings, Show& show);
 
-/// What is drawn in place of the body, into show.body; what is wrong goes to `findings`.
 void assembleDrawnShape(const Draft& draft, Findings& findings, const SceneFolder& folder, Show& show);
 
-/// Leaves out of `show` what this motion does not have, and refuses what the user asks for of that. `prefix`: what
-/// stands before "show" in the paths of its keys ("", "view[1].").
+/// Hides in `show` what this motion does not have, and rejects such things if the user asks for them.
+/// @param prefix  text before "show" in the paths of the keys ("", "view[1].")
 void assembleVisible(const Scene& scene, const std::optional<Rest>& rest, const std::string& prefix,
                      Findings& findings, Show& show);
 
-/// From what was given to what is drawn: line widths become the theme's, times the factor given.
+/// Multiplies the given line width by the theme's factor.
 void finishStyle(Style& style);
 
-/// What the timeline shows is asked for with that: adds it to the scene's [show], unless that says otherwise.
-/// Before the views are made, which start from it.
+/// Makes the things visible that the timeline shows, unless the scene's [show] decides otherwise. Call before the
+/// views are made, which start from [show].
 void askForShown(Draft& draft, const Findings& findings);
 
-/// The entries, by time, and the captions that they give.
 Timeline assembleTimeline(const Draft& draft, double duration_s, Findings& findings);
 
-/// The panels of the picture, into scene.views: those of [[view]], of camera.frames, else one; of a scene whose
-/// body, motion and show are known. What is wrong goes to `findings`.
+/// Makes the views of the picture: those of [[view]], of camera.frames, or else one. Reports problems to
+/// `findings`.
+/// @pre body, motion and show of the scene are set
 void assembleViews(const Draft& draft, const std::optional<Rest>& rest, Findings& findings, PanelGrid& grid,
                    Scene& scene);
 

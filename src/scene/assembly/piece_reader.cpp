@@ -16,10 +16,10 @@ namespace {
 using Eigen::Vector3d;
 using physics::Quaternion;
 
-/// The right-hand turn by `angle_rad` about an axis that is not zero. Not Eigen's: the last bit of the library's
-/// sine depends on the CPU.
+/// Returns the right-hand turn by `angle_rad` about a nonzero axis. Eigen's rotations are not used, because the
+/// last bit of the C library's sine depends on the CPU.
 Quaternion turn(const Vector3d& axis, double angle_rad) {
-  const Vector3d direction = axis / axis.cwiseAbs().maxCoeff();  // squares stay in range
+  const Vector3d direction = axis / axis.cwiseAbs().maxCoeff();  // keeps squares in range
   const auto half = physics::sineCosine(angle_rad / 2);
   const double length =
       std::sqrt(direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2]);
@@ -27,10 +27,10 @@ Quaternion turn(const Vector3d& axis, double angle_rad) {
   return Quaternion(half.cosine, v[0], v[1], v[2]);
 }
 
-/// What a figure is made of, in its own axes S, for any mass.
+/// Volume and mass properties of a figure in its own axes S, for any mass.
 struct Matter {
   std::function<physics::MassProperties(double mass_kg)> massProperties;
-  double volume_m3 = 0;  ///< 0 of what has none: shells, plates, hoops, rods
+  double volume_m3 = 0;  ///< 0 for shells, plates, hoops and rods
 };
 
 Matter matterOf(const physics::Solid& solid) {
@@ -48,7 +48,7 @@ void expectClosed(const geometry::Mesh& mesh) {
   }
 }
 
-/// @throws core::Error where the mesh is not closed.
+/// @throws core::Error if the mesh is not closed.
 Matter matterOf(const std::shared_ptr<const geometry::Mesh>& mesh) {
   expectClosed(*mesh);
   const geometry::MeshIntegrals integrals = geometry::integrals(*mesh);

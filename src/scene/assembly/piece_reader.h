@@ -6,23 +6,22 @@
 
 namespace poinsot::scene {
 
-/// A part of the body and its mass properties, in B.
+/// Part of the body and its mass properties, in B.
 struct Piece {
   Part part;
   physics::MassProperties mass;
 };
 
-/// Makes the piece that the keys of [body] or of one [[body.part]] describe: shape, mass and place.
+/// Reader of the keys of a piece, in [body] or one [[body.part]]: shape, mass and place.
 class PieceReader {
  public:
-  /// `table`: "body", "body.part[2]".
+  /// @param table  such as "body" or "body.part[2]"
   PieceReader(const PieceDraft& piece, std::string table, Findings& findings, const SceneFolder& folder)
       : piece_(piece),
         table_(table),
         findings_(findings),
         shape_(piece.shape, std::move(table), findings, folder) {}
 
-  /// Empty where a problem was found.
   std::optional<Piece> piece();
 
   std::string lengthPath() const { return shape_.lengthPath(); }
@@ -42,7 +41,6 @@ class PieceReader {
   ShapeReader shape_;
 };
 
-/// The piece that one [[body.point_mass]] describes; empty where a problem was found.
 std::optional<Piece> pointMass(const PointDraft& point, const std::string& table, Findings& findings);
 
 }  // namespace poinsot::scene

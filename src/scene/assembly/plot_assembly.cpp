@@ -11,20 +11,17 @@
 namespace poinsot::scene {
 namespace {
 
-/// The draft has only those elements that gave a key which passed its checks.
+/// Returns element i, or an empty one beyond the draft's end. A draft ends at the last element with a valid key.
 template <class T>
 T elementOrNone(const std::vector<T>& elements, std::size_t i) {
   return i < elements.size() ? elements[i] : T();
 }
 
-/// Reports a key without which its table says nothing, unless what it says was refused already.
 void require(const std::string& path, const char* example, Findings& findings) {
   if (!findings.has(path)) findings.refuseMissing(path, path, fmt::format("is required, such as {}", example));
 }
 
-// ---- plots ----
-
-/// A quantity that this motion does not have.
+/// Rejects a quantity that this motion does not have.
 void checkExists(int quantity, const std::string& path, const Scene& scene, Findings& findings) {
   const StateQuantity& q = stateQuantity(quantity);
   if (q.needs == QuantityNeeds::kNothing) return;
@@ -46,7 +43,6 @@ void checkUnits(const Plot& plot, const std::string& path, Findings& findings) {
                               a.name, unitText(a.unit), b.name, unitText(b.unit)));
 }
 
-/// Whether it is a unit, and of what is shown.
 void checkUnit(const std::string& unit, int quantity, const std::string& path, Findings& findings) {
   if (!findings.has(path) || findings.failed(path)) return;
   const StateQuantity& q = stateQuantity(quantity);

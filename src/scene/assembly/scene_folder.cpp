@@ -37,7 +37,7 @@ bool isAddress(std::string path) {
   return path.starts_with("file:") || path.find("://") != std::string::npos;
 }
 
-/// What others expand is said to be no name; nothing here expands anything.
+/// Rejects names that other programs expand, because this program expands none.
 void expectPlain(const std::string& path) {
   if (path.empty()) refuseFile(path, "the name is empty");
   if (std::ranges::any_of(path, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }))
@@ -53,7 +53,7 @@ void expectBeneath(const std::filesystem::path& path) {
     if (part == "..") refuseFile(path, "the file must lie in the scene's folder or below it, without \"..\"");
 }
 
-/// The first that is there.
+/// Opens the first of these files that exists, and stores its path in `place`.
 core::FileHandle openIn(const std::vector<std::filesystem::path>& roots, const std::filesystem::path& path,
                         std::filesystem::path& place) {
   int why = ENOENT;
@@ -62,7 +62,7 @@ core::FileHandle openIn(const std::vector<std::filesystem::path>& roots, const s
     place = root / path;
     if (file) return file;
     if (why == ENOENT) why = errno;
-    if (errno != ENOENT && errno != ENOTDIR) break;  // it is there, and is no file to be read
+    if (errno != ENOENT && errno != ENOTDIR) break;  // the file exists, but cannot be used
   }
   const char* const others = roots.size() > 1 ? ", nor in a folder of --asset-root" : "";
   refuseFile(path, why == ENOENT ? reason(why) + " in the scene's folder" + others : reason(why));
@@ -81,7 +81,7 @@ std::string SceneFolder::read(const std::string& relativePath) const {
   InputFile input{relativePath, {}, {}};
   const core::FileHandle file = openIn(roots_, relativePath, input.place);
   const std::size_t rest = limits_.bytes(Limit::kFilesBytes) - bytes_;
-  const bool isLast = rest < limits_.bytes(Limit::kFileBytes);  // those before it left less than one may have
+  const bool isLast = rest < limits_.bytes(Limit::kFileBytes);  // earlier files left less than one file may have
   const Limit limit = isLast ? Limit::kFilesBytes : Limit::kFileBytes;
   std::string text;
   try {
@@ -99,7 +99,7 @@ std::string SceneFolder::read(const std::string& relativePath) const {
 }
 
 geometry::MeshReading SceneFolder::readMesh(const std::string& relativePath) const {
-  const auto format = geometry::meshFormatOf(relativePath);  // before the file: what it is not, need not be read
+  const auto format = geometry::meshFormatOf(relativePath);  // checked first: other kinds of files are never read
   const std::string bytes = read(relativePath);
   const std::size_t most = limits_.bytes(Limit::kTriangles);
   try {

@@ -20,7 +20,8 @@ std::string extentsText(const std::vector<double>& size) {
   return fmt::format("({}, {}, {})", size[0], size[1], size.at(2));
 }
 
-/// What is wrong with these extents; what physics would say of the lengths they give, in the words of `size`.
+/// Returns the problem with these extents; empty if there is none. Names `size`, unlike the errors of physics,
+/// which name the lengths derived from it.
 std::string extentsProblem(const NamedShape& kind, const std::vector<double>& size) {
   if (size.size() != 1 && size.size() != kind.extents)
     return fmt::format("shape \"{}\" has {} extents, got {}", kind.word, kind.extents, size.size());
@@ -57,7 +58,7 @@ std::string ShapeReader::lengthPath() const {
   return path("shape");
 }
 
-/// The way that lacks fewest keys; the first of several.
+/// Returns the way that lacks the fewest keys; the first of several.
 const KeyNames& ShapeReader::nearestWay() const {
   const auto lacks = [this](const KeyNames& way) {
     return std::count_if(way.begin(), way.end(), [this](std::string_view name) { return !has(name); });
@@ -105,8 +106,8 @@ bool ShapeReader::keysFit() {
          std::all_of(kind().optional.begin(), kind().optional.end(), passed) && sizeFits();
 }
 
-/// Where to report that its lengths do not go together: at the last of them, which is the wall, the tube or the
-/// inner radius that must be smaller than the rest.
+/// Returns where to report that the lengths do not fit together: at the last one, which is the wall, the tube or
+/// the inner radius that must be smaller than the rest.
 std::string ShapeReader::lastPath() const {
   std::string last = path("shape");
   for (const KeyNames* names : {&nearestWay(), &kind().optional})

@@ -13,30 +13,29 @@
 
 namespace poinsot::scene {
 
-/// What a shape's keys describe.
+/// Solid or mesh that the keys of a shape describe.
 using Figure = std::variant<physics::Solid, std::shared_ptr<const geometry::Mesh>>;
 
-/// The same as a part to draw, of 1 kg.
+/// Returns the figure as a part to draw, with a mass of 1 kg.
 Part asPart(const Figure& figure);
 
-/// Makes the figure that the shape keys of one table describe, or says which of them is missing, too many or
-/// impossible.
+/// Reader of the shape keys of one table. Makes the figure that they describe, or rejects keys that are missing,
+/// superfluous or invalid.
 class ShapeReader {
  public:
-  /// `table`: "body", "body.part[2]", "show.body".
+  /// @param table  such as "body", "body.part[2]" or "show.body"
   ShapeReader(const ShapeDraft& shape, std::string table, Findings& findings, const SceneFolder& folder)
       : shape_(shape), table_(std::move(table)), findings_(findings), folder_(folder) {}
 
-  /// Empty where a problem was found, now or by a key's own check.
+  /// Returns the figure; empty if this or a key's own check found a problem.
   std::optional<Figure> figure();
 
-  /// Whether any key of a shape is given, valid or not.
+  /// Returns whether any key of a shape is given, valid or not.
   bool given() const;
 
-  /// Whether some key says how large the shape is.
   bool sized() const;
 
-  /// Where to report that the whole shape cannot be: the first of its lengths, else the shape.
+  /// Returns where to report a shape that is impossible as a whole: at its first length, else at the shape.
   std::string lengthPath() const;
 
  private:
@@ -58,7 +57,6 @@ class ShapeReader {
   const SceneFolder& folder_;
 };
 
-/// Whether `size` may have these extents.
 bool extentsSuit(const NamedShape& kind, const std::vector<double>& size);
 
 }  // namespace poinsot::scene

@@ -16,14 +16,13 @@ struct Thing {
   bool& visible;
 };
 
-/// What Poinsot's construction consists of.
 std::vector<Thing> construction(Show& show) {
   return {{"ellipsoid", show.ellipsoid.visible},   {"plane", show.plane.visible},
           {"contact", show.contact.visible},       {"polhode", show.polhode.visible},
           {"herpolhode", show.herpolhode.visible}, {"height", show.height.visible}};
 }
 
-/// Whether L stays as it is; energy may be lost.
+/// Returns whether L is constant. Energy may be lost.
 bool momentumIsConstant(const physics::Forcing& forcing) {
   physics::Forcing others = forcing;
   others.dissipation = 0;
@@ -41,7 +40,7 @@ void withoutConstruction(const std::string& prefix, Findings& findings, Show& sh
   }
 }
 
-/// "show.L, show.omega": what is visible and does not exist for a body at rest.
+/// Returns the visible things that do not exist for a body at rest: "show.L, show.omega".
 std::string needingRotation(const std::string& prefix, Show& show) {
   std::vector<Thing> things = {{"L", show.L.visible}, {"omega", show.omega.visible}};
   for (const Thing& thing : construction(show)) things.push_back(thing);
@@ -51,7 +50,7 @@ std::string needingRotation(const std::string& prefix, Show& show) {
   return names;
 }
 
-/// Of a shape to draw that says nothing of its size: those of the body where they suit it, else the usual ones.
+/// Returns the solid for a drawn shape without a size: with the body's extents if these suit, else the default.
 physics::Solid proportions(const Draft& draft) {
   const NamedShape& kind = namedShapes()[static_cast<std::size_t>(*draft.drawn.word)];
   const ShapeDraft& whole = draft.body.whole.shape;
@@ -62,7 +61,6 @@ physics::Solid proportions(const Draft& draft) {
   return kind.make(drawn);
 }
 
-/// What is asked for of a body that is not thrown, or has no mass.
 void checkThrown(const Scene& scene, const std::string& prefix, Findings& findings, const Show& show) {
   const std::string flight = prefix + "show.flight", total = prefix + "show.total_L";
   if (!scene.motion.flight && findings.hasBelow(flight) && show.figures.flight.visible)
@@ -74,7 +72,7 @@ void checkThrown(const Scene& scene, const std::string& prefix, Findings& findin
     findings.refuse(total, kNeedsMass);
 }
 
-/// Cones and the parallelogram are those of a steady precession.
+/// Rejects cones and the parallelogram for a motion without steady precession.
 void checkPrecession(const Scene& scene, const std::optional<Rest>& rest, const std::string& prefix,
                      Findings& findings, const Show& show) {
   const bool startKnown = rest || !scene.motion.omega_B.isZero(0);

@@ -19,7 +19,7 @@ std::string withoutPrecession(const Scene& scene, const std::optional<Rest>& res
   const std::string differ = fmt::format(
       "only a symmetric body precesses steadily; all three moments differ here: ({:g}, {:g}, {:g}) kg·m²", I[0],
       I[1], I[2]);
-  constexpr double kSeen = 1e-5;  // more can be seen in the figures
+  constexpr double kSeen = 1e-5;  // larger differences show in the printed numbers
   const double least = std::min(I[1] - I[0], I[2] - I[1]) / I[1];
   return least > kSeen ? differ : fmt::format("{}, two by {:.1g} of themselves", differ, least);
 }

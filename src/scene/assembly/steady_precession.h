@@ -9,7 +9,7 @@
 
 namespace poinsot::scene {
 
-/// Why the scene's motion has no steady precession; empty where it has. @pre its start is known
+/// Returns why the scene's motion has no steady precession; empty if it has one. @pre its start is known
 std::string withoutPrecession(const Scene& scene, const std::optional<Rest>& rest);
 
 }  // namespace poinsot::scene

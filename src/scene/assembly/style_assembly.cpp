@@ -4,7 +4,7 @@
 namespace poinsot::scene {
 namespace {
 
-// A press and a laser printer hold a thinner line than a projector shows.
+// A press or a laser printer reproduces thinner lines than a projector.
 constexpr double kPrintLineWidth = 0.65;
 
 }  // namespace

@@ -12,19 +12,18 @@ namespace {
 
 constexpr std::string_view kKey = "style.file";
 
-/// Why a key may not stand in a style file; empty where it may.
+/// Returns why a key is not allowed in a style file; empty if it is.
 std::string_view misplaced(std::string_view path) {
   if (path == kKey) return "a style file names no other";
   if (path == "schema" || path.starts_with("style.")) return "";
   return "a style file has [style] and [style.colors]; the rest belongs into the scene";
 }
 
-/// The file's text, or nothing where a problem says why.
 const Source* openFile(const Node& name, const SceneFolder& folder, std::deque<Source>& sources,
                        Problems& problems) {
   const auto* path = name.as<std::string>();
   if (!path || static_cast<double>(characterCount(*path)) > kPathLength.most)
-    return nullptr;  // the key's own check says so
+    return nullptr;  // the key's own check reports this
   try {
     std::string text = folder.read(*path);
     return &sources.emplace_back(folder.filesRead().back().place.string(), std::move(text));
@@ -34,7 +33,7 @@ const Source* openFile(const Node& name, const SceneFolder& folder, std::deque<S
   }
 }
 
-/// What the scene gives itself is only checked.
+/// Adds the file's values to the scene's. Only checks values that the scene overrides.
 void take(const Leaves& file, Leaves& leaves, Problems& problems) {
   for (const auto& [path, node] : file.values)
     if (const std::string_view why = misplaced(path); !why.empty())

@@ -8,8 +8,8 @@
 
 namespace poinsot::scene {
 
-/// Where style.file names a style file, adds what its [style] gives to what the scene gives, which counts before
-/// it. Everything in it is checked, with places of its own; its text is kept in `sources`.
+/// Adds the [style] of the file that style.file names. Values of the scene override those of the style file.
+/// Checks everything in the file, with places of its own, and keeps its text in `sources`.
 /// @throws SceneErrors with the one problem of a file that is not TOML.
 void addStyleFile(const SceneFolder& folder, std::deque<Source>& sources, Leaves& leaves, Problems& problems);
 

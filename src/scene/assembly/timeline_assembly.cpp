@@ -11,7 +11,7 @@ namespace {
 
 std::string pathOf(std::size_t entry) { return fmt::format("timeline[{}]", entry); }
 
-/// Empty where the entry gave no key that passed its checks.
+/// Returns the draft of entry i; empty if the entry has no valid key.
 TimelineDraft given(const Draft& draft, std::size_t i) {
   return i < draft.timeline.size() ? draft.timeline[i] : TimelineDraft();
 }
@@ -24,7 +24,7 @@ void checkWhen(const TimelineDraft& entry, const std::string& path, double durat
                                               duration_s, *entry.at));
 }
 
-/// What is longer than the film is: it is asked for, and cut off.
+/// Notes a hold that exceeds the film. Such a hold is valid, but is cut off.
 void doubtHold(const TimelineDraft& entry, const std::string& path, double duration_s, Findings& findings) {
   if (!entry.hold || !entry.at || *entry.at > duration_s) return;
   const double end_s = *entry.at + entry.over.value_or(TimelineEntry().over_s) + *entry.hold;
@@ -45,7 +45,7 @@ void checkWhat(const TimelineDraft& entry, const std::string& path, Findings& fi
                     "given beside camera.azimuth; give where the camera goes, or by how much");
 }
 
-/// A film that repeats comes back after a time that its one speed decides.
+/// Rejects changes of speed in a film that repeats, because one constant speed determines its period.
 void checkLoop(const TimelineDraft& entry, const std::string& path, Findings& findings) {
   constexpr const char* kWhy = "a film that repeats (time.loop) keeps its speed; leave out one of the two";
   if (entry.speed) findings.refuse(path + ".speed", kWhy);
@@ -67,7 +67,8 @@ TimelineEntry entryOf(const TimelineDraft& given) {
   return entry;
 }
 
-/// Each until the next begins, or as long as it says; empty ones only end those before.
+/// Returns captions that last until the next one begins, or as long as given. An empty caption only ends the one
+/// before.
 std::vector<Caption> captionsOf(const std::vector<TimelineDraft>& byTime, double duration_s) {
   std::vector<Caption> captions;
   for (const TimelineDraft& entry : byTime) {
@@ -92,7 +93,7 @@ void askForShown(Draft& draft, const Findings& findings) {
 }
 
 Timeline assembleTimeline(const Draft& draft, double duration_s, Findings& findings) {
-  // Nothing is said of a film's end that nobody gave.
+  // An invalid duration must not cause further problems.
   const double end_s = findings.isUnsure("time.duration") ? HUGE_VAL : duration_s;
   std::vector<TimelineDraft> entries;
   for (std::size_t i = 0; i < findings.count("timeline"); ++i) {

@@ -16,7 +16,7 @@ namespace poinsot::scene {
 namespace {
 
 constexpr std::string_view kHeader = "t,Nx,Ny,Nz";
-// A second of torque at audio rate and more; each line is a piece of the integration.
+// More than a second of torque at audio rate. Each line is integrated as a separate piece.
 constexpr std::size_t kMostRows = 100'000;
 
 std::optional<double> number(std::string_view text) {
@@ -24,7 +24,7 @@ std::optional<double> number(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-/// Takes the text up to the separator, which goes too.
+/// Removes and returns the text up to the separator; also removes the separator.
 std::string_view take(std::string_view& text, char separator) {
   const std::size_t end = text.find(separator);
   const std::string_view taken = text.substr(0, end);

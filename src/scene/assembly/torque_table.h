@@ -7,8 +7,8 @@
 
 namespace poinsot::scene {
 
-/// Reads a torque against time from CSV: each line t,Nx,Ny,Nz in s and N·m, times ascending; a first line with
-/// just these names may stand above, and the last line may end without a line end.
+/// Parses a torque against time from CSV. Each line is t,Nx,Ny,Nz in s and N·m, with ascending times. The first
+/// line may be a header with these names; the last line end is optional.
 /// @throws core::Error(kScene) naming the line: "line 3: expected four numbers t,Nx,Ny,Nz, got ...".
 physics::TorqueHistory parseTorqueTable(std::string_view csv, bool linear);
 

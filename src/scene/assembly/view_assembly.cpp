@@ -14,7 +14,7 @@
 namespace poinsot::scene {
 namespace {
 
-/// What the keys below `prefix` ("", "view[1].") do not say themselves.
+/// Applies a preset to the camera, except for keys below `prefix` ("", "view[1].") that the scene gives.
 void usePreset(const std::optional<int>& preset, const std::string& prefix, const Findings& findings,
                Camera& camera) {
   if (!preset) return;
@@ -25,13 +25,14 @@ void usePreset(const std::optional<int>& preset, const std::string& prefix, cons
   if (chosen.projection && !findings.has(prefix + "camera.projection")) camera.projection = *chosen.projection;
 }
 
-/// Of a horizontal vector, from x; the same on every CPU, as atan2 is not.
+/// Returns the angle of a horizontal vector from x. Yields the same bits on every CPU, unlike atan2.
 double heading_rad(double x, double y) {
   const double fromBehind = std::sqrt(x * x + y * y) + x;
   return fromBehind > 0 ? 2 * physics::arcTangent(y / fromBehind) : std::numbers::pi;
 }
 
-/// Beside the path of a thrown body, which goes to the right: seen from a fixed place, some throws come end-on.
+/// Points the camera at the side of a throw, so that the body flies to the right. From a fixed place some throws
+/// would be seen end-on.
 void standBesideFlight(const Draft& draft, const Findings& findings, Scene& scene) {
   if (!scene.motion.flight || draft.preset || findings.has("camera.azimuth")) return;
   constexpr double kFromHeading = -70 * std::numbers::pi / 180;
@@ -44,14 +45,12 @@ void checkFollow(const Camera& camera, const Show& show, const std::string& pref
   const std::string follow = prefix + "camera.follow", zoom = prefix + "camera.zoom";
   if (camera.follow && !scene.motion.flight && findings.has(follow))
     findings.refuse(follow, "nothing is thrown: give [motion.flight], or leave it out");
-  constexpr double kMost = 1.1;  // as wide as the margins
+  constexpr double kMost = 1.1;  // a larger zoom exceeds the picture's margins
   if (movesAlong(scene.motion, camera, show) && !camera.follow && camera.zoom > kMost && findings.has(zoom))
     findings.doubt(zoom,
                    "the thrown body begins and ends outside the picture, as 1 shows its whole flight; with "
                    "camera.follow = true the camera goes along");
 }
-
-// ---- frames ----
 
 void checkFrame(const View& view, const std::string& path, const Scene& scene, const std::optional<Rest>& rest,
                 Findings& findings) {
@@ -73,7 +72,6 @@ const char* headingOf(CameraFrame frame) {
   return "";
 }
 
-/// Panels side by side, one for each frame.
 std::vector<View> viewsOf(const std::vector<CameraFrame>& frames, PanelGrid& grid, const Scene& scene) {
   std::vector<View> views;
   for (const CameraFrame frame : frames) {
@@ -96,10 +94,8 @@ void refuseFrames(Findings& findings) {
     findings.refuse("camera.frame", "given beside camera.frames; give frame for one panel, frames for several");
 }
 
-// ---- views ----
-
 View viewOf(const ViewDraft& given, const std::string& prefix, const Findings& findings, const Scene& scene) {
-  Draft whole;  // what the view's keys are put into
+  Draft whole;  // receives the view's keys
   whole.scene.camera = scene.camera;
   whole.scene.show = scene.show;
   for (const auto& put : given.given) put(whole);
@@ -112,7 +108,7 @@ View viewOf(const ViewDraft& given, const std::string& prefix, const Findings& f
   return view;
 }
 
-/// The draft has only those elements that gave a key which passed its checks.
+/// Makes `count` views. The draft may be shorter, because it ends at the last view with a valid key.
 std::vector<View> givenViews(const Draft& draft, std::size_t count, const std::optional<Rest>& rest,
                              Findings& findings, PanelGrid& grid, const Scene& scene) {
   std::vector<View> views;
@@ -130,7 +126,7 @@ std::vector<View> givenViews(const Draft& draft, std::size_t count, const std::o
   return views;
 }
 
-/// A picture without views has plots alone.
+/// Checks a picture without views, which consists of plots.
 void refuseNoViews(Findings& findings) {
   if (findings.count("view") > 0)
     findings.refuse("show.views", "false, but there is a [[view]]; give one of the two");
@@ -147,7 +143,7 @@ void assembleViews(const Draft& draft, const std::optional<Rest>& rest, Findings
   usePreset(draft.preset, "", findings, scene.camera);
   standBesideFlight(draft, findings, scene);
   const std::size_t count = findings.count("view");
-  // What the scene shows itself is only where the views start, where there are any, and nothing without views.
+  // If there are views, the scene's own [show] is only their start. If views are off, [show] draws nothing.
   const bool start = count > 0 || draft.noViews;
   assembleVisible(scene, start ? std::nullopt : rest, "", findings, scene.show);
   scene.ownViews = count > 0;

@@ -43,7 +43,7 @@ class Converter {
     return to;
   }
 
-  // What spans lines is marked to the end of its first one; the excerpt stops there.
+  // Marks a value that spans lines to the end of its first line, where the excerpt stops.
   Place place(const toml::source_region& region) const {
     const bool oneLine = region.end.line == region.begin.line && region.end.column > region.begin.column;
     const std::string_view line = source_.line(static_cast<int>(region.begin.line));
@@ -101,7 +101,7 @@ std::string tomlText(const Node& node) {
     for (const Entry& entry : *table) parts.push_back(tomlString(entry.key) + " = " + tomlText(entry.value));
     return fmt::format("{{{}}}", core::joined(parts, ", "));
   }
-  return describe(node);  // true, 3, 0.5
+  return describe(node);
 }
 
 std::string describe(const Node& node) {

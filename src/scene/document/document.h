@@ -14,7 +14,6 @@ namespace poinsot::scene {
 struct Entry;
 struct DateOrTime {};
 
-/// A TOML value and where it stands.
 struct Node {
   using Array = std::vector<Node>;
   using Table = std::vector<Entry>;
@@ -34,15 +33,15 @@ struct Entry {
   Node value;
 };
 
-/// Reads TOML 1.0 within the limits on text, so that no file can exhaust the stack or the memory of what reads it.
-/// The one door to toml++.
-/// @throws SceneErrors with the one problem that stopped it: a syntax error, a key given twice, a limit.
+/// Parses TOML 1.0 within the limits on text, so that no file can exhaust the stack or the memory of the reader.
+/// No other code uses toml++.
+/// @throws SceneErrors with the one problem that stops the parser: a syntax error, a repeated key, a limit.
 Node parseDocument(const Source& source, const Limits& limits = {});
 
-/// The value as TOML, on one line. @pre it holds no date or time.
+/// Writes a value as TOML on one line. @pre it holds no date or time.
 std::string tomlText(const Node& node);
 
-/// What was got, for a message: `"abc"`, `3.5`, `an array of 2`; safe to print.
+/// Describes a value for a message: `"abc"`, `3.5`, `an array of 2`. The text is safe to print.
 std::string describe(const Node& node);
 
 }  // namespace poinsot::scene

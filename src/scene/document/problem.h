@@ -8,31 +8,33 @@
 
 namespace poinsot::scene {
 
-/// One thing wrong with a scene: where, what was expected, what was got, the repair. All text is safe to print.
+/// Error in a scene: its place, and a message with the expected and the given value and the repair. All text is
+/// safe to print.
 struct Problem {
-  core::SourceLocation where;  ///< the value (the key where the key is wrong); line 0 for "-D key=value"
-  std::string message;         ///< begins with the key's path
-  std::string sourceLine;      ///< the line, or the part of a long one around the place; empty when there is none
+  core::SourceLocation where;  ///< of the value (of the key if the key is wrong); line 0 for "-D key=value"
+  std::string message;         ///< begins with the path of the key
+  std::string sourceLine;      ///< the line, or the part of a long line around the place; empty without lines
   int caret = 0;               ///< columns of sourceLine before the place
-  int caretLength = 0;         ///< columns of sourceLine to underline, at least 1 where there is a line
+  int caretLength = 0;         ///< columns of sourceLine to underline, at least 1 if there is a line
 };
 
-/// "file:line:column: error: message", the line and a row of carets under the place; no newline at the end.
+/// Formats "file:line:column: error: message", the line, and carets under the place; without a newline at the end.
 std::string toString(const Problem& problem);
 
-/// A value that is allowed and may still be a slip.
+/// Valid value that is probably a slip.
 struct Doubt {
   core::SourceLocation where;
-  std::string message;  ///< begins with the key's path; safe to print
+  std::string message;  ///< begins with the path of the key; safe to print
 };
 
-/// "file:line:column: note: message"; no newline at the end.
+/// Formats "file:line:column: note: message", without a newline at the end.
 std::string toString(const Doubt& doubt);
 
-/// Everything wrong with a scene, in the order of the file. what() is the whole report.
+/// All errors in a scene, in the order of the file. what() is the whole report.
 class SceneErrors : public core::Error {
  public:
-  /// @pre at least one problem; `omitted` counts those beyond the ones listed.
+  /// @param omitted  number of problems beyond the listed ones
+  /// @pre at least one problem
   explicit SceneErrors(std::vector<Problem> problems, int omitted = 0);
 
   const std::vector<Problem>& problems() const { return problems_; }

@@ -10,10 +10,10 @@
 
 namespace poinsot::scene {
 
-/// Characters in UTF-8 text: bytes that do not continue one.
+/// Counts the characters of UTF-8 text: all bytes except continuation bytes.
 std::size_t characterCount(std::string_view text);
 
-/// A text that keys and values come from: a scene file, or one "-D key=value". Outlives every Place in it.
+/// Text that contains keys and values: a scene file, or one "-D key=value". Must outlive every Place in it.
 class Source {
  public:
   Source(std::string name, std::string text);
@@ -23,10 +23,10 @@ class Source {
   const std::string& name() const { return name_; }
   const std::string& text() const { return text_; }
 
-  /// Line `number` (from 1) without its line end; empty beyond the last.
+  /// Returns line `number` (from 1) without its line end; empty beyond the last line.
   std::string_view line(int number) const;
 
-  /// False for "-D", whose name is the whole text: its problems carry no line.
+  /// Returns false for "-D", whose name is the whole text: its problems show no line.
   bool hasLines() const { return hasLines_; }
   void setWithoutLines() { hasLines_ = false; }
 
@@ -37,27 +37,27 @@ class Source {
   bool hasLines_ = true;
 };
 
-/// Where something stands in a source. Columns count characters (not bytes) from 1.
+/// Place in a source. Columns count characters (not bytes) from 1.
 struct Place {
   const Source* source = nullptr;
   int line = 0;
   int column = 0;
-  int length = 1;  ///< characters, all on this line
+  int length = 1;  ///< number of characters, all on this line
 };
 
-/// The place in words for a person; line and column are 0 in a source without lines. The file's name is printable.
+/// Returns the place for a message, with a printable file name. Line and column are 0 in a source without lines.
 core::SourceLocation locationOf(const Place& place);
 
-/// Gathers what is wrong, so that one run reports it all.
+/// Collector of problems, so that one run reports all of them.
 class Problems {
  public:
   void add(const Place& place, std::string message);
-  /// For messages that take time to make (what was meant?): only those that are reported are made.
-  /// @pre what `message` refers to lives until throwIfAny().
+  /// Adds a problem whose message takes time to make; makes the message only if the problem is reported.
+  /// @pre everything that `message` refers to lives until throwIfAny().
   void addLater(const Place& place, std::function<std::string()> message);
   bool empty() const { return found_.empty(); }
   std::size_t size() const { return found_.size(); }
-  /// @throws SceneErrors with all that was added, in the order of the file.
+  /// @throws SceneErrors with the problems added, in the order of the file.
   void throwIfAny();
 
  private:

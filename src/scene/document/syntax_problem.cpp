@@ -13,20 +13,19 @@
 namespace poinsot::scene {
 namespace {
 
-/// A line as regular expressions get it: of a longer one the library's recursion has to know nothing.
+/// Returns the beginning of a line: the recursion of std::regex must not depend on the length of a line.
 std::string beginOf(std::string_view line) { return std::string(line.substr(0, 200)); }
 
 bool matches(std::string_view line, const char* pattern) {
   return std::regex_match(beginOf(line), std::regex(pattern));
 }
 
-/// What stands between the first quotation mark of a text and the last; empty without.
 std::string_view quotedIn(std::string_view text) {
   const std::size_t open = text.find('\''), close = text.rfind('\'');
   return open == std::string_view::npos || close <= open + 1 ? "" : text.substr(open + 1, close - open - 1);
 }
 
-/// toml++ stops after the word it refuses and quotes it; this is where the word begins.
+/// Returns where the rejected word begins: toml++ quotes the word but stops after it.
 Place placeOf(const Source& source, int lineNumber, int column, std::string_view description) {
   Place place{&source, lineNumber, column, 1};
   const std::string_view word = quotedIn(description);
@@ -39,22 +38,19 @@ Place placeOf(const Source& source, int lineNumber, int column, std::string_view
   return place;
 }
 
-/// Returns the text with its first letter small, to stand after a colon.
 std::string continued(std::string text) { return text.replace(0, 1, core::lowered(text.substr(0, 1))); }
-
-// ---- given twice
 
 bool isHeader(std::string_view line) { return core::trimmed(line).starts_with('['); }
 
-/// What a line gives: the path between its brackets, or the key before its equals sign; else empty. By hand, as it
-/// is asked of every line of a file.
+/// Returns the path in brackets of a header, or the key before an equals sign; else empty. Avoids regular
+/// expressions, because it runs for every line of a file.
 std::string_view givenBy(std::string_view line) {
   const std::size_t equals = line.find('='), path = std::min(line.find_first_not_of(" \t["), line.size());
   if (!isHeader(line)) return equals == line.npos ? "" : core::trimmed(line.substr(0, equals));
   return core::trimmed(line.substr(path, line.find(']') - path));
 }
 
-/// The line above that gives what this one does; a key is sought in its own table.
+/// Returns the earlier line with the same key or header; a key is searched in its own table only.
 std::optional<int> givenBefore(const Source& source, int lineNumber) {
   const bool header = isHeader(source.line(lineNumber));
   const std::string_view given = givenBy(source.line(lineNumber));
@@ -79,9 +75,6 @@ std::string twice(const Source& source, int lineNumber, std::string_view text) {
   return fmt::format("this key or table is given twice: {}{}", text, where);
 }
 
-// ---- what else is no TOML
-
-/// A value in which the parser met a comma.
 std::string withComma(std::string_view line) {
   return matches(line, R"([^=]*=\s*[-+]?\d+,\d+\s*(#.*)?)") ? "a decimal sign is a point: 9.81"
                                                             : "several values stand in brackets: [1, 2, 3]";
@@ -111,14 +104,12 @@ std::string messageOf(const Source& source, int lineNumber, std::string_view des
   return "not TOML: " + text;
 }
 
-// ---- an array without an end
-
-/// Whether the line begins a table or gives a key, which no line within an array does.
+/// Returns whether a line begins a table or gives a key, which no line inside an array does.
 bool beginsAnew(std::string_view line) {
   return matches(line, R"(\s*(\[{1,2}\s*[A-Za-z][\w.\s]*\]|[\w.\s-]+=).*)");
 }
 
-/// The bracket of an array that has no end: toml++ sees that only at what follows, often lines below.
+/// Returns the bracket of an unclosed array. toml++ stops only at what follows, often lines below.
 std::optional<Place> unclosedArray(const Source& source, int line, std::string_view description,
                                    const Limits& limits) {
   const bool atEnd = description.find("encountered end-of-file") != std::string_view::npos;

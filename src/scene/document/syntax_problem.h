@@ -9,13 +9,13 @@
 
 namespace poinsot::scene {
 
-/// Why a text is no TOML.
 struct SyntaxProblem {
   Place place;
-  std::string message;  ///< in the words of someone who writes scenes, with the usual slip named
+  std::string message;  ///< written for authors of scenes; names the usual slip
 };
 
-/// From what the parser says, where it stopped.
+/// Translates a syntax error of the parser at a line and column.
+/// @param description  message of toml++
 SyntaxProblem syntaxProblem(const Source& source, int line, int column, std::string_view description,
                             const Limits& limits);
 

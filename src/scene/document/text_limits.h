@@ -14,11 +14,11 @@ struct LimitExceeded {
   std::string message;
 };
 
-/// Looks over TOML text, before any parser builds a tree from it, for what would make that tree too large, too
-/// deep or too slow: one pass, constant memory. Text that is not TOML passes or not; the parser says why.
+/// Scans TOML text, before a parser builds a tree, for anything that would make the tree too large, too deep or
+/// too slow. One pass in constant memory. For invalid TOML the result is arbitrary; the parser reports the error.
 std::optional<LimitExceeded> exceededLimit(const Source& source, const Limits& limits);
 
-/// Where the array begins that is not closed yet where a line begins, by the same pass; the innermost of several.
+/// Returns where an array begins that is still open at the start of a line; the innermost of several.
 std::optional<Place> openArrayAtLine(const Source& source, const Limits& limits, int line);
 
 }  // namespace poinsot::scene

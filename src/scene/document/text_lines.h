@@ -7,8 +7,8 @@
 
 namespace poinsot::scene {
 
-/// The lines of a text, each with its place: the elements of an array; of one text what its line ends part, but
-/// for one at its end. What is neither is one line, as it is.
+/// Splits a text into lines, each with its place. An array yields its elements. A string is split at its line
+/// ends, ignoring one at the end. Any other value is returned unchanged as the only line.
 std::vector<Node> linesOf(const Node& node);
 
 }  // namespace poinsot::scene

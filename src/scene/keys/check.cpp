@@ -19,7 +19,7 @@ namespace {
 
 std::size_t mirrored(std::size_t place) { return 3 * (place % 3) + place / 3; }
 
-/// The first place above the diagonal, of nine numbers in rows, whose mirror image differs.
+/// Returns the first place above the diagonal whose mirror image differs, for nine numbers in rows.
 std::optional<std::size_t> asymmetric(const std::vector<double>& rows) {
   for (const std::size_t above : {1, 2, 5})
     if (rows[above] != rows[mirrored(above)]) return above;
@@ -35,7 +35,6 @@ bool isUtf8(std::string_view text) {
   return true;
 }
 
-/// One key and one value: what is said of them starts with the key's path.
 class Checker {
  public:
   Checker(const Key& key, std::string_view path, Problems& problems)
@@ -106,7 +105,7 @@ class Checker {
 
   std::optional<double> finite(const Node& node) {
     if (const auto* integer = node.as<std::int64_t>()) return static_cast<double>(*integer);
-    // A quaternion's elements have no unit, and percent would mean nothing: its norm does not count.
+    // An element of a quaternion has no unit, not even percent, because its norm does not matter.
     if (const auto* text = node.as<std::string>(); text && key_.type != ValueType::kQuaternion)
       return quantity(node, *text);
     const auto* number = node.as<double>();
@@ -142,7 +141,6 @@ class Checker {
                                     hint + beyondLimit(value), advice));
   }
 
-  /// What the user can do about a value above a limit.
   std::string beyondLimit(double value) const {
     return key_.range.limit && value > key_.range.most ? "; " + howToRaise(*key_.range.limit) : "";
   }
@@ -193,7 +191,7 @@ class Checker {
     return good ? std::optional(hex) : std::nullopt;
   }
 
-  /// "#cc0000" for "#c00" and "cc0000"; empty for what is no colour in hexadecimal digits.
+  /// Returns "#cc0000" for "#c00" and "cc0000"; empty for text that is not a hexadecimal colour.
   static std::string sixDigits(std::string_view text) {
     if (text.starts_with('#')) text.remove_prefix(1);
     std::string all = "#";
@@ -209,8 +207,8 @@ class Checker {
           node, fmt::format("may have at most {} characters, got {}", key_.range.most, characterCount(*value)));
     if (!isUtf8(*value))
       return refuse(node, fmt::format("not UTF-8, got {}; save the file with that encoding", describe(node)));
-    // printable() changes exactly what a terminal or a line of type cannot show; at most 200 characters it cuts
-    // nothing.
+    // printable() changes exactly the characters that a terminal or a line of type cannot show, and does not
+    // shorten a text of at most 200 characters.
     if (core::printable(*value) != *value)
       return refuse(node, fmt::format("may hold no line ends or other control characters, got {} (mathematics "
                                       "stands in single quotes, where a backslash is one: '$\\theta$')",
@@ -218,7 +216,7 @@ class Checker {
     return Checked(*value);
   }
 
-  /// The line ends of one text part its lines, but for one at its end.
+  /// Checks lines of text. Line ends within one string separate lines, except one at its end.
   std::optional<Checked> lines(const Node& node) {
     const std::vector<Node> given = linesOf(node);
     if (given.empty()) return refuseType(node);
@@ -233,7 +231,7 @@ class Checker {
     return Checked(std::move(all));
   }
 
-  /// The word itself; a number without quotes where that is one.
+  /// Accepts one of the words; also a number without quotes if that is one of the words.
   std::optional<Checked> word(const Node& node) {
     const auto* value = node.as<std::string>();
     const auto* number = node.as<std::int64_t>();
@@ -242,17 +240,17 @@ class Checker {
       if (key_.words[i] == given) return Checked(Word{static_cast<int>(i)});
     if (!value) return refuseType(node);
     const auto near = meantWord(*value);
-    // Of many words the list would hide what is meant.
+    // A list of many words would hide the suggestion.
     const std::string expected =
         near && !key_.wordList.empty() ? fmt::format("one of the {}", key_.wordList) : wordsText(key_);
     const std::string hint = near ? fmt::format("; did you mean \"{}\"?", *near) : "";
     return refuse(node, fmt::format("expected {}, got {}{}", expected, describe(node), hint));
   }
 
-  /// "theta_vertical" for "theta_vert", "omega_1" for "omega1", "omega" for "omega_magnitude".
+  /// Suggests "theta_vertical" for "theta_vert", "omega_1" for "omega1", "omega" for "omega_magnitude".
   std::optional<std::string> meantWord(const std::string& given) const {
-    constexpr std::size_t kLongest = 64;  // the edit distance of more is not worth its time
-    constexpr std::size_t kAddition = 3;  // letters after the underscore: fewer are an axis
+    constexpr std::size_t kLongest = 64;  // the edit distance of longer text takes too long
+    constexpr std::size_t kAddition = 3;  // letters after the underscore; fewer may name an axis
     if (given.size() > kLongest) return std::nullopt;
     const auto begun = [&](std::string_view word) { return word.starts_with(given); };
     if (given.size() > kAddition && std::ranges::count_if(key_.words, begun) == 1)
@@ -293,7 +291,6 @@ class Checker {
                                                                              : std::nullopt;
   }
 
-  /// Reports the elements that are out of range.
   bool allInRange(const Node::Array& array, const std::vector<double>& values) {
     bool all = true;
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -310,7 +307,6 @@ class Checker {
     return wrapped(numbers(node, array->size()));
   }
 
-  /// `count` numbers, or one for all of them.
   std::optional<Checked> perAxis(const Node& node, std::size_t count) {
     if (node.as<Node::Array>()) return wrapped(numbers(node, count));
     if (node.as<bool>() || node.as<Node::Table>() || node.as<DateOrTime>()) return refuseType(node);
@@ -349,7 +345,7 @@ class Checker {
     return wrapped(values);
   }
 
-  // A decimal is read as it is written: 29.97 is 2997/100, not the nearest double.
+  // Reads a decimal exactly as written: 29.97 is 2997/100, not the nearest double.
   std::optional<Checked> frameRate(const Node& node) {
     std::string text;
     if (const auto* integer = node.as<std::int64_t>()) text = fmt::format("{}", *integer);

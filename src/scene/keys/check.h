@@ -9,9 +9,10 @@
 
 namespace poinsot::scene {
 
-/// The value in SI if it has the key's type, dimension and range; otherwise empty, and `problems` says why, at the
-/// value (at the element where that is one of several). `path` names it: the key's, with an index for each [].
-/// Of a range with a limit, `limits` has the end.
+/// Checks a value against the type, dimension and range of its key.
+/// @param path  path of the value: the key's, with an index for each []
+/// @param limits  supplies the upper end of a range that depends on a limit
+/// @returns the value in SI units; nullopt if it is invalid, with a problem at the value or at its wrong element
 std::optional<Checked> check(const Key& key, std::string_view path, const Node& node, Problems& problems,
                              const Limits& limits = {});
 

@@ -13,21 +13,20 @@
 #include "physics/unaligned_types.h"
 #include "scene/scene.h"
 
-/// A scene while its keys are being read: what is final goes straight into Draft::scene, what several keys decide
-/// together waits for assemble.h. SI units.
+/// Scene while its keys are being read, in SI units. Final values go straight into Draft::scene. Values that
+/// several keys decide together wait for assemble.h.
 namespace poinsot::scene {
 
-/// The keys that describe a shape, after body, body.part[] or show.body.
+/// Keys of a shape in [body], [[body.part]] or [show.body].
 struct ShapeDraft {
   std::optional<int> word;                     ///< index into shapeWords()
   std::optional<std::vector<double>> size;     ///< two or three extents, or one for all
-  std::map<std::string_view, double> lengths;  ///< "radius" and the like
+  std::map<std::string_view, double> lengths;  ///< by key, such as "radius"
   std::optional<Eigen::Vector3d> wing;
   std::optional<std::string> file;
   std::optional<double> fileUnit_m;
 };
 
-/// A shape with its mass and place.
 struct PieceDraft {
   ShapeDraft shape;
   std::optional<double> mass, density;
@@ -41,27 +40,27 @@ struct PointDraft {
   std::optional<Eigen::Vector3d> position;
 };
 
-/// The point that measured moments are about, in the order of the key's words.
+/// Point that measured moments are about, in the order of the key's words.
 enum class MomentsAbout { kCentreOfMass, kOrigin, kPivot };
 
 struct BodyDraft {
   std::optional<Eigen::Vector3d> moments;
   std::optional<Eigen::Matrix3d> inertia;
-  Eigen::Vector3d centre_B = Eigen::Vector3d::Zero();  ///< of mass, beside moments or a tensor
+  Eigen::Vector3d centre_B = Eigen::Vector3d::Zero();  ///< centre of mass, given beside moments or a tensor
   MomentsAbout momentsAbout = MomentsAbout::kCentreOfMass;
-  std::optional<int> catalogue;  ///< index into the catalogue
+  std::optional<int> catalogue;  ///< index into physics::catalogue()
   PieceDraft whole;
   std::vector<PieceDraft> parts;
   std::vector<PointDraft> points;
 };
 
-/// Each way to give a start; the keys of one of them.
+/// Keys of all ways to give a start, of which a valid scene uses one.
 struct StartDraft {
   std::optional<Eigen::Vector3d> omega_B, omega_W, L_B, L_W;
   std::optional<double> spin, tilt, tiltTowards;
-  int spinAxis = 0;  ///< 0, 1, 2: of P; 3, 4, 5: smallest, middle, largest moment
+  int spinAxis = 0;  ///< 0 to 2: axis of P; 3 to 5: axis of the smallest, middle, largest moment
   std::optional<double> energy, L, phase;
-  int branch = 0;  ///< 1: negative
+  int branch = 0;  ///< 0: positive, 1: negative
 };
 
 struct TorqueStepDraft {
@@ -73,8 +72,8 @@ struct ForcingDraft {
   std::optional<Eigen::Vector3d> mgr_B, torque_B, torque_W, dragRates;
   std::optional<double> g, dissipation;
   std::optional<std::string> torqueFile;
-  int fileAxes = 0;       ///< 1: space
-  int interpolation = 0;  ///< 1: steps
+  int fileAxes = 0;       ///< 0: body axes, 1: space axes
+  int interpolation = 0;  ///< 0: linear, 1: steps
   std::vector<TorqueStepDraft> steps;
 };
 
@@ -96,7 +95,7 @@ struct AngleDraft {
   double scale = 1;
 };
 
-/// An entry of the timeline; thing words are indices into timelineThings().
+/// Entry of the timeline. `shown` and `hidden` are indices into timelineThings().
 struct TimelineDraft {
   std::optional<double> at, over, captionFor, speed, hold, azimuth, turn, elevation, zoom;
   std::vector<int> shown, hidden;
@@ -105,14 +104,14 @@ struct TimelineDraft {
 
 struct Draft;
 
-/// A view's keys; its camera and what it shows start as the scene's.
+/// Keys of a view. Its camera and its shown things start as copies of the scene's.
 struct ViewDraft {
   std::string title, subtitle;
   std::optional<Eigen::Vector2i> at, span;
-  std::vector<std::function<void(Draft&)>> given;  ///< each puts a key of [camera] or [show] into a scene's draft
+  std::vector<std::function<void(Draft&)>> given;  ///< each puts one key of [camera] or [show] into a draft
 };
 
-/// A plot's keys; what several of them decide together waits beside it.
+/// Keys of a plot. Values that several keys decide together are stored beside `plot`.
 struct PlotDraft {
   Plot plot;
   std::optional<std::vector<double>> range;
@@ -144,7 +143,7 @@ struct Draft {
   int chroma = 0, effort = 1;  ///< indices into chromaWords(), effortWords()
 };
 
-/// The element of that number; those before it come to be with it.
+/// Returns element i, after extending the vector to contain it.
 template <class T>
 T& elementAt(std::vector<T>& elements, std::size_t i) {
   if (elements.size() <= i) elements.resize(i + 1);

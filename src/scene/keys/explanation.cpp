@@ -19,7 +19,7 @@ namespace {
 using Explanations = std::vector<Explanation>;
 
 std::string takes(const Key& key) {
-  const bool inWords = key.type == ValueType::kWord || key.type == ValueType::kWords;  // which the type lists
+  const bool inWords = key.type == ValueType::kWord || key.type == ValueType::kWords;  // the type lists the words
   if (inWords && !key.wordList.empty())
     return fmt::format("{} of the {}", key.type == ValueType::kWord ? "one" : "an array", key.wordList);
   const std::string type = typeText(key), range = inWords ? "" : rangeText(key);
@@ -27,7 +27,6 @@ std::string takes(const Key& key) {
   return range.empty() ? type : fmt::format("{}, {}", type, range);
 }
 
-/// "camera.fov = 30"; of an array of tables with the table's line.
 std::string line(const Key& key, std::string_view value) {
   return fmt::format("{} = {}", nameOf(key.path), value);
 }
@@ -44,7 +43,7 @@ Explanation ofKey(const Key& key) {
   return explanation;
 }
 
-/// Those tables that hold keys, in the order of the reference; not again what a view repeats.
+/// Returns the tables that hold keys, in the order of the reference, without those that a view repeats.
 std::vector<std::string_view> tables() {
   std::vector<std::string_view> found;
   for (const Key& key : keys())
@@ -53,7 +52,7 @@ std::vector<std::string_view> tables() {
   return found;
 }
 
-/// What a table is about: of a drawn thing that is what its key "visible" says.
+/// Describes a table; a drawn thing's table by the help of its key "visible".
 std::string storyOf(std::string_view table) {
   const Key* visible = findKey(std::string(table) + ".visible");
   return visible ? std::string(visible->help) : "a table of its own";
@@ -81,13 +80,13 @@ Explanation ofAllTables() {
   return explanation;
 }
 
-/// The path that someone means who writes a table's header.
+/// Removes the brackets of a table's header and the indices of a path.
 std::string unbracketed(std::string_view word) {
   while (word.size() > 1 && word.starts_with('[') && word.ends_with(']')) word = word.substr(1, word.size() - 2);
   return patternOf(word);
 }
 
-/// "body.part.mass" for "body.part[].mass".
+/// Returns "body.part.mass" for "body.part[].mass".
 std::string withoutBrackets(std::string path) {
   for (auto at = path.find("[]"); at != std::string::npos; at = path.find("[]")) path.erase(at, 2);
   return path;
@@ -104,7 +103,6 @@ Explanations ofPath(std::string_view word) {
   return {};
 }
 
-/// Of tables below others and of keys below tables.
 Explanations ofName(std::string_view word) {
   Explanations found;
   for (const std::string_view table : tables()) {
@@ -116,7 +114,7 @@ Explanations ofName(std::string_view word) {
   return found;
 }
 
-/// Words that keys take and that have a story of their own.
+/// Explains words that keys accept and that have an explanation of their own.
 Explanations ofWord(std::string_view word) {
   Explanations found;
   for (const NamedShape& shape : namedShapes())
@@ -141,7 +139,7 @@ Explanations ofUnit(std::string_view word) {
       found.push_back({fmt::format("{}, a unit of {}", core::printable(word), pluralName(dimension)),
                        fmt::format("1 {} is {:.15g} {}.", core::printable(word), one.value, siUnit(dimension)),
                        {{"units", someUnits(dimension)}}});
-  // No key takes a force, so forces are found by name here.
+  // No key takes a force, so forces are found by their names.
   if (const std::string value = unitValue(word); found.empty() && !value.empty())
     found.push_back({fmt::format("{}, a unit", word), fmt::format("1 {} is {}.", word, value), {}});
   return found;
@@ -170,7 +168,7 @@ Explanation ofUnitNames() {
   return explanation;
 }
 
-/// Keys that take the word: style.theme for "dark".
+/// Explains the keys that accept a word: style.theme for "dark".
 Explanations ofValue(std::string_view word) {
   Explanations found;
   for (const Key& key : keys())
@@ -179,7 +177,6 @@ Explanations ofValue(std::string_view word) {
   return found;
 }
 
-/// All that explain() knows.
 std::vector<std::string> known() {
   std::vector<std::string> words;
   for (const Key& key : keys()) {
@@ -204,7 +201,7 @@ std::vector<Explanation> explanationsOf(std::string_view word) {
     if (found.empty()) found = ofValue(word);
     if (word == "units") found = {ofQuantities(), ofUnitNames()};
   } else if (found.empty() && nameOf(word) == "color") {
-    found = {ofTable("style.colors")};  // which has them all: body.color, body.part.color
+    found = {ofTable("style.colors")};  // the colours of all things are in this table
   }
   return found.empty() ? ofUnit(word) : found;
 }
@@ -212,7 +209,7 @@ std::vector<Explanation> explanationsOf(std::string_view word) {
 std::vector<Explanation> explain(std::string_view word, const std::vector<std::string>& otherWords) {
   Explanations found = explanationsOf(word);
   if (!found.empty()) return found;
-  constexpr std::size_t kLongest = 64;  // the edit distance of more is not worth its time
+  constexpr std::size_t kLongest = 64;  // the edit distance of longer text takes too long
   std::vector<std::string> words = known();
   words.insert(words.end(), otherWords.begin(), otherWords.end());
   const auto near = word.size() > kLongest ? std::nullopt : core::closest(word, words);

@@ -11,41 +11,39 @@
 
 namespace poinsot::scene {
 
-/// What the user gave, valid or not, and where to say what is wrong with it: at the value; at its table where the
-/// value is missing; else at the file's start.
+/// Values that the user gave, valid or not, and the places at which to report errors: at the value; for a missing
+/// value at its table; else at the start of the file.
 class Findings {
  public:
-  /// `refused`: the paths whose values did not pass their own checks.
+  /// @param refused  paths of values that did not pass their own checks
   Findings(const Leaves& given, const std::set<std::string, std::less<>>& refused, const Place& file,
            Problems& problems)
       : given_(given), refused_(refused), file_(file), problems_(problems) {}
 
   const Limits& limits() const { return given_.limits; }
   bool has(std::string_view path) const { return given_.values.contains(path); }
-  /// Whether it is given and did not pass its own check, which was reported then.
+  /// Returns whether a value is given and failed its own check, which is already reported.
   bool failed(std::string_view path) const { return refused_.contains(path); }
-  /// Whether some key of the table is given.
   bool hasBelow(std::string_view table) const;
-  /// Whether the table stands in the file, with keys or without.
+  /// Returns whether the table is in the file, with or without keys.
   bool hasTable(std::string_view table) const;
-  /// Whether a name was given in its place that is spelled like it and is no key, which is reported anyway.
+  /// Returns whether an unknown name in the same table is spelled like the path's. That name is already reported.
   bool misspelt(std::string_view path) const;
-  /// Whether what stands in its place is reported anyway, and is not what was meant: refused, misspelt, or in a
-  /// table whose name is.
+  /// Returns whether the value given for the path is unreliable, as already reported: rejected, misspelt, or in a
+  /// misspelt table.
   bool isUnsure(std::string_view path) const;
   std::size_t count(std::string_view array) const { return given_.count(array); }
 
-  /// "path: message", at the path.
+  /// Reports "path: message" at the path.
   void refuse(std::string_view path, std::string_view message);
-  /// What `refuse` does, of a path that is missing; nothing where it is there but misspelt.
+  /// Reports "path: message" at `path` because the key `missing` is not given. Reports nothing if `missing` is
+  /// misspelt.
   void refuseMissing(std::string_view missing, std::string_view path, std::string_view message);
-  /// The same about a file that gives nothing it must; nothing where it has names that are no keys.
+  /// Reports that the file lacks a required table. Reports nothing if the file has unknown names.
   void refuseEmpty(std::string message);
-  /// The same about the whole file.
   void refuseFile(std::string message);
-  /// "path: message" about a value that is allowed and may still be a slip.
+  /// Adds a note "path: message" about a valid value that is probably a slip.
   void doubt(std::string_view path, std::string_view message);
-  /// All of them, in the order of the file.
   std::vector<Doubt> doubts() const;
 
  private:

@@ -10,11 +10,10 @@ namespace {
 using enum ValueType;
 using enum Dimension;
 
-constexpr Range kProducts{.least = kLeastMoment, .most = kMostMoment, .ofSize = true};  // of inertia: any sign
+constexpr Range kProducts{.least = kLeastMoment, .most = kMostMoment, .ofSize = true};  // products of inertia
 constexpr Range kDensities{.least = 1e-30, .most = 1e30};
 constexpr Range kTurns{.least = -360, .most = 360, .unit = "deg"};
 
-/// As into(), of one [[body.part]].
 template <class F>
 Put intoPart(F place) {
   return into([place](Draft& d, std::size_t i) { return place(elementAt(d.body.parts, i)); });

@@ -10,10 +10,10 @@ using enum ValueType;
 using enum Dimension;
 
 constexpr Range kAzimuth{
-    .least = -360, .most = 360, .unit = "deg"};  // bare degrees, read as radians, fall outside
+    .least = -360, .most = 360, .unit = "deg"};  // rejects most bare degrees, which count as radians
 constexpr Range kElevation{.least = -90, .most = 90, .unit = "deg"};
 constexpr Range kFov{.least = 1, .most = 120, .unit = "deg"};
-constexpr Range kOrbit{.least = -36000, .most = 36000, .unit = "deg"};  // a hundred times round
+constexpr Range kOrbit{.least = -36000, .most = 36000, .unit = "deg"};
 constexpr Range kZoom{.least = 0.05, .most = 20};
 
 const std::vector<std::string_view> kFrames = {"space", "body", "precession"};

@@ -8,12 +8,12 @@ namespace {
 using enum ValueType;
 using enum Dimension;
 
-// A moment times the square of a spin.
+// The largest torque is a moment times the square of a spin.
 constexpr Range kTorques{.least = 1e-140, .most = kMostTorque, .ofSize = true};
 constexpr Range kAccelerations{.least = 1e-12, .most = 1e12, .ofSize = true};
 constexpr Range kVelocities{.least = 1e-12, .most = 1e12, .ofSize = true};
 constexpr Range kPull{.least = 0, .most = 1e12};
-constexpr Range kRates{.least = 0, .most = 1e20};  // times an instant it is an exponent
+constexpr Range kRates{.least = 0, .most = 1e20};  // multiplied by a time, a rate gives an exponent
 constexpr Range kAlphas{.least = 0, .most = 1e100};
 
 template <class F>

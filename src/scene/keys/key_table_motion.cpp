@@ -8,14 +8,14 @@ namespace {
 using enum ValueType;
 using enum Dimension;
 
-// Moments times spins, and half their squares.
+// Limits of moments times spins; energies are moments times squared spins.
 constexpr Range kMomenta{.least = kLeastMoment * kLeastSpin, .most = kMostMoment * kMostSpin, .ofSize = true};
 constexpr Range kLengthOfL{.least = kLeastMoment * kLeastSpin, .most = kMostMoment * kMostSpin};
 constexpr Range kEnergies{.least = 1e-140, .most = 1e140};
-constexpr Range kTilts{.least = 0, .most = 89.999, .unit = "deg"};  // at 90 there is no spin about the axis
+constexpr Range kTilts{.least = 0, .most = 89.999, .unit = "deg"};  // at 90 deg the spin about the axis vanishes
 constexpr Range kTiltSides{.least = -360, .most = 360, .unit = "deg"};
-constexpr Range kPhases{.least = 0, .most = 0.999999999};   // 1 is 0 again
-constexpr Range kTolerances{.least = 1e-14, .most = 1e-3};  // below, rounding decides; above, pictures show it
+constexpr Range kPhases{.least = 0, .most = 0.999999999};   // 1 would be the same as 0
+constexpr Range kTolerances{.least = 1e-14, .most = 1e-3};  // below, rounding decides; above, errors are visible
 
 std::vector<Key> vectorStartKeys() {
   return {

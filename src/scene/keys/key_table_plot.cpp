@@ -8,7 +8,7 @@ namespace {
 
 using enum ValueType;
 
-// In the unit at the axis, which keeps numbers short: far beyond any that is read off a plot.
+// In the unit of the axis, which keeps numbers short: far beyond any number read off a plot.
 constexpr Range kAxisEnds{.least = -1e12, .most = 1e12};
 
 template <class F>

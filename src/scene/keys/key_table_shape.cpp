@@ -9,7 +9,6 @@ namespace {
 using enum ValueType;
 using enum Dimension;
 
-/// As into(), of the shape that the table keeps.
 template <class F>
 Put intoShape(const ShapeTable& table, F place) {
   return [of = table.of, place](Draft& draft, std::size_t element, const Checked& value) {

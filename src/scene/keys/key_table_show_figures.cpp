@@ -8,7 +8,6 @@ namespace {
 using enum ValueType;
 using enum Dimension;
 
-/// The keys of one drawn thing, `table` its name after "show.".
 class FigureKeys {
  public:
   FigureKeys(const ShowTable& table, std::string_view name)
@@ -60,7 +59,6 @@ class FigureKeys {
             .put = put(place)};
   }
 
-  /// On unless it is set to false, or the other way round.
   template <class Place>
   Key flag(std::string_view name, bool fallback, std::string_view help, Place place) const {
     return {.path = path_ + "." + std::string(name),

@@ -31,7 +31,7 @@ std::vector<Key> formKeys() {
        .example = "\"house.style.toml\"",
        .help = "A file with a [style] of its own, in the scene's folder or below it; what the scene says itself "
                "counts before it.",
-       .put = [](Draft&, std::size_t, const Checked&) {}},  // style_file.h reads it before any value is put
+       .put = [](Draft&, std::size_t, const Checked&) {}},  // style_file.h reads the file before any value is put
       {.path = "style.theme",
        .type = kWord,
        .words = {"light", "dark", "print"},

@@ -9,7 +9,7 @@ using enum ValueType;
 using enum Dimension;
 
 const Range kFilmTime{.least = 0, .most = usual(Limit::kDuration), .limit = Limit::kDuration};
-constexpr Range kOrbits{.least = -36000, .most = 36000, .unit = "deg"};  // a hundred orbits either way
+constexpr Range kOrbits{.least = -36000, .most = 36000, .unit = "deg"};
 constexpr Range kMoveElevation{.least = -90, .most = 90, .unit = "deg"};
 constexpr Range kMoveZoom{.least = 0.05, .most = 20};
 constexpr Range kPace{.least = 0, .most = 100};

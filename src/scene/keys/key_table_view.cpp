@@ -37,7 +37,7 @@ std::vector<Key> panelKeys() {
   };
 }
 
-/// A key of [camera] or [show] as one of a view's own, without which the scene's counts.
+/// Returns a view's own version of a key of [camera] or [show], which defaults to the scene's value.
 Key ofView(Key key) {
   key.path = "view[]." + key.path;
   key.fallback = {};

@@ -16,7 +16,6 @@ std::string_view unitOfRange(const Key& key) {
 
 bool unlimited(const Range& range) { return range.most == Range{}.most; }
 
-/// A link of the reference.
 std::string listed(const Key& key) { return fmt::format("[{0}](#{0})", key.wordList); }
 
 std::string several(const Key& key, std::string_view count) {

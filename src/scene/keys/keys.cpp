@@ -10,12 +10,12 @@
 namespace poinsot::scene {
 namespace {
 
-// More elements than any scene may have; what a number this long names does not exist.
+// More digits than an element's index can have; no element has a longer number.
 constexpr std::size_t kMostDigits = 9;
 
 bool isIndexDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// The digits between the first '[' and the ']' after it; empty where there are none.
+/// Returns the digits between the first '[' and the ']' after it; empty if there are none.
 std::string_view indexIn(std::string_view path) {
   const std::size_t open = path.find('[');
   if (open == std::string_view::npos) return {};

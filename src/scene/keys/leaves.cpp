@@ -12,9 +12,9 @@
 namespace poinsot::scene {
 namespace {
 
-constexpr std::size_t kMostUnknown = 20;  // of one table; each may be compared with what the table lacks
+constexpr std::size_t kMostUnknown = 20;  // per table; each may be compared with every key that the table lacks
 
-/// What stands before the first index: "body.part" of "body.part[3].mass".
+/// Returns the path before the first index: "body.part" of "body.part[3].mass".
 std::string_view arrayOf(std::string_view path) { return path.substr(0, path.find('[')); }
 
 class Walk {
@@ -24,7 +24,7 @@ class Walk {
   void table(std::string_view path, const Node::Table& entries) {
     for (const Entry& entry : entries) {
       const bool noName = entry.key.empty() || entry.key.find_first_of(".[]") != std::string::npos;
-      if (noName)  // "a.b" in quotes is no path
+      if (noName)  // a quoted "a.b" is not a path
         problems_.add(entry.keyPlace, fmt::format("\"{}\": unknown key", core::printable(entry.key)));
       else
         value(pathBelow(path, entry.key), entry.keyPlace, entry.value);
@@ -72,7 +72,7 @@ class Walk {
     table(path, entries);
   }
 
-  /// Of a path with an index: whether that element was opened.
+  /// Returns whether the array element that a path goes through exists.
   bool exists(std::string_view path) const {
     const std::size_t end = path.find(']');
     return end != std::string_view::npos && leaves_.tables.contains(path.substr(0, end + 1));
@@ -106,7 +106,7 @@ class Walk {
                        [](const Node& element) { return element.as<Node::Table>() != nullptr; });
   }
 
-  /// What an earlier value of an array gave, which this one replaces.
+  /// Removes the elements of an array that is given again.
   void forget(const std::string& array) {
     const auto isBelow = [prefix = array + "["](const auto& entry) { return entry.first.starts_with(prefix); };
     std::erase_if(leaves_.values, isBelow);

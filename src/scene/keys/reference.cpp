@@ -64,7 +64,7 @@ Inch, foot, pound and ounce are exact (1959); lbf is lb times 9.80665 m/s², and
 
 )";
 
-// In a table a bar would end the cell.
+// Escapes bars, which would end a cell of a table.
 std::string cell(std::string_view text) {
   std::string escaped;
   for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);

@@ -14,7 +14,7 @@
 namespace poinsot::scene {
 namespace {
 
-using Json = nlohmann::ordered_json;  // keys in the order of the table
+using Json = nlohmann::ordered_json;  // keeps the keys in the order of the table
 
 Json toJson(const Node& node) {
   if (const auto* flag = node.as<bool>()) return *flag;
@@ -33,8 +33,8 @@ Json tomlToJson(std::string_view toml) {
   return toJson(std::get<Node::Table>(document.value).at(0).value);
 }
 
-// Rounded to nine digits: an editor's bound in radians should not read 2.0943951023931953. One unit in the ninth
-// place lets through what the program then refuses; the program's check is the one that counts.
+// Rounds to nine digits, because an editor's bound in radians should not read 2.0943951023931953. A bound that is
+// one too large in the ninth digit accepts values that the program then rejects; the program's check decides.
 double readable(double value) {
   const std::string text = fmt::format("{:.9g}", value);
   double rounded = value;
@@ -47,7 +47,7 @@ Json bound(double value, bool whole) {
   return readable(value);
 }
 
-/// A bare number in SI. A range of size allows both signs, and zero.
+/// Returns the schema of a bare number in SI units. A range of sizes allows both signs and zero.
 Json bareNumber(const Key& key, const char* type) {
   const double unit = unitFactor(key.range.unit, key.dimension);
   const bool whole = std::string_view(type) == "integer";
@@ -60,13 +60,13 @@ Json bareNumber(const Key& key, const char* type) {
 
 constexpr const char* kNumberPattern = R"([+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)";
 
-// From 0.001 to 1000 in decimals, or a fraction of any size without a zero; the program checks the fraction's
-// value and that few enough digits stand before and after the point.
+// Decimals from 0.001 to 1000, or a fraction of any size without zeros. The program checks the fraction's value,
+// and that there are few enough digits before and after the point.
 constexpr const char* kFrameRatePattern = R"(^(0*[1-9][0-9]{0,2}(\.[0-9]{1,9})?|0*1000(\.0{1,9})?|)"
                                           R"(0+\.([1-9][0-9]{0,8}|0[1-9][0-9]{0,7}|00[1-9][0-9]{0,6})|)"
                                           R"([0-9]*[1-9][0-9]*/[0-9]*[1-9][0-9]*)$)";
 
-/// Text with a unit: the pattern holds the number and the dimension, the program checks the range.
+/// Returns the schema of text with a unit. The pattern checks number and dimension, the program the range.
 Json quantity(const Key& key) {
   const std::string units = fmt::format("number and unit: {}", someUnits(key.dimension));
   return {{"type", "string"},
@@ -74,7 +74,7 @@ Json quantity(const Key& key) {
           {"pattern", fmt::format("^ *{} *{} *$", kNumberPattern, unitPattern(key.dimension))}};
 }
 
-/// A word that is a number may stand without quotes.
+/// Returns the schema of words. A word that is a number may also be given without quotes.
 Json words(const Key& key) {
   Json any = Json::array();
   for (const std::string_view word : key.words) any.push_back(std::string(word));
@@ -95,7 +95,7 @@ Json arrayOf(Json items, int least, int most) {
 
 Json arrayOf(Json items, int count) { return arrayOf(std::move(items), count, count); }
 
-/// From `least` to three numbers, or one for all.
+/// Returns the schema of an array of `least` to three numbers, or one number for all.
 Json perAxis(const Key& key, int least) {
   Json any = number(key)["anyOf"];
   any.push_back(arrayOf(number(key), least, 3));
@@ -121,7 +121,7 @@ Json someWords(const Key& key) {
 
 Json line(const Key& key) { return {{"type", "string"}, {"maxLength", static_cast<int>(key.range.most)}}; }
 
-/// How long the lines of one text are, the program checks.
+/// Returns the schema of lines of text. The program checks the length of lines within one string.
 Json lines(const Key& key) {
   const Json text = {{"type", "string"}};
   return {{"anyOf", Json::array({text, arrayOf(line(key), 1, static_cast<int>(kMostLines))})}};
@@ -181,7 +181,7 @@ Json required(std::initializer_list<const char*> names) {
   return {{"required", std::vector<std::string>(names.begin(), names.end())}};
 }
 
-/// What cannot be told from one key alone: the ways to give a body and a start, of which one is used.
+/// Adds requirements that concern several keys: a body and a start are each given in exactly one way.
 void addRequired(Json& json, const std::string& table) {
   if (table.empty()) json["required"] = {"body", "motion"};
   if (table == "body")

@@ -22,7 +22,7 @@ using Words = std::vector<std::string>;
 
 bool isNumber(const Node& node) { return node.as<std::int64_t>() || node.as<double>() || node.as<std::string>(); }
 
-/// The numbers of one row as they were written; empty where it is no row of numbers.
+/// Returns the numbers of a row as written; empty for anything but an array of numbers.
 Words numbersOf(const Node& row) {
   const auto* array = row.as<Node::Array>();
   if (!array || !std::ranges::all_of(*array, isNumber)) return {};
@@ -31,7 +31,6 @@ Words numbersOf(const Node& row) {
   return words;
 }
 
-/// Three rows of the words with these indices.
 std::string rowsOf(const Words& words, const std::array<std::size_t, 9>& places) {
   const auto word = [&](std::size_t i) -> const std::string& { return words[places[i]]; };
   return fmt::format("[[{}, {}, {}], [{}, {}, {}], [{}, {}, {}]]", word(0), word(1), word(2), word(3), word(4),
@@ -56,7 +55,8 @@ std::string flatAdvice(const Words& words) {
   return words.size() == 9 ? "; write " + rowsOf(words, kInRows) : "";
 }
 
-/// The shortest decimals, of six digits or more, that a solid can have: what is pasted is accepted.
+/// Returns the shortest decimals, of at least six digits, that describe a possible solid, so that pasted advice is
+/// accepted.
 template <std::size_t kCount, class IsPossible>
 std::array<std::string, kCount> acceptedDecimals(const std::array<double, kCount>& values, IsPossible isPossible) {
   constexpr int kFewest = 6, kAll = 17;
@@ -64,7 +64,7 @@ std::array<std::string, kCount> acceptedDecimals(const std::array<double, kCount
   for (int digits = kFewest; digits <= kAll; ++digits) {
     std::array<double, kCount> read{};
     for (std::size_t i = 0; i < kCount; ++i) {
-      texts[i] = fmt::format("{:.{}g}", values[i] + 0., digits);  // + 0: no -0
+      texts[i] = fmt::format("{:.{}g}", values[i] + 0., digits);  // + 0. turns -0 into 0
       read[i] = std::strtod(texts[i].c_str(), nullptr);
     }
     if (isPossible(read)) break;
@@ -81,7 +81,6 @@ bool isPossible(const Matrix3d& inertia) {
   }
 }
 
-/// A symmetric matrix of its entries xx, xy, xz, yy, yz, zz.
 Matrix3d matrixOf(const std::array<double, 6>& e) {
   Matrix3d matrix;
   matrix << e[0], e[1], e[2], e[1], e[3], e[4], e[2], e[4], e[5];

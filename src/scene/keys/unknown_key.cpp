@@ -14,10 +14,10 @@
 namespace poinsot::scene {
 namespace {
 
-// Longer than any name by far; the edit distance of untrusted kilobytes is not worth its time.
+// Far longer than any name; the edit distance of untrusted kilobytes takes too long.
 constexpr std::size_t kLongestName = 64;
 
-/// Names that other programs have for what a key of another spelling says here.
+/// Names that other programs use for keys of this program.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 28> kKnownElsewhere = {{
     {"background", "style.colors.paper"},
     {"background_color", "style.colors.paper"},
@@ -49,7 +49,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 28> kKnownEl
     {"cog", "body.centre_of_mass"},
 }};
 
-/// "quantity" for "quantities", "label" for "labels".
+/// Returns "quantity" for "quantities", "label" for "labels".
 std::string singular(std::string_view name) {
   if (name.ends_with("ies")) return fmt::format("{}y", name.substr(0, name.size() - 3));
   return std::string(name.ends_with('s') ? name.substr(0, name.size() - 1) : name);
@@ -59,13 +59,13 @@ bool isColor(std::string_view name) {
   return name == "color" || name == "colour" || name == "colors" || name == "colours";
 }
 
-/// Colours stand together, each named by what it means: style.colors.body for show.body.color.
+/// Returns the key for the colour of a thing. All colours are in one table: style.colors.body for show.body.color.
 std::string colorOf(std::string_view table) {
   const std::string key = fmt::format("style.colors.{}", nameOf(table));
   return findKey(key) ? key : tableText("style.colors");
 }
 
-/// The same name a table deeper: view[1].show.plane for view[1].plane.
+/// Finds the same name one table deeper: view[1].show.plane for view[1].plane.
 std::optional<std::string> deeper(std::string_view table, std::string_view name) {
   for (const std::string& inner : namesBelow(table)) {
     const std::string path = pathBelow(pathBelow(table, inner), name);
@@ -74,7 +74,7 @@ std::optional<std::string> deeper(std::string_view table, std::string_view name)
   return std::nullopt;
 }
 
-/// The same name in another table, rather one that there is once.
+/// Finds the same name in another table, preferably one that is not in an array of tables.
 std::optional<std::string> sameName(std::string_view name) {
   std::optional<std::string> found;
   for (const Key& key : keys())
@@ -97,7 +97,7 @@ std::optional<std::string> elsewhere(std::string_view path) {
 
 bool holdsKeys(std::string_view path) { return isTable(path) || isTableArray(path); }
 
-/// The first part of a path that stands as a table and is none: "tim" of "tim.x".
+/// Returns the first part of a path that is used as a table but is not one: "tim" of "tim.x".
 std::optional<std::string_view> firstNoTable(std::string_view path) {
   for (std::size_t dot = path.find('.'); dot != std::string_view::npos; dot = path.find('.', dot + 1))
     if (!holdsKeys(path.substr(0, dot))) return path.substr(0, dot);
@@ -114,7 +114,6 @@ std::string whole(std::string_view table) {
   return table.empty() ? "a scene" : fmt::format("[{}]", core::printable(table));
 }
 
-/// What to write in place of a table that is none.
 std::string insteadOf(std::string_view table, std::string_view path) {
   const std::string_view parent = tableOf(table);
   const std::vector<std::string> tables = tablesBelow(parent);
@@ -138,7 +137,7 @@ std::optional<std::string> meant(std::string_view path) {
   return elsewhere(path);
 }
 
-/// Of "motion.omega_body[1]": no key, but one element of one.
+/// Returns the key of a path to one element, such as "motion.omega_body[1]"; else null.
 const Key* keyOfElement(std::string_view path) {
   const auto bracket = path.rfind('[');
   return path.ends_with(']') && bracket != std::string_view::npos ? findKey(path.substr(0, bracket)) : nullptr;

@@ -5,17 +5,16 @@
 #include <string>
 #include <string_view>
 
-/// What is said of a path that is no key of a scene.
 namespace poinsot::scene {
 
-/// "path: unknown key; did you mean ...?": a name beside it that is spelled alike, the key that people know by
-/// this name, the same name in another table; else what there is.
+/// Returns "path: unknown key; did you mean ...?". Suggests a similar name in the same table, the key that other
+/// programs call by this name, or the same name in another table. Otherwise lists the names of the table.
 std::string unknownKey(std::string_view path);
 
-/// Of a path to a key of `array` that says not which element.
+/// Returns the message for a path into the array of tables `array` that lacks the element's index.
 std::string withoutIndex(std::string_view path, std::string_view array);
 
-/// The key or table directly below `table` that `name`, which is none, is spelled like.
+/// Returns the path of the key or table directly below `table` that the unknown `name` resembles.
 std::optional<std::string> misspelt(std::string_view table, std::string_view name);
 
 }  // namespace poinsot::scene

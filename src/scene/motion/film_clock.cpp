@@ -15,7 +15,7 @@ struct Change {
   double at_s, over_s, pace;
 };
 
-/// The changes of pace that entries ask for, by time: a speed from there on; for a hold, to a stop and on again.
+/// Returns the timeline's changes of pace, sorted by time. A speed is one change; a hold is two, to 0 and back.
 std::vector<Change> changesOf(const Timeline& timeline) {
   std::vector<Change> changes;
   double pace = 1;

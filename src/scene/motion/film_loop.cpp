@@ -27,7 +27,6 @@ void checkCanRepeat(const Scene& scene, double speed) {
   if (speed == 0) throw core::sceneError("nothing moves at speed 0: there is no period");
 }
 
-/// Frames of a period; the film then lasts so many, to the nearest.
 double framesOf(const Time& time, double period_s, double speed, const Limits& limits) {
   const double film_s = period_s / std::abs(speed), frames = std::max(1.0, std::round(film_s * time.fps.value()));
   if (frames > static_cast<double>(limits[Limit::kFrames]) ||
@@ -39,7 +38,8 @@ double framesOf(const Time& time, double period_s, double speed, const Limits& l
   return frames;
 }
 
-/// A duration that has just so many frames: those at k/fps below it (core/frame_clock.h), so not a rounding more.
+/// Returns a duration with exactly this many frames. Frames lie at k/fps below the duration (core/frame_clock.h),
+/// so rounding must not exceed the exact value.
 double durationOf(double frames, const core::Rational& fps) {
   const double seconds = frames * static_cast<double>(fps.den);
   const double duration_s = seconds / static_cast<double>(fps.num);

@@ -16,22 +16,21 @@ namespace {
 
 constexpr double kRevolution = 2 * std::numbers::pi;
 
-// Above about a turn a second the eye loses the rolling, below a twelfth nothing seems to move.
+// Above about a turn a second the eye loses the rolling; below a twelfth nothing seems to move.
 constexpr double kCalmest = 0.5, kFastest = 6.5, kPleasant = 2.1;  // rad per film second
-constexpr double kShortestNod_s = 0.25;               // of film: in less, a nutation has too few frames to be seen
-constexpr double kMostTurns = 5000;                   // of the body in a film: each of them has to be integrated
-constexpr double kLeastPrecession = 0.1;              // of a turn: a film that shows less of it shows none
-constexpr double kSeen_rad = std::numbers::pi / 180;  // least angle of a cone, or a nod, that is seen
+constexpr double kShortestNod_s = 0.25;               // film time; a shorter nutation gets too few frames
+constexpr double kMostTurns = 5000;                   // turns of the body in one film; each must be integrated
+constexpr double kLeastPrecession = 0.1;              // turns; a film that shows less seems to show no precession
+constexpr double kSeen_rad = std::numbers::pi / 180;  // smallest visible angle of a cone or a nod
 
-/// Returns the rate at which the body moves, rad/s: its spin at the start, or that of small swings about hanging,
-/// which is at least sqrt(M g l/I) with I the largest moment.
+/// Returns the body's rate in rad/s: the larger of its spin at the start and the rate of small swings about
+/// hanging, at least sqrt(M g l/I) with I the largest moment.
 double rateOfMotion(const Scene& scene) {
   const double swing =
       std::sqrt(scene.motion.forcing.gravity_B.norm() / scene.body.axes.moments().values().maxCoeff());
   return std::max(scene.motion.omega_B.norm(), swing);
 }
 
-/// Returns the pace at which the body itself moves at a pleasant rate.
 double paceOfMotion(double rate) {
   return rate == 0 || (rate >= kCalmest && rate <= kFastest) ? 1.0 : kPleasant / rate;
 }
@@ -40,7 +39,7 @@ bool leans(const physics::Nutation& swing) {
   return swing.mostTilt_rad > kSeen_rad && swing.leastTilt_rad < std::numbers::pi - kSeen_rad;
 }
 
-/// Returns the period of the axis about the vertical; empty if it is not seen to go round.
+/// Returns the period of the axis about the vertical; empty if the axis is not seen to go round.
 std::optional<double> period_s(const physics::Nutation& swing) {
   const double turns = std::abs(swing.precession_rad) / kRevolution;
   if (!leans(swing) || !std::isfinite(swing.period_s) || !(turns > 0)) return std::nullopt;
@@ -48,13 +47,13 @@ std::optional<double> period_s(const physics::Nutation& swing) {
   return std::isfinite(period_s) ? std::optional(period_s) : std::nullopt;
 }
 
-/// Returns the most turns of the precession that one film may show: while the body turns kMostTurns times.
+/// Returns the largest number of precession turns in one film, limited by kMostTurns of the body.
 double mostShown(const Scene& scene, double round_s) {
   return kMostTurns * kRevolution / (scene.motion.omega_B.norm() * round_s);
 }
 
-/// The least pace at which the precession is seen to move, as far as nutation and spin allow; 0 where there is
-/// none, and where the body turns so fast that no film could show it.
+/// Returns the least pace at which the precession is visible, as far as nutation and spin allow. Returns 0 if
+/// there is no precession, or if the body spins too fast for one film to show it.
 double paceOfPrecession(const Scene& scene) {
   const auto top = nearlyHeavyTopStart(scene);
   if (!top) return 0;
@@ -67,7 +66,7 @@ double paceOfPrecession(const Scene& scene) {
   return shown < kLeastPrecession ? 0 : std::min(pace, shown * *round_s / scene.time.duration_s);
 }
 
-/// Returns what to do about a film that shows too little of the precession.
+/// Returns advice for a film that shows too little of the precession.
 /// @param played_s  motion time that the film shows at speed 1; negative for a film that runs backwards
 std::string remedy(const Scene& scene, double round_s, double played_s) {
   const double shown = std::min(mostShown(scene, round_s), 1.0);
@@ -80,7 +79,6 @@ std::string remedy(const Scene& scene, double round_s, double played_s) {
                      shown < 1 ? fmt::format("{:.2g} of a turn", shown) : "a whole turn", scene.time.duration_s);
 }
 
-/// The key that is to be changed, where one is given.
 const char* pathOfPace(const Scene& scene, const Findings& findings) {
   return !scene.time.speed && findings.has("time.duration") ? "time.duration" : "time.speed";
 }
@@ -100,7 +98,7 @@ void doubtPrecession(const Scene& scene, Findings& findings) {
   const auto round_s = precessionPeriod_s(scene);
   const double speed = chosenSpeed(scene), film_s = scene.time.duration_s;
   const double played_s = FilmClock(0, speed, scene.timeline).played_s(film_s);
-  if (!round_s || speed == 0 || !(played_s > 0)) return;  // a film of one instant is meant so
+  if (!round_s || speed == 0 || !(played_s > 0)) return;  // a film of one instant is intentional
   const double turns = std::abs(speed) * played_s / *round_s;
   if (turns >= kLeastPrecession) return;
   findings.doubt(

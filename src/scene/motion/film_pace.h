@@ -8,17 +8,17 @@
 
 namespace poinsot::scene {
 
-/// Seconds of motion per second of film that the eye follows: chosen from |omega| at the start or, if that is
-/// faster, from the swing of a body that hangs; and faster where the precession of a heavy top would otherwise
-/// hardly be seen to go round.
+/// Chooses a pace that the eye can follow, in seconds of motion per second of film. It depends on |omega| at the
+/// start or, if faster, on the swing of a hanging body. A higher pace is chosen if the precession of a heavy top
+/// would otherwise hardly be visible.
 double automaticPace(const Scene& scene);
 
-/// Mean time in which the axis of a heavy top goes once round the vertical, s. Computed for the top as it is let
-/// go, without drag and dissipation, and for the symmetric top nearest to the body. Empty where nothing is seen to
-/// go round: no gravity, another torque beside it, an axis that stays within 1 deg of the vertical, a pendulum.
+/// Returns the mean time in which the axis of a heavy top goes once round the vertical, in s. Computed from the
+/// start for the symmetric top nearest to the body, without drag and dissipation. Empty if no precession is
+/// visible: no gravity, another torque, an axis within 1 deg of the vertical, or a pendulum.
 std::optional<double> precessionPeriod_s(const Scene& scene);
 
-/// Notes a film that shows less than a tenth of a turn of that precession. @pre a scene without problems
+/// Adds a note if the film shows less than a tenth of a turn of the precession. @pre a scene without problems
 void doubtPrecession(const Scene& scene, Findings& findings);
 
 }  // namespace poinsot::scene

@@ -8,18 +8,17 @@
 namespace poinsot::scene {
 namespace {
 
-// Largest part of themselves by which the moments across k differ: of a top, and of a body that spins like one.
+// Largest relative difference of the moments across k: for a top, and for a body that spins like one.
 constexpr double kSymmetric = 1e-3, kNearly = 0.5;
 
-/// Gravity, and nothing besides.
 bool gravityAlone(const physics::Forcing& forcing) {
   physics::Forcing rest = forcing;
   rest.gravity_B.setZero();
   return !forcing.none() && rest.none();
 }
 
-/// Returns the start of a top whose moments across k differ by at most `most` of themselves and whose centre of
-/// mass is no farther off the axis.
+/// Returns the start of a top whose moments across k differ by at most `most` of themselves, and whose centre of
+/// mass is off the axis by at most `most` of its distance.
 std::optional<HeavyTopStart> startOf(const Scene& scene, double most) {
   const physics::PrincipalAxes& axes = scene.body.axes;
   const auto top = physics::heavyTop(axes.moments(), axes.toP(scene.motion.forcing.gravity_B), most);

@@ -9,25 +9,25 @@
 
 namespace poinsot::scene {
 
-/// A symmetric top on its point under gravity alone, and how it is let go.
+/// Symmetric top on its point under gravity alone, and its start.
 struct HeavyTopStart {
   physics::HeavyTop top;
   Eigen::Vector3d omega_P;  ///< rad/s
-  Eigen::Vector3d up_P;     ///< unit
-  double uneven = 0;        ///< by how much of themselves the moments across k differ
+  Eigen::Vector3d up_P;     ///< unit vector
+  double uneven = 0;        ///< difference of the moments across k, relative to the moments
 
-  double tilt_rad() const;  ///< of k from the vertical
-  double spin() const;      ///< about k, rad/s
+  double tilt_rad() const;  ///< angle of k from the vertical
+  double spin() const;      ///< rate about k, rad/s
   physics::Nutation nutation() const { return top.nutation(omega_P, up_P); }
 };
 
-/// Empty for every other motion. Moments across k that differ by no more than a thousandth, as measured ones do,
-/// are taken for symmetric.
+/// Returns the start of a heavy top; empty for any other motion. Moments across k count as equal if they differ by
+/// at most a thousandth, which covers measured values.
 std::optional<HeavyTopStart> heavyTopStart(const Scene& scene);
 
-/// The start of the symmetric top that is nearest to the body, as if gravity alone acted: for estimates of a film.
-/// Drag and dissipation may act, and the moments across k may differ by half of themselves if the spin is fast
-/// enough to sleep, so that it averages over them. Empty where another torque acts.
+/// Returns the start of the symmetric top nearest to the body under gravity alone, for estimates about a film.
+/// Ignores drag and dissipation. The moments across k may differ by up to half of themselves if the spin is fast
+/// enough to sleep, because a fast spin averages over the difference. Empty if another torque acts.
 std::optional<HeavyTopStart> nearlyHeavyTopStart(const Scene& scene);
 
 }  // namespace poinsot::scene

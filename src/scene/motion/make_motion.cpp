@@ -14,14 +14,14 @@
 namespace poinsot::scene {
 namespace {
 
-// With the part across one axis drawn larger or smaller.
 Eigen::Vector3d exaggerated(const Eigen::Vector3d& omega_P, int axis, double factor) {
   Eigen::Vector3d shown = factor * omega_P;
   shown[axis] = omega_P[axis];
   return shown;
 }
 
-// Which axis the polhode goes round: the sign of L² - 2T I2 (I2 the middle moment), in units of I2².
+// Returns whether the polhode goes round the axis of the largest moment: the sign of L² - 2T I2, in units of I2²
+// (I2 is the middle moment).
 bool roundLargest(const physics::PrincipalMoments& moments, const Eigen::Vector3d& omega_P) {
   const Eigen::Vector3d& I = moments.values();
   const double middle = I.sum() - I.maxCoeff() - I.minCoeff();
@@ -52,8 +52,8 @@ int spinAxis(const Eigen::Vector3d& omega_P) {
   return axis;
 }
 
-// The motion of the same body with its small transverse omega drawn larger: an exact motion too. It must stay the
-// same kind of motion, or the picture would not be true in any sense.
+// Enlarging the small transverse omega gives another exact motion of the same body. It must be of the same kind,
+// or the picture would be false.
 Eigen::Vector3d drawnOmega_P(const Scene& scene) {
   Eigen::Vector3d omega_P = startOmega_P(scene);
   if (scene.show.exaggerateAngles == 1) return omega_P;

@@ -10,34 +10,34 @@
 
 namespace poinsot::scene {
 
-/// Where L points when the scene gives no orientation: straight down or up. Unless the scene chooses, down if a
-/// view shows the invariable plane.
+/// Returns where L points if the scene gives no orientation. Unless the scene chooses, L points down if a view
+/// shows the invariable plane.
 physics::Vertical verticalOfL(const Scene& scene);
 
-/// Attitude at motion time 0: the scene's, or the shortest turn of L onto verticalOfL(). Unit.
+/// Returns the attitude at motion time 0, a unit quaternion: the scene's, or the shortest turn of L onto
+/// verticalOfL().
 physics::Quaternion startOrientation(const Scene& scene);
 
-/// omega at motion time 0, rad/s in principal axes.
+/// Returns omega at motion time 0, in rad/s along the principal axes.
 Eigen::Vector3d startOmega_P(const Scene& scene);
 
-/// Seconds of motion per second of film: the scene's, or one that the eye follows: of omega, and of a heavy top's
-/// precession.
+/// Returns seconds of motion per second of film: the scene's speed, or automaticPace().
 double chosenSpeed(const Scene& scene);
 
-/// The principal axis that omega is about most.
+/// Returns the index of the principal axis with the largest component of omega.
 int spinAxis(const Eigen::Vector3d& omega_P);
 
-/// omega at motion time 0 as it is drawn, rad/s in principal axes: the scene's, or with larger angles where it
-/// says so.
-/// @throws core::Error(kScene) where larger angles would be another kind of motion.
+/// Returns omega at motion time 0 as drawn, in rad/s along the principal axes: the scene's omega, with angles
+/// enlarged by exaggerate_angles.
+/// @throws core::Error(kScene) if enlarged angles would change the kind of motion.
 Eigen::Vector3d drawnOmega_P(const Scene& scene);
-/// The start that is drawn so: its inverse.
+/// Returns the start whose drawnOmega_P() is `drawn_P`.
 Eigen::Vector3d undrawnOmega_P(const Scene& scene, const Eigen::Vector3d& drawn_P);
 
-/// The motion that a scene describes, known between two motion times (in either order) and between them and 0.
-/// Free where nothing acts on the body, else integrated to Motion::tolerance_rad.
-/// @throws core::Error(kPhysics) for a body or a start that has no solution; (kLimit) for more steps than the user
-/// allows.
+/// Makes the motion of a scene, valid from from_s to to_s (in either order) and from there to 0. Free if no
+/// forcing acts, else integrated to Motion::tolerance_rad.
+/// @throws core::Error(kPhysics) for a body or a start without a solution; (kLimit) if it needs more steps than
+/// the user allows.
 std::unique_ptr<const physics::Motion> makeMotion(const Scene& scene, double from_s, double to_s);
 
 }  // namespace poinsot::scene

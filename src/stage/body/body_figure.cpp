@@ -14,13 +14,13 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kThinnest = 0.07;  // of the longest half edge: what is drawn of a lamina
-constexpr double kPoint = 1e-3;     // of the distance to the fixed point: a smaller body is drawn as a point mass
+constexpr double kThinnest = 0.07;  // smallest half edge as a share of the longest, for a lamina
+constexpr double kPoint = 1e-3;     // share of the distance to the fixed point; smaller bodies are point masses
 
-/// The largest |A p| on a piece. |A p| is convex, so it is greatest at a support point; from a start one climbs to
-/// the nearest such summit, p -> the support point in the direction of Aᵀ A p.
+/// Returns the largest |A p| on a piece. |A p| is convex, so its maximum lies at a support point. The loop climbs
+/// from each start to the nearest local maximum: p becomes the support point in the direction of Aᵀ A p.
 double farthest(const Piece& piece, const Matrix3d& A) {
-  constexpr int kSteps = 40;  // a step gains least on a nearly round body, where little is to be gained
+  constexpr int kSteps = 40;  // steps gain least on a nearly round body, where little is left to gain
   double most = 0;
   for (const Vector3d& start : cubeDirections()) {
     Vector3d direction = A.transpose() * start;
@@ -43,8 +43,8 @@ Figure equivalentBoxFigure(const physics::PrincipalAxes& axes) {
   return figure;
 }
 
-/// The uniform box of this mass and tensor, at the centre of mass and to scale: a box with half edges h has
-/// I1 = M (h2² + h3²)/3.
+/// Returns the uniform box of this mass and tensor, at the centre of mass and to scale. A box with half edges h
+/// has I1 = M (h2² + h3²)/3.
 Figure uniformBoxFigure(const physics::MassProperties& mass, const Vector3d& origin_B) {
   const physics::SymmetricEigen eigen = physics::symmetricEigen(mass.inertia_B());
   Vector3d I;
@@ -63,14 +63,14 @@ Figure uniformBoxFigure(const physics::MassProperties& mass, const Vector3d& ori
   return figure;
 }
 
-/// Standing on the fixed point, about the principal axis nearest to the centre of mass.
+/// Returns the cone that stands on the fixed point, about the principal axis nearest to the centre of mass.
 Figure equivalentConeFigure(const physics::PrincipalAxes& axes, const Vector3d& gravity_B) {
   const Vector3d gravity_P = axes.toP(gravity_B);
   int axis = 2;
   gravity_P.cwiseAbs().maxCoeff(&axis);
   const Vector3d lengths = equivalentCone(axes.moments(), axis);
   const double way = gravity_P[axis] < 0 ? -1 : 1;
-  Matrix3d R_PS;  // S: the cone's, z from apex to base
+  Matrix3d R_PS;  // S: axes of the cone, z from apex to base
   R_PS << Vector3d::Unit((axis + 1) % 3), way * Vector3d::Unit((axis + 2) % 3), way * Vector3d::Unit(axis);
   Figure figure;
   const Sketch sketch(figure, axes.q_BP().toRotationMatrix() * R_PS, Vector3d::Zero());
@@ -90,7 +90,8 @@ Figure figureOf(const scene::Scene& scene) {
 }  // namespace
 
 Vector3d equivalentBox(const physics::PrincipalMoments& moments) {
-  // Uniform box with half edges h: I1 = m (h2² + h3²) / 3, so h1² ~ I2 + I3 - I1; a lamina's is 0 up to rounding.
+  // A uniform box with half edges h has I1 = m (h2² + h3²)/3, so h1² ~ I2 + I3 - I1, which is 0 up to rounding for
+  // a lamina.
   const Vector3d I = moments.values() / moments.values().maxCoeff();
   const Vector3d squares = (Vector3d::Constant(I.sum()) - 2 * I).cwiseMax(0);
   const Vector3d h = squares.cwiseSqrt();
@@ -98,8 +99,8 @@ Vector3d equivalentBox(const physics::PrincipalMoments& moments) {
 }
 
 Vector3d equivalentCone(const physics::PrincipalMoments& moments, int axis) {
-  // About the apex of a cone with base semi-axes a, b and height h, ∫xx = 3/20 m a², ∫yy = 3/20 m b², ∫zz = 3/5 m
-  // h²; I1 = ∫yy + ∫zz and cyclic, so that ∫xx = (I2 + I3 - I1)/2.
+  // A cone with base semi-axes a, b and height h has about its apex ∫xx = 3/20 m a², ∫yy = 3/20 m b²,
+  // ∫zz = 3/5 m h². I1 = ∫yy + ∫zz and cyclic, so ∫xx = (I2 + I3 - I1)/2.
   const Vector3d I = moments.values() / moments.values().maxCoeff();
   const Vector3d second = 0.5 * (Vector3d::Constant(I.sum()) - 2 * I).cwiseMax(0);
   Vector3d lengths = (20.0 / 3 * second).cwiseSqrt();

@@ -14,12 +14,9 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr float kLift = 0.02f;  // of marks before their surface, in picture lengths
-constexpr double kStep = 0.2;   // longest piece of a mark, in picture lengths
+constexpr float kLift = 0.02f;  // distance of marks in front of their surface, in picture lengths
+constexpr double kStep = 0.2;   // longest segment of a mark, in picture lengths
 
-// ---- support ---------------------------------------------------------------------------------------------------
-
-/// Farthest point of a disc with this centre and unit normal.
 Vector3d rimPoint(const Vector3d& centre, const Vector3d& normal, double radius, const Vector3d& direction) {
   const Vector3d across = direction - direction.dot(normal) * normal;
   const double length = across.norm();
@@ -51,7 +48,7 @@ struct Support {
       corner += std::copysign(1, b.halfAxes_B.col(i).dot(direction)) * b.halfAxes_B.col(i);
     return corner;
   }
-  // Of a ball moved along the curve, so that the flat ends of an open tube count as round.
+  // Treats the tube as a ball moved along the curve, so the flat ends of an open tube count as round.
   Vector3d operator()(const TubePiece& t) const {
     return farthestOf(t.points_B, direction) + t.radius * direction.normalized();
   }
@@ -62,8 +59,6 @@ struct Support {
     return m.centre_B + m.axes_B * fromPicture(*farthest);
   }
 };
-
-// ---- gauge -----------------------------------------------------------------------------------------------------
 
 struct Gauge {
   const Vector3d& p_B;
@@ -91,8 +86,6 @@ struct Gauge {
   Vector3d inAxes(const Matrix3d& axes, const Vector3d& centre) const { return axes.inverse() * (p_B - centre); }
 };
 
-// ---- thickness -------------------------------------------------------------------------------------------------
-
 double middleOf(Vector3d extents) {
   std::ranges::sort(extents);
   return extents[1];
@@ -112,8 +105,6 @@ struct Thickness {
     return middleOf(extents);
   }
 };
-
-// ---- drawing ---------------------------------------------------------------------------------------------------
 
 struct Draw {
   draw::DrawList& list;
@@ -165,8 +156,8 @@ struct Draw {
     mesh.edge_px = m.edges ? static_cast<float>(lineWidth_px) : 0.0f;
     list.meshes.push_back(std::move(mesh));
   }
-  // A curve's depth is interpolated along the picture, where it is not linear: a long line would sink into its
-  // surface.
+  // Divides a line into short segments. The renderer interpolates a curve's depth along the picture, where depth
+  // is not linear, so long segments would sink into their surface.
   std::vector<Vector3d> inShortSteps(const std::vector<Vector3d>& points_B) const {
     std::vector<Vector3d> dense{points_B.front()};
     for (std::size_t i = 1; i < points_B.size(); ++i) {
@@ -177,7 +168,8 @@ struct Draw {
     return dense;
   }
 
-  /// The renderer knows two edges of a pixel. Of a part of so few, a line's would hide its own.
+  /// Returns true if a line would hide the edges of its own part. The renderer keeps two edges of a pixel, so on a
+  /// part of very few pixels the line's edges replace the part's.
   bool tooThinFor(const Mark& mark) const {
     const double least_px = std::max(6.0, 3 * lineWidth_px);
     const double unit_px = list.camera.scale_px(depthOf(list.camera, toPicture(place.origin_V)));
@@ -198,7 +190,7 @@ std::vector<Eigen::Vector4d> tangents(const MeshPiece& unturned) {
   std::vector<Eigen::Vector4d> planes;
   for (const Vector3d& n : cubeDirections()) {
     Eigen::Vector4d& plane = planes.emplace_back();
-    plane << n, std::max(n.dot(Support{n}(unturned)), 1e-3);  // of a flat mesh, a slab: no division by nothing
+    plane << n, std::max(n.dot(Support{n}(unturned)), 1e-3);  // a flat mesh counts as a slab: no division by 0
   }
   return planes;
 }

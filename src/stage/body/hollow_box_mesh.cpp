@@ -13,9 +13,9 @@ namespace {
 using Eigen::Vector3d;
 using Place = std::array<int, 3>;
 
-constexpr double kWindow = 0.6;  // of the cavity's width
+constexpr double kWindow = 0.6;  // width of the window, as a share of the cavity's
 
-/// The box cut by planes into cells, 5 x 5 x 3, that are full or empty: its surface lies between the two.
+/// Box cut by planes into 5 x 5 x 3 cells that are full or empty. The surface lies between full and empty cells.
 class Cells {
  public:
   Cells(const Vector3d& edges, double wall) {
@@ -54,7 +54,7 @@ class Cells {
       }
   }
 
-  // Counter-clockwise from outside: from the axis after `axis` to the one after that, on the high side.
+  // Adds a face. The corners run counter-clockwise as seen from outside.
   void addFace(const Place& cell, std::size_t axis, int side) {
     std::array<std::uint32_t, 4> corners{};
     const std::array<std::array<int, 2>, 4> around{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};

@@ -7,7 +7,7 @@
 
 namespace poinsot::stage {
 
-/// A box with walls of thickness `wall`, and a window in its face at +z, so that it is seen to be hollow.
+/// Returns a box with walls of thickness `wall`, and with a window in its face at +z that shows the hollow.
 /// @pre 0 < 2 wall < each edge.
 geometry::Mesh hollowBoxMesh(const Eigen::Vector3d& edges, double wall);
 

@@ -15,11 +15,11 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using MeshPointer = std::shared_ptr<const geometry::Mesh>;
 
-// In the greatest distance of a part from the centre of mass.
+// Radii, as shares of the greatest distance of a part from the centre of mass.
 constexpr double kLargestBall = 0.15, kRod = 0.013;
 
-/// The centre of what it encloses; of a mesh that is only drawn, and need not be closed, the middle of its box
-/// where that centre does not exist or lies outside.
+/// Returns the centre of the enclosed volume. A mesh that is only drawn need not be closed: if that centre does
+/// not exist or lies outside the mesh's box, returns the middle of the box.
 Vector3d centreOf(const geometry::Mesh& mesh) {
   const geometry::Bounds box = geometry::boundsOf(mesh);
   const Vector3d centre_M = geometry::integrals(mesh).centre_M;
@@ -57,7 +57,7 @@ double heaviestPoint(const std::vector<scene::Part>& parts) {
   return heaviest;
 }
 
-/// Balls of one density, the heaviest of a fixed size, so that five masses read as one body.
+/// Adds balls of one density, the heaviest of a fixed size, with rods, so that several masses read as one body.
 void addPointMasses(Figure& figure, const std::vector<scene::Part>& parts, const Vector3d& origin_B) {
   const double heaviest = heaviestPoint(parts);
   if (heaviest == 0) return;
@@ -75,7 +75,6 @@ void addPointMasses(Figure& figure, const std::vector<scene::Part>& parts, const
   sketch.ball(centre_B, 1.6 * kRod * extent, Paint::kRod);
 }
 
-/// Marks from `firstMark` on are on pieces from `firstPiece` on.
 void markThickness(Figure& figure, std::size_t firstPiece, std::size_t firstMark) {
   double most = 0;
   for (std::size_t i = firstPiece; i < figure.pieces.size(); ++i)

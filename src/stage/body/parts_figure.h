@@ -6,17 +6,16 @@
 #include "scene/scene.h"
 #include "stage/body/figure.h"
 
-/// The parts of a body as a figure.
 namespace poinsot::stage {
 
-/// What the scene shows in place of the body, else what the body is made of; none for bare moments.
+/// Returns the parts that the scene shows instead of the body, or else the body's own; empty for bare moments.
 std::vector<scene::Part> partsToShow(const scene::Scene& scene);
 
-/// The point of B that stands at the origin: the fixed point; of parts shown in place of the body, their own
-/// centre of mass where the body turns about its centre of mass.
+/// Returns the point of B that is drawn at the origin: the fixed point. Parts shown instead of the body have their
+/// own centre of mass there, if the body turns about its centre of mass.
 Eigen::Vector3d originOfFigure(const scene::Scene& scene, const std::vector<scene::Part>& shown);
 
-/// The parts about `origin_B`; point masses are balls, joined to the centre of mass by rods.
+/// Returns a figure of the parts about `origin_B`. Point masses are balls, joined to the centre of mass by rods.
 Figure partsFigure(const std::vector<scene::Part>& parts, const Eigen::Vector3d& origin_B);
 
 }  // namespace poinsot::stage

@@ -13,19 +13,20 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using geometry::Vector2;
 
-/// Points (distance from the axis z, z).
+/// Profile of a solid of revolution: points (distance from the z axis, z).
 using Profile = std::vector<Vector2>;
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kSegments = 120;  // of meshes: a chord is 0.03 % of the radius inside the circle, 0.1 px of 300
-constexpr double kHeavy = 1.8;  // in ordinary lines: the meridian that tells one turn from the next
+constexpr int kSegments = 120;  // of a mesh: chords lie 0.03 % of the radius inside the circle, 0.1 px of 300
+constexpr double kHeavy = 1.8;  // width of the meridian that shows the rotation, in ordinary lines
 
-// What has no thickness, as drawn, in its radius (a rod's length): thick enough to be seen edge on.
+// Drawn thickness of solids without thickness, as a share of their radius (of a rod's length): enough to be
+// visible edge on.
 constexpr double kDiscHalfThickness = 0.025, kHoopTube = 0.045, kRodRadius = 0.02;
-// Of a cone's mesh, in its radius: a flat apex this small keeps the shading of the side clear of the point that
-// has no normal.
+// Radius of the flat apex of a cone's mesh, as a share of the cone's radius. The flat apex keeps the shading of
+// the side clear of the point, which has no normal.
 constexpr double kSpeck = 1e-3;
-constexpr double kShellWall = 0.05;   // in the radius
+constexpr double kShellWall = 0.05;   // thickness of a shell, as a share of its radius
 constexpr double kWindow_rad = 0.55;  // half the angle of the opening at a ball's pole
 constexpr double kGutter_rad = 0.6;   // half the angle of the opening along a torus
 
@@ -35,13 +36,13 @@ void ring(const Sketch& sketch, double radius, double z) {
   sketch.mark(loop(96, [&](double s) { return at({radius, z}, s); }), true);
 }
 
-/// Of a circle about the origin, both ends included; angles are from the axis +z.
+/// Returns an arc of a circle about the origin, both ends included. Angles are from the +z axis.
 Profile arc(double radius, double from_rad, double to_rad) {
   constexpr int kSteps = 48;
   Profile points;
   for (int i = 0; i <= kSteps; ++i) {
     const double angle = from_rad + (to_rad - from_rad) * i / kSteps, sine = std::sin(angle);
-    points.emplace_back(std::abs(sine) < 1e-12 ? 0 : radius * sine, radius * std::cos(angle));  // 0: on the axis
+    points.emplace_back(std::abs(sine) < 1e-12 ? 0 : radius * sine, radius * std::cos(angle));
   }
   return points;
 }
@@ -51,7 +52,7 @@ Profile joined(Profile first, const Profile& second) {
   return first;
 }
 
-/// A line on the surface of revolution at `meridians` places, the first of them heavy.
+/// Marks a line of the surface of revolution at `count` angles. The first of them is heavy.
 void meridians(const Sketch& sketch, const Profile& line, int count) {
   for (int i = 0; i < count; ++i) {
     std::vector<Vector3d> points;
@@ -60,14 +61,11 @@ void meridians(const Sketch& sketch, const Profile& line, int count) {
   }
 }
 
-// ---- balls -----------------------------------------------------------------------------------------------------
-
-/// A hollow ball of radius 1 that is open about +z.
+/// Returns the profile of a hollow ball of radius 1 that is open around +z.
 Profile hollowBall(double innerRadius) {
   return joined(arc(1, kPi, kWindow_rad), arc(innerRadius, kWindow_rad, kPi));
 }
 
-/// An ellipsoid with its opening at +z.
 void openEllipsoid(const Sketch& sketch, const Vector3d& semiAxes, double innerShare) {
   const geometry::Mesh ball = geometry::turnedMesh(hollowBall(innerShare), kSegments);
   sketch.mesh(geometry::transformed(ball, semiAxes.asDiagonal()), false);
@@ -85,8 +83,6 @@ void openEllipsoid(const Sketch& sketch, const Vector3d& semiAxes, double innerS
     sketch.mark(line, false, i == 0 ? kHeavy : 1);
   }
 }
-
-// ---- cylinders and cones ---------------------------------------------------------------------------------------
 
 void tube(const Sketch& sketch, double inner, double outer, double h) {
   sketch.mesh(geometry::tubeMesh(outer, inner, 2 * h, kSegments), false);
@@ -108,7 +104,7 @@ void cylinder(const Sketch& sketch, double radius, double h) {
 
 void add(const Sketch& sketch, const physics::Ellipsoid& solid) { sketch.ellipsoid({0, 0, 0}, solid.semiAxes_m); }
 
-// Its opening is at the end of its longest axis, as an egg is opened.
+// Opens the shell at an end of its longest axis, as an egg is opened.
 void add(const Sketch& sketch, const physics::EllipsoidShell& solid) {
   const Vector3d& h = solid.semiAxes_m;
   int longest = 2;
@@ -157,7 +153,6 @@ void add(const Sketch& sketch, const physics::Disc& solid) {
 
 namespace {
 
-/// Rings about the tube of a torus, and the tube's line farthest from the axis.
 void torusMarks(const Sketch& sketch, double radius, double tubeRadius, const Profile& section, bool closed) {
   constexpr int kRings = 8;
   for (int i = 0; i < kRings; ++i) {
@@ -168,7 +163,8 @@ void torusMarks(const Sketch& sketch, double radius, double tubeRadius, const Pr
   ring(sketch, radius + tubeRadius, 0);
 }
 
-/// The circle of a torus's tube, from one angle about its centre to another (0: outwards from the axis).
+/// Returns part of the circle of a torus's tube. Angles are about the tube's centre, from the direction away from
+/// the axis.
 Profile tubeSection(double radius, double tubeRadius, double from_rad, double to_rad, int steps) {
   Profile section;
   for (int i = 0; i <= steps; ++i) {
@@ -188,7 +184,7 @@ void add(const Sketch& sketch, const physics::Torus& solid) {
   torusMarks(sketch, R, a, section, true);
 }
 
-// A gutter: the tube is open towards the axis, like a tyre's.
+// Draws a gutter: the tube is open towards the axis, like a tyre.
 void add(const Sketch& sketch, const physics::TorusShell& solid) {
   const double R = solid.radius_m, a = solid.tubeRadius_m, inner = (1 - 2 * kShellWall) * a;
   const double from = -kPi + kGutter_rad, to = kPi - kGutter_rad;

@@ -4,7 +4,7 @@
 #include "physics/solid.h"
 #include "stage/body/sketch.h"
 
-/// Solids of revolution about z, with rings and meridians; one meridian is heavy.
+/// Sketches of solids of revolution about z, with rings and meridians. One meridian is heavy.
 namespace poinsot::stage {
 
 void add(const Sketch& sketch, const physics::Ellipsoid& solid);
@@ -23,7 +23,8 @@ void add(const Sketch& sketch, const physics::Torus& solid);
 void add(const Sketch& sketch, const physics::TorusShell& solid);
 void add(const Sketch& sketch, const physics::Capsule& solid);
 
-/// An elliptic cone on its apex: the origin. Base semi-axes and height along x, y, z.
+/// Adds an elliptic cone that stands on its apex, the origin.
+/// @param lengths  semi-axes of the base along x and y, and height along z
 void addTop(const Sketch& sketch, const Eigen::Vector3d& lengths);
 
 }  // namespace poinsot::stage

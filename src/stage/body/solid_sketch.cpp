@@ -15,9 +15,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kPlateHalfThickness = 0.02;  // in the longest edge: thick enough to be seen edge on
+constexpr double kPlateHalfThickness = 0.02;  // thickness, as a share of the longest edge: visible edge on
 
-/// Axes whose z is S's `axis`.
 Matrix3d zAlong(int axis) {
   Matrix3d R;
   R << Vector3d::Unit((axis + 1) % 3), Vector3d::Unit((axis + 2) % 3), Vector3d::Unit(axis);
@@ -58,14 +57,14 @@ void add(const Sketch& sketch, const physics::LPlate& solid) {
   sketch.mesh(geometry::lPrismMesh(solid.edges_m, solid.arm_m, thickness), true);
 }
 
-// The shaft goes on to the bar's axis, or one would see past its flat end under the round bar.
+// The shaft ends at the bar's axis, because a flat end under the round bar would leave a visible gap.
 void add(const Sketch& sketch, const physics::THandle& solid) {
   const double end = solid.barRadius_m + solid.shaftLength_m;
   add(sketch.turned(zAlong(0), {0, 0, 0}), physics::Cylinder{solid.barRadius_m, solid.barLength_m});
   add(sketch.turned(zAlong(1), {0, 0.5 * end, 0}), physics::Cylinder{solid.shaftRadius_m, end});
 }
 
-// The wings go on to where the hub is as wide as they are thick.
+// The wings end where the hub is as wide as the wings are thick.
 void add(const Sketch& sketch, const physics::WingNut& solid) {
   add(sketch, physics::Cylinder{solid.hubRadius_m, solid.hubHeight_m});
   const Vector3d h = 0.5 * solid.wing_m;

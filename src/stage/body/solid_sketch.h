@@ -6,8 +6,8 @@
 
 namespace poinsot::stage {
 
-/// Draws a solid with lines on it that show its spin. What has no thickness is given a little; what is hollow has
-/// an opening.
+/// Draws a solid with lines that show its spin. Solids without thickness get a little, and hollow solids an
+/// opening.
 void addSolid(const Sketch& sketch, const physics::Solid& solid);
 
 }  // namespace poinsot::stage

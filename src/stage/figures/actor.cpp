@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kDash = 0.035;  // in picture lengths; gaps are as long
-constexpr float kSoft = 0.6f;    // of the type: shorter in the picture, a thing's direction does not tell
+constexpr double kDash = 0.035;  // length of dashes and gaps, in picture lengths
+constexpr float kSoft = 0.6f;    // share of the type size; a shorter direction counts as uncertain
 
 bool beforeEye(const draw::Camera& camera, glm::vec3 point) { return depthOf(camera, point) >= camera.near; }
 
@@ -76,7 +76,7 @@ draw::GlassEllipsoid& Canvas::glassEllipsoid(const Eigen::Matrix3d& semiAxes_V, 
   return ellipsoid;
 }
 
-// Powers of what passes.
+// The transmitted light is an exponential function of the thickness.
 float Canvas::glass(double opacity, double share) const {
   return static_cast<float>(1 - std::pow(1 - opacity, share * colors.sheetOpacity));
 }
@@ -96,7 +96,6 @@ void Canvas::labelAt(const std::string& tex, glm::vec2 at_px, glm::vec2 directio
       {tex, at_px, direction, static_cast<float>(gap) * size_px, size_px, color, still ? 1 : opacity});
 }
 
-// What is behind the eye counts as if it were beside it, far outside the picture.
 glm::vec2 Canvas::at_px(const Vector3d& at_V) const {
   const draw::Camera& camera = list.camera;
   const glm::vec3 point = toPicture(at_V);

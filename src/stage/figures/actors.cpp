@@ -28,9 +28,9 @@ namespace {
 template <class A>
 constexpr std::type_identity<A> kA{};
 
-/// The angles whose arcs the frame must hold. Of those between the same two directions it is the widest: the
-/// others lie between that one and the centre. The frame of a flight need not hold the centre, so there each width
-/// counts.
+/// Returns the angles whose arcs the frame must hold. Of the angles between the same two directions only the
+/// widest counts, because its arc and the centre enclose the others. The frame of a flight need not hold the
+/// centre, so there every width counts.
 std::set<const scene::NamedAngle*> outermost(const std::vector<scene::NamedAngle>& angles, bool flight) {
   std::map<std::tuple<scene::Direction, scene::Direction, double>, const scene::NamedAngle*> widest;
   for (const scene::NamedAngle& angle : angles) {

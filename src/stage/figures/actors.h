@@ -9,17 +9,17 @@
 
 namespace poinsot::stage {
 
-/// A drawn thing under the name that it has in a scene: "L" for what show.L asks for.
+/// Object drawn in a view, with its name in a scene: "L" for the object that show.L sets.
 struct ShownActor {
   std::string_view name;
   std::unique_ptr<const Actor> actor;
 };
 
-/// All that a view shows.
-/// @throws core::Error(kScene) for what the motion does not have.
+/// Returns everything that a view shows.
+/// @throws core::Error(kScene) if the view shows something that the motion does not have.
 std::vector<ShownActor> makeActors(const Setting& setting);
 
-/// Whether something of Poinsot's construction is shown, and there is one.
+/// Returns true if any part of Poinsot's construction is shown and the body is not at rest all the time.
 bool showsConstruction(const scene::Show& show, const PictureMotion& motion);
 
 }  // namespace poinsot::stage

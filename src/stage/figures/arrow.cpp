@@ -8,9 +8,9 @@
 namespace poinsot::stage {
 namespace {
 
-// In shaft radii.
+// Size of an arrow's head, in radii of the shaft.
 constexpr double kHeadLength = 9.0, kHeadRadius = 3.0;
-constexpr double kLongestHead = 0.45;     // of the arrow
+constexpr double kLongestHead = 0.45;     // longest head, as a share of the arrow
 constexpr double kSmallestLength = 1e-6;  // shorter arrows have no direction worth showing
 
 }  // namespace

@@ -7,12 +7,12 @@
 
 namespace poinsot::stage {
 
-/// Adds an arrow: a round shaft and a cone in fixed proportion. An arrow too short for its head shrinks as a
-/// whole, so that it stays an arrow.
+/// Adds an arrow: a round shaft and a cone in fixed proportion. An arrow that is too short for its head shrinks as
+/// a whole.
 void addArrow(draw::DrawList& list, const Eigen::Vector3d& from_V, const Eigen::Vector3d& to_V, double shaftRadius,
               const draw::Color& color);
 
-/// Radius of the head of an arrow that is long enough for it.
+/// Returns the radius of an arrow's head, unless the arrow is too short for the head.
 double headRadius(double shaftRadius);
 
 }  // namespace poinsot::stage

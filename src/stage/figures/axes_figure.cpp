@@ -10,8 +10,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kSpaceAxisRadius = 0.008, kComponentRadius = 0.017;
-constexpr double kBeyond = 1.15;  // of the ball that holds the body and the ellipsoid
-// A component too short for its head names nothing, and its edges of the box would lie on one another.
+constexpr double kBeyond = 1.15;  // length of a space axis, in radii of the ball that holds body and ellipsoid
+// Shortest component with a name. A shorter one has no room for its arrow's head, and edges of the box would
+// coincide.
 constexpr double kLeastNamed = 0.06;
 
 }  // namespace
@@ -47,7 +48,6 @@ void ComponentsFigure::add(const Canvas& canvas, double /*filmTime_s*/, const Pi
   for (int i = 0; i < 3; ++i) {
     const Vector3d part = parts.col(i), second = parts.col((i + 1) % 3), third = parts.col((i + 2) % 3);
     canvas.arrow(part, kComponentRadius, color);
-    // The edges along this part, but for the one on the axis itself.
     for (const Vector3d& from : {second, third, Vector3d(second + third)})
       canvas.line({from, from + part}, false, color, 0.7);
     if (part.norm() > kLeastNamed)

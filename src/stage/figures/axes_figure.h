@@ -5,7 +5,7 @@
 
 namespace poinsot::stage {
 
-/// The inertial axes x, y, z.
+/// Actor for the inertial axes x, y, z.
 class SpaceAxesFigure final : public Actor {
  public:
   explicit SpaceAxesFigure(const Setting& setting);
@@ -17,7 +17,7 @@ class SpaceAxesFigure final : public Actor {
   double length_;
 };
 
-/// The components of omega along the principal axes, and the box of which omega is the diagonal.
+/// Actor for the components of omega along the principal axes, and for the box whose diagonal is omega.
 class ComponentsFigure final : public Actor {
  public:
   explicit ComponentsFigure(const Setting& setting);
@@ -25,7 +25,7 @@ class ComponentsFigure final : public Actor {
   void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
   std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
 
-  /// In the picture's lengths; their sum is omega.
+  /// Returns the components in its columns, in picture lengths. Their sum is omega.
   Eigen::Matrix3d components_V(const PictureState& state) const;
 
  private:

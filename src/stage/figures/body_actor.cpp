@@ -13,7 +13,8 @@ void BodyActor::add(const Canvas& canvas, double /*filmTime_s*/, const PictureSt
   if (stand_) stand_->add(canvas.list, state, canvas.colors);
 }
 
-// A body about its centre of mass turns in a ball; one on a pivot or on its way takes the place that it sweeps.
+// A body about its centre of mass turns inside a ball. A body on a pivot or in flight takes only the space that it
+// sweeps.
 std::vector<Eigen::Vector3d> BodyActor::outermostPoints(const PictureState& state) const {
   if (stand_) return stand_->outermostPoints(state);
   return movesAlong_ ? body_.outermostPoints({state.R_VB, scale_}) : std::vector<Eigen::Vector3d>();

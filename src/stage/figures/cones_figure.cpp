@@ -13,13 +13,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSide = 0.76;  // of omega: its head stands out beyond the rims
+constexpr double kSide = 0.76;  // share of omega, so that its head stands out beyond the rims
 constexpr int kFramedPoints = 24;
-constexpr double kRimWidth = 2.2;    // in ordinary lines
-constexpr double kNarrowest = 1e-3;  // of a side: a narrower cone is a line, a flatter one a disc
-constexpr double kSpacing = 0.2;     // about, of the lines on a cone, along its rim, in sides
+constexpr double kRimWidth = 2.2;
+constexpr double kNarrowest = 1e-3;  // share of a side; a narrower cone would be a line, a flatter one a disc
+constexpr double kSpacing = 0.2;     // approximate distance of the lines along the rim, in sides
 constexpr double kLineShare = 0.6;
-constexpr double kInside = 0.3;  // of a side, left free of lines: they would crowd at the apex
+constexpr double kInside = 0.3;  // share of a side without lines: they would crowd at the apex
 
 }  // namespace
 
@@ -42,7 +42,7 @@ std::vector<Vector3d> ConesFigure::rim(const Cone& cone) const {
                      side_ * std::sin(cone.halfAngle_rad), kFramedPoints);
 }
 
-// Glass with a firm rim. The lines turn with what the cone is fixed to: they show the rolling.
+// Draws glass with a firm rim. The lines turn with the axes that the cone is fixed to, and so show the rolling.
 void ConesFigure::addCone(const Canvas& canvas, const Cone& cone, const Vector3d& hint_V,
                           const draw::Color& color) const {
   const double height = side_ * std::cos(cone.halfAngle_rad), radius = side_ * std::sin(cone.halfAngle_rad);

@@ -6,24 +6,23 @@
 
 namespace poinsot::stage {
 
-/// The body cone of a free symmetric top, about k, rolling on the space cone, about L (eq 30 to 37): omega is the
-/// line in which they touch. Apexes at the origin, sides equally long.
+/// Actor for the body cone of a free symmetric top, about k, which rolls on the space cone, about L (eq 30 to 37).
+/// The cones touch along omega. Their apexes are at the origin and their sides are equally long.
 class ConesFigure final : public Actor {
  public:
-  /// @throws core::Error(kScene) where the motion has no such cones.
+  /// @throws core::Error(kScene) if the motion has no such cones.
   explicit ConesFigure(const Setting& setting);
 
   void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
   std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
 
-  /// One of the two at an instant: a unit vector and half the angle at the apex.
   struct Cone {
     Eigen::Vector3d axis_V;
     double halfAngle_rad;
   };
   Cone bodyCone(const PictureState& state) const;
   Cone spaceCone(const PictureState& state) const;
-  /// Length of the sides in the picture.
+  /// Returns the length of the cones' sides, in picture lengths.
   double side() const { return side_; }
 
  private:

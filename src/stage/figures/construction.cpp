@@ -9,9 +9,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPlaneBeyondEllipsoid = 1.18;  // half width of the plane, in the ellipsoid's longest semi-axis
-constexpr double kPlaneBeyondPath = 1.2;        // and in the farthest contact point's distance from its centre
-constexpr double kCellsToEdge = 7;              // about that many grid cells from the centre to the edge
+constexpr double kPlaneBeyondEllipsoid = 1.18;  // smallest half width, in longest semi-axes of the ellipsoid
+// Smallest half width of the plane, in distances of the farthest contact point from the plane's centre.
+constexpr double kPlaneBeyondPath = 1.2;
+constexpr double kCellsToEdge = 7;  // approximate number of grid cells from the centre to the edge
 
 double niceNumber(double x) {
   const double power = std::pow(10.0, std::floor(std::log10(x)));
@@ -20,7 +21,8 @@ double niceNumber(double x) {
   return 10 * power;
 }
 
-// Across L at the start, so that the grid holds still while L moves, and horizontal where L is upright.
+// Returns a fixed direction across L at the start, so that the grid holds still while L moves. The direction is
+// horizontal if L is upright.
 Vector3d gridHint(const Vector3d& L_W) {
   return std::abs(L_W.normalized().x()) < 0.9 ? Vector3d(1, 0, 0) : Vector3d(0, 1, 0);
 }
@@ -54,7 +56,7 @@ double Construction::planeHeight(const PictureState& state) const {
   return scale_ * physics::PoinsotConstruction(moments_, state.omega_P).planeHeight();
 }
 
-// The plane belongs to inertial space: its grid turns with W where the body stands still.
+// The plane belongs to inertial space, so its grid turns with W in views where the body stands still.
 Eigen::Matrix<double, 3, 2> Construction::planeHalfEdges_V(const PictureState& state) const {
   const Vector3d normal_W = state.L_W.normalized();
   const Vector3d u_W = (gridHint_W_ - gridHint_W_.dot(normal_W) * normal_W).normalized();

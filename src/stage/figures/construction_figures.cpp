@@ -12,18 +12,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kHeightBeside = 1.08;  // of the dimension line, in the ellipsoid's longest semi-axis
-constexpr double kHeightEnds = 0.035;   // half length of the strokes across it
+constexpr double kHeightBeside = 1.08;  // distance of the dimension line, in the ellipsoid's longest semi-axes
+constexpr double kHeightEnds = 0.035;
 constexpr double kContactRadius = 0.03;
 constexpr double kPlaneNameSize = 0.57,
-                 kNameGap = 1.2;  // of the plane's name: in ordinary labels; in its own size
+                 kNameGap = 1.2;  // size of the plane's name in ordinary labels; gap in the name's own size
 
-// Half of the directions to the faces, and to the corners, of a cube.
+// Directions to the faces and corners of a cube, without the opposite directions.
 const Vector3d kDirections[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {1, 1, -1}};
 
 }  // namespace
-
-// ---- ellipsoid
 
 EllipsoidFigure::EllipsoidFigure(const Setting& setting)
     : construction_(*setting.construction),
@@ -32,7 +30,7 @@ EllipsoidFigure::EllipsoidFigure(const Setting& setting)
 
 void EllipsoidFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
   if (state.atRest()) return;
-  // The graticule's poles are the ends of the longest axis, where lines may crowd most naturally.
+  // The graticule's poles are the ends of the longest axis, where crowded lines look most natural.
   int longest = 0;
   construction_.semiAxes().maxCoeff(&longest);
   const Eigen::Matrix3d axes = construction_.semiAxes_V(state);
@@ -56,8 +54,6 @@ std::vector<Vector3d> EllipsoidFigure::outermostPoints(const PictureState& state
   }
   return points;
 }
-
-// ---- plane
 
 PlaneFigure::PlaneFigure(const Setting& setting)
     : construction_(*setting.construction),
@@ -87,8 +83,8 @@ void PlaneFigure::add(const Canvas& canvas, double /*filmTime_s*/, const Picture
   addName(canvas, state);
 }
 
-// Under the edge that runs to the plane's lowest corner from the left, or over the one that runs to its highest
-// where the plane is above the body.
+// Puts the name under the edge that runs from the left to the plane's lowest corner. If the plane is above the
+// body, puts the name over the edge that runs to the highest corner.
 void PlaneFigure::addName(const Canvas& canvas, const PictureState& state) const {
   const auto corners_V = construction_.planeCorners_V(state);
   std::array<glm::vec2, 4> corners;
@@ -110,8 +106,6 @@ std::vector<Vector3d> PlaneFigure::outermostPoints(const PictureState& state) co
   return {corners.begin(), corners.end()};
 }
 
-// ---- contact
-
 ContactFigure::ContactFigure(const Setting& setting)
     : scale_(setting.construction->scale()), radius_(kContactRadius * setting.scene.show.contact.scale) {}
 
@@ -123,15 +117,13 @@ std::vector<Vector3d> ContactFigure::outermostPoints(const PictureState& state) 
   return {scale_ * state.omega_V};
 }
 
-// ---- height
-
 HeightFigure::HeightFigure(const Setting& setting) : construction_(*setting.construction) {}
 
 void HeightFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
   if (state.atRest()) return;
   const Vector3d down = state.L_V.normalized();
   const Vector3d across = down.cross(fromPicture(canvas.list.camera.R_VC[2]));
-  if (across.norm() < 0.05) return;  // seen from straight above: the height is not to be seen
+  if (across.norm() < 0.05) return;  // seen along L, the height has no length
   const Vector3d left = across.normalized();
   const Vector3d head = kHeightBeside * construction_.semiAxes().maxCoeff() * left;
   const Vector3d foot = construction_.planeHeight(state) * down + head;

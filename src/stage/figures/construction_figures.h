@@ -4,11 +4,11 @@
 #include "stage/figures/actor.h"
 #include "stage/figures/construction.h"
 
-/// The drawn things of Poinsot's construction. An instant of rest has none of them.
+/// Actors for the parts of Poinsot's construction. At an instant of rest they draw nothing.
 /// @pre of each: the setting has a construction.
 namespace poinsot::stage {
 
-/// The energy ellipsoid, glass with a graticule.
+/// Actor for the energy ellipsoid, drawn as glass with a graticule.
 class EllipsoidFigure final : public Actor {
  public:
   explicit EllipsoidFigure(const Setting& setting);
@@ -22,7 +22,7 @@ class EllipsoidFigure final : public Actor {
   bool graticule_;
 };
 
-/// The invariable plane with its grid, its name, and the shadow of the ellipsoid that touches it.
+/// Actor for the invariable plane with its grid, its name, and the shadow of the ellipsoid that touches it.
 class PlaneFigure final : public Actor {
  public:
   explicit PlaneFigure(const Setting& setting);
@@ -38,7 +38,7 @@ class PlaneFigure final : public Actor {
   bool grid_, shadow_;
 };
 
-/// The point of contact: the tip of omega.
+/// Actor for the point of contact, the tip of omega.
 class ContactFigure final : public Actor {
  public:
   explicit ContactFigure(const Setting& setting);
@@ -51,13 +51,13 @@ class ContactFigure final : public Actor {
   double scale_, radius_;
 };
 
-/// The height of the centre above the plane, 2T/L (eq 40), as a dimension line beside the ellipsoid.
+/// Actor for the height of the centre above the plane, 2T/L (eq 40): a dimension line beside the ellipsoid.
 class HeightFigure final : public Actor {
  public:
   explicit HeightFigure(const Setting& setting);
 
   void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
-  /// None: the line stands where the camera sees it best, over the plane.
+  /// Returns no points, because the line stands over the plane where the camera sees it best.
   std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
 
  private:

@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPartArrowRadius = 0.023;  // more than of L and of the axis, on which these arrows lie
+constexpr double kPartArrowRadius = 0.023;  // thicker than the arrows of L and the axis, which these arrows cover
 
 }  // namespace
 

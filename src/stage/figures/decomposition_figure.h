@@ -6,17 +6,16 @@
 
 namespace poinsot::stage {
 
-/// Of a free symmetric top, omega as the diagonal of the parallelogram of omega_p, along L, and -Omega_p k, along
-/// the axis (eq 32, 34).
+/// Actor for omega of a free symmetric top as the diagonal of a parallelogram: omega_p along L, and -Omega_p k
+/// along the axis (eq 32, 34).
 class DecompositionFigure final : public Actor {
  public:
-  /// @throws core::Error(kScene) where the motion has no such parts.
+  /// @throws core::Error(kScene) if the motion has no such parts.
   explicit DecompositionFigure(const Setting& setting);
 
   void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
   std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
 
-  /// The two sides, in the picture's lengths.
   physics::AngularVelocityParts parts_V(const PictureState& state) const;
 
  private:

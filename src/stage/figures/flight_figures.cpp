@@ -11,21 +11,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFlightArrowRadius = 0.016;  // of an arrow
-constexpr double kCentreDot = 0.028;          // where the centre of mass is, and the origin
-constexpr double kWeight = 0.55;              // length of the arrow M g
-constexpr double kLongestWeightTorque = 0.9;  // of R x M g
-constexpr double kPale = 0.4;                 // of the path to come
-constexpr std::size_t kPathSteps = 96;        // a parabola over the whole film: 0.1 px from one of 4000 px
-constexpr double kNameOfL = 0.55;             // along an arrow
-constexpr double kNameOfR = 0.5;              // along the arrow R,
-constexpr double kNearBody = 0.8;             // and no farther from the body where the camera goes along
+constexpr double kFlightArrowRadius = 0.016;
+constexpr double kCentreDot = 0.028;
+constexpr double kWeight = 0.55;  // length of the arrow M g
+constexpr double kLongestWeightTorque = 0.9;
+constexpr double kPale = 0.4;           // strength of the path that is still to come
+constexpr std::size_t kPathSteps = 96;  // a parabola over the whole film is 0.1 px off in a picture of 4000 px
+constexpr double kNameOfL = 0.55;
+constexpr double kNameOfR = 0.5;   // place of R's name along its arrow
+constexpr double kNearBody = 0.8;  // largest distance of R's name from a body that the camera follows
 
 Vector3d unitOrZero(const Vector3d& v) { return v.isZero(0) ? v : Vector3d(v.normalized()); }
 
 }  // namespace
-
-// ---- the path
 
 FlightFigure::FlightFigure(const Setting& setting)
     : motion_(setting.motion),
@@ -80,8 +78,6 @@ std::vector<Vector3d> FlightFigure::outermostPoints(const PictureState& state) c
   if (weight_) points.push_back(weightTip_V(state));
   return points;
 }
-
-// ---- the angular momentum about the origin
 
 TotalAngularMomentumFigure::TotalAngularMomentumFigure(const Setting& setting)
     : placeScale_(setting.scales.flight),

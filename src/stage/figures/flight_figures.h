@@ -5,21 +5,20 @@
 
 namespace poinsot::stage {
 
-/// The path of the centre of mass of a thrown body (eq 1), where it is (R, from the origin of space), how it moves
-/// (V) and its weight.
+/// Actor for the flight of a thrown body (eq 1): the path of its centre of mass, the arrow R to it from the origin
+/// of space, its velocity V and its weight.
 class FlightFigure final : public Actor {
  public:
-  /// @pre the body moves along: setting.motion.flight().
+  /// @pre the body moves through the view: setting.motion.flight().
   explicit FlightFigure(const Setting& setting);
 
   void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
   std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
 
-  /// The origin of space, in V.
   Eigen::Vector3d origin_V(const PictureState& state) const { return -scale_ * state.centre_V; }
-  /// From one played time to another, in V.
+  /// Returns the path between two played times, in V.
   std::vector<Eigen::Vector3d> path_V(const PictureState& state, double from_s, double to_s) const;
-  /// Tips of the arrows that begin at the centre of mass.
+  /// Return the tips of the arrows V and M g, which begin at the centre of mass.
   Eigen::Vector3d velocityTip_V(const PictureState& state) const { return velocityScale_ * state.velocity_V; }
   Eigen::Vector3d weightTip_V(const PictureState& state) const { return state.R_VW * weight_W_; }
 
@@ -28,14 +27,15 @@ class FlightFigure final : public Actor {
   double scale_, velocityScale_;
   Eigen::Vector3d weight_W_;
   bool position_, velocity_, weight_;
-  bool follows_;  // the camera, so that the origin is anywhere
+  bool follows_;  // the camera follows the body, so that the origin may be anywhere
 };
 
-/// The angular momentum of a thrown body about the origin of space and its two parts, R x P and L (eq 5), each
-/// beginning where the other ends; and what changes it, the torque of its weight about the origin (eq 8).
+/// Actor for the angular momentum of a thrown body about the origin of space and its two parts, R x P and L (eq
+/// 5), each of which begins where the other ends. Also shows the torque of the weight about the origin, which
+/// changes that angular momentum (eq 8).
 class TotalAngularMomentumFigure final : public Actor {
  public:
-  /// @pre the body moves along and has a mass.
+  /// @pre the body moves through the view and has a mass.
   explicit TotalAngularMomentumFigure(const Setting& setting);
 
   void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
@@ -43,7 +43,7 @@ class TotalAngularMomentumFigure final : public Actor {
   Eigen::Vector3d growsFrom(const PictureState& state) const override { return origin_V(state); }
 
   Eigen::Vector3d origin_V(const PictureState& state) const { return -placeScale_ * state.centre_V; }
-  /// From the origin of space, in V.
+  /// Return vectors from the origin of space: R x P, its sum with L, and the torque of the weight.
   Eigen::Vector3d orbital_V(const PictureState& state) const;
   Eigen::Vector3d total_V(const PictureState& state) const { return orbital_V(state) + scale_ * state.L_V; }
   Eigen::Vector3d torque_V(const PictureState& state) const;

@@ -7,7 +7,7 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr double kGhostsApart = 0.006;  // picture lengths
+constexpr double kGhostsApart = 0.006;  // distance between poses along the view, in picture lengths
 
 using Eigen::Vector3d;
 
@@ -19,7 +19,6 @@ std::vector<double> timesOf(const Setting& setting) {
   return times_s;
 }
 
-/// The colours of a pale body.
 Palette pale(const Palette& colors, double strength) {
   Palette all = colors;
   for (draw::Color* color : {&all.body, &all.bodyEdge, &all.rod}) *color = mixed(*color, colors.paper, strength);
@@ -48,8 +47,8 @@ Vector3d GhostsFigure::place_V(const Pose& pose, const PictureState& state) cons
   return moves_ ? Vector3d(pose.place_V - flightScale_ * state.centre_V) : pose.place_V;
 }
 
-// Where a body moves along, the picture has only what has been, as a stroboscope leaves it; older poses are a
-// little farther from the eye, or faces in one plane would be seen through one another.
+// If the body moves through the view, only past poses are drawn, as a stroboscope leaves them. Older poses are a
+// little farther from the eye, because faces in one plane would show through each other.
 void GhostsFigure::add(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
   const Palette colors = pale(canvas.colors, strength_);
   const Vector3d away_V = -kGhostsApart * fromPicture(canvas.list.camera.R_VC[2]);

@@ -5,8 +5,8 @@
 
 namespace poinsot::stage {
 
-/// The body as it is at other times of the film, pale, each pose a step from the one before, or where a
-/// thrown body was then: a stroboscopic picture.
+/// Actor for a stroboscopic picture: the body in pale colours at other times of the film. Each pose stands a step
+/// from the one before, or where a thrown body was at that time.
 class GhostsFigure final : public Actor {
  public:
   explicit GhostsFigure(const Setting& setting);
@@ -17,18 +17,18 @@ class GhostsFigure final : public Actor {
   struct Pose {
     double filmTime_s;
     Eigen::Matrix3d R_WB;
-    /// From the body, as the camera stands at the film's start; of one that moves along, from the origin of space.
+    /// Position relative to the body, as the camera stands at the film's start. If the body moves through the
+    /// view, relative to the origin of space.
     Eigen::Vector3d place_V;
   };
   const std::vector<Pose>& poses() const { return poses_; }
 
  private:
   const BodyFigure& body_;
-  /// From the body as it is now.
   Eigen::Vector3d place_V(const Pose& pose, const PictureState& state) const;
 
   double scale_, strength_;
-  bool moves_;  // along: each pose is where it was
+  bool moves_;
   double flightScale_;
   std::vector<Pose> poses_;
 };

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 constexpr int kRimPoints = 360;
 
-/// Where a chord from one side of the rim to the other meets it.
+/// Returns the point where a chord between the visible and the hidden side meets the rim.
 Vector3d onRim(const Vector3d& a, const Vector3d& b) {
   const Vector3d between = a + (b - a) * (a.z() / (a.z() - b.z()));
   return Vector3d(between.x(), between.y(), 0).normalized();
@@ -74,7 +74,7 @@ std::vector<Globe::Line_px> Globe::visibleParts(const Directions& curve, double 
   for (const Directions& run : visibleRuns(curve)) {
     Line_px& line = lines.emplace_back();
     for (const Vector3d& point : run) line.push_back(placed(point));
-    if (run.size() == curve.size()) line.push_back(line.front());  // nothing is hidden
+    if (run.size() == curve.size()) line.push_back(line.front());
   }
   return lines;
 }
@@ -90,7 +90,7 @@ Globe::Line_px Globe::visiblePart(const Directions& curve,
   return polygon;
 }
 
-// Of the two ways along the rim the one that is inside.
+// Adds the arc of the rim between two points that lies inside the region.
 void Globe::addRim(Line_px& polygon, const Vector3d& from, const Vector3d& to,
                    const std::function<bool(const Vector3d&)>& inside) const {
   constexpr double kTurn = 2 * std::numbers::pi;

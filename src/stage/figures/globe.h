@@ -8,40 +8,42 @@
 
 namespace poinsot::stage {
 
-/// A sphere seen along parallel rays: half of it, as a disc. Directions and points on it in any axes, unit.
+/// Visible half of a sphere, seen along parallel rays as a disc. Directions and points on the sphere are unit
+/// vectors in any axes.
 class Globe {
  public:
   using Directions = std::vector<Eigen::Vector3d>;
   using Line_px = std::vector<glm::vec2>;
 
-  /// @param eye  from where it is seen
-  /// @param up  points up in the picture. @pre not along the eye
+  /// @param eye  direction from the sphere to the eye
+  /// @param up  direction that points up in the picture. @pre not along the eye
   Globe(const Eigen::Vector3d& eye, const Eigen::Vector3d& up, glm::dvec2 centre_px, double radius_px);
 
   bool shows(const Eigen::Vector3d& direction) const { return seen(direction).z() >= 0; }
-  /// Of a point at this distance from the centre, in radii; y down.
+  /// Returns the pixel of a point at this distance from the centre, in radii; y points down.
   glm::vec2 at_px(const Eigen::Vector3d& direction, double radii = 1) const;
 
-  /// What is seen of a closed curve. Where it runs along the rim it keeps so far inside.
+  /// Returns the visible parts of a closed curve. Where the curve runs along the rim, it is moved `inset_px`
+  /// inside.
   std::vector<Line_px> visibleParts(const Directions& curve, double inset_px = 0) const;
 
-  /// What is seen of the part of the sphere that a closed curve goes round, as a polygon; empty where nothing is.
+  /// Returns the visible part of a region enclosed by a closed curve, as a polygon; empty if the region is hidden.
   /// @pre the curve crosses the rim not at all or twice.
-  /// @param inside  whether a direction is in that part
+  /// @param inside  returns whether a direction lies in the region
   Line_px visiblePart(const Directions& curve, const std::function<bool(const Eigen::Vector3d&)>& inside) const;
 
   Line_px rim() const;
 
  private:
-  /// To the right, up and to the eye.
+  /// Returns the components of a direction to the right, up and towards the eye.
   Eigen::Vector3d seen(const Eigen::Vector3d& direction) const { return axes_.transpose() * direction; }
   glm::vec2 placed_px(const Eigen::Vector2d& right_up) const;
-  /// The runs of a closed curve's points that are seen, each from rim to rim; whole where nothing is hidden.
+  /// Returns the visible runs of a closed curve, each from rim to rim, or the whole curve if nothing is hidden.
   std::vector<Directions> visibleRuns(const Directions& curve) const;
   void addRim(Line_px& polygon, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
               const std::function<bool(const Eigen::Vector3d&)>& inside) const;
 
-  Eigen::Matrix3d axes_;  // columns: to the right, up and to the eye
+  Eigen::Matrix3d axes_;
   glm::dvec2 centre_px_;
   double radius_px_;
 };

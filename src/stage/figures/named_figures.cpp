@@ -13,9 +13,9 @@ using Eigen::Vector3d;
 using scene::Direction;
 
 constexpr double kArrowRadius = 0.016;
-constexpr double kArcShare = 0.72;        // of the shorter of the two arrows
-constexpr double kVertical = 1.15;        // length of the vertical, as of L where it is longest
-constexpr double kSpaceAxisReach = 1.15;  // of a space axis, in the ball that holds body and ellipsoid
+constexpr double kArcShare = 0.72;  // radius of an arc, as a share of the shorter arrow
+constexpr double kVertical = 1.15;
+constexpr double kSpaceAxisReach = 1.15;  // length, in radii of the ball that holds body and ellipsoid
 constexpr int kArcPoints = 48;
 
 draw::Color colorOf(const Palette& colors, scene::Meaning meaning) {
@@ -37,8 +37,6 @@ draw::Color colorOf(const Palette& colors, scene::Meaning meaning) {
   }
   return colors.vector;
 }
-
-// ---- vectors
 
 using Arrow = NamedVectorFigure::Arrow;
 using ArrowOf = std::function<Arrow(const PictureState&)>;
@@ -88,8 +86,6 @@ struct MakeArrow {
 };
 
 }  // namespace
-
-// ---- directions
 
 Directions::Directions(const Setting& setting)
     : axis_P_(mainAxis_P(setting.motion)),
@@ -143,8 +139,6 @@ double Directions::length(Direction direction) const {
   }
 }
 
-// ---- vectors
-
 NamedVectorFigure::NamedVectorFigure(const Setting& setting, const scene::NamedVector& vector)
     : vector_(vector), arrow_(std::visit(MakeArrow{setting, vector.scale}, vector.what)) {}
 
@@ -164,15 +158,13 @@ std::vector<Vector3d> NamedVectorFigure::outermostPoints(const PictureState& sta
   return {now.tip_V, now.corner_V.value_or(now.tip_V)};
 }
 
-// ---- angles
-
 AngleFigure::AngleFigure(const Setting& setting, const scene::NamedAngle& angle, bool framed)
     : directions_(setting),
       angle_(angle),
       radius_(angle.scale * kArcShare * std::min(directions_.length(angle.from), directions_.length(angle.to))),
       framed_(framed) {}
 
-// sin((1 - s) theta) a + sin(s theta) b over sin(theta): exact at both ends and without an axis to turn about.
+// sin((1 - s) theta) a + sin(s theta) b over sin(theta) is exact at both ends and needs no axis of rotation.
 std::vector<Vector3d> AngleFigure::arc(const PictureState& state) const {
   const Vector3d a = directions_(angle_.from, state), b = directions_(angle_.to, state);
   const double theta = std::atan2(a.cross(b).norm(), a.dot(b));
@@ -195,8 +187,6 @@ void AngleFigure::add(const Canvas& canvas, double /*filmTime_s*/, const Picture
 std::vector<Vector3d> AngleFigure::outermostPoints(const PictureState& state) const {
   return framed_ ? arc(state) : std::vector<Vector3d>();
 }
-
-// ---- theta
 
 ThetaFigure::ThetaFigure(const Setting& setting)
     : fromVertical_(!setting.scene.motion.forcing.gravity_B.isZero(0)),

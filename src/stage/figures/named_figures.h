@@ -8,14 +8,14 @@
 
 namespace poinsot::stage {
 
-/// Directions by their names in a scene, in one picture.
+/// Directions in one picture, looked up by their names in a scene.
 class Directions {
  public:
   explicit Directions(const Setting& setting);
 
-  /// A unit vector; zero where there is none (L of a body at rest).
+  /// Returns a unit vector, or zero if the direction does not exist (L of a body at rest).
   Eigen::Vector3d operator()(scene::Direction direction, const PictureState& state) const;
-  /// About how long it is drawn.
+  /// Returns the approximate length with which a direction is drawn.
   double length(scene::Direction direction) const;
 
  private:
@@ -23,7 +23,7 @@ class Directions {
   double reach_, L_, omega_;
 };
 
-/// An arrow that the scene adds.
+/// Actor for an arrow that the scene adds.
 class NamedVectorFigure final : public Actor {
  public:
   NamedVectorFigure(const Setting& setting, const scene::NamedVector& vector);
@@ -33,7 +33,8 @@ class NamedVectorFigure final : public Actor {
 
   struct Arrow {
     Eigen::Vector3d from_V, tip_V;
-    /// Of a velocity while the body moves along: from there, it is V to the corner and omega × r to the tip.
+    /// End of V and start of omega × r, the two parts of a body point's velocity. Set while the body moves through
+    /// the view.
     std::optional<Eigen::Vector3d> corner_V = {};
   };
   Arrow arrow(const PictureState& state) const { return arrow_(state); }
@@ -43,7 +44,7 @@ class NamedVectorFigure final : public Actor {
   std::function<Arrow(const PictureState&)> arrow_;
 };
 
-/// The arc between two directions, with its name.
+/// Actor for the arc between two directions, with its name.
 class AngleFigure final : public Actor {
  public:
   /// @param framed  whether the frame must hold the arc.
@@ -52,8 +53,8 @@ class AngleFigure final : public Actor {
   void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
   std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
 
-  /// From the one direction to the other, along a great circle. Empty where one of them does not exist or they are
-  /// parallel.
+  /// Returns the arc from one direction to the other, along a great circle. Empty if a direction does not exist or
+  /// both are parallel.
   std::vector<Eigen::Vector3d> arc(const PictureState& state) const;
 
  private:
@@ -63,8 +64,8 @@ class AngleFigure final : public Actor {
   bool framed_;
 };
 
-/// show.theta: of the lecture's eq 18, between L and k; under gravity between the vertical, which is drawn too,
-/// and k.
+/// Actor for show.theta: the angle of the lecture's eq 18 between L and k. Under gravity, the angle between k and
+/// the vertical, which is drawn too.
 class ThetaFigure final : public Actor {
  public:
   explicit ThetaFigure(const Setting& setting);

@@ -25,8 +25,6 @@ std::vector<Vector3d> pointsOf(const physics::Polhode& polhode) {
 
 }  // namespace
 
-// ---- polhode
-
 PolhodeFigure::PolhodeFigure(const Setting& setting)
     : motion_(setting.motion),
       scale_(setting.construction->scale()),
@@ -57,7 +55,6 @@ std::vector<Vector3d> PolhodeFigure::untravelled(double now_s, double from_s) co
     for (const Sample& sample : free_) points.push_back(sample.omega_P);
     return points;
   }
-  // By the time from now on at which the motion comes there, at one or the other place of it.
   std::map<double, Vector3d> coming;
   for (const Sample& sample : free_) {
     const double turns = (sample.played_s - now_s) / period_s_;
@@ -87,7 +84,7 @@ void PolhodeFigure::addTube(const Canvas& canvas, const PictureState& state, con
   canvas.tube(points_V, closed, radius, color);
 }
 
-// It turns with the body. On the ellipsoid it reaches nowhere that the ellipsoid does not.
+// The curve turns with the body. On the ellipsoid it reaches no farther than the ellipsoid.
 std::vector<Vector3d> PolhodeFigure::outermostPoints(const PictureState& state) const {
   if (onEllipsoid_ || state.atRest()) return {scale_ * state.omega_V};
   std::vector<Vector3d> points_V;
@@ -95,8 +92,6 @@ std::vector<Vector3d> PolhodeFigure::outermostPoints(const PictureState& state) 
     points_V.push_back(scale_ * (state.R_VP * sample.omega_P));
   return points_V;
 }
-
-// ---- herpolhode
 
 HerpolhodeFigure::HerpolhodeFigure(const Setting& setting)
     : motion_(setting.motion),

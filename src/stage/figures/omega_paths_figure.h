@@ -4,13 +4,13 @@
 #include "stage/figures/actor.h"
 #include "stage/figures/construction.h"
 
-/// The paths of the tip of omega. Where something acts on the body, they stay as they were travelled.
+/// Actors for the paths of omega's tip. If something acts on the body, travelled paths stay as they were.
 /// @pre of each: the setting has a construction.
 namespace poinsot::stage {
 
-/// On the body: the closed curve, what was travelled of it in the last period and, faint, the rest. Where
-/// something acts, the curve is the one that the motion would follow from now on if nothing did, and all that was
-/// travelled is shown.
+/// Actor for the polhode on the body: a closed curve, strong where travelled in the last period and faint
+/// elsewhere. If something acts on the body, the faint curve is the one that a free motion would follow from now
+/// on, and everything travelled is shown.
 class PolhodeFigure final : public Actor {
  public:
   explicit PolhodeFigure(const Setting& setting);
@@ -21,10 +21,11 @@ class PolhodeFigure final : public Actor {
  private:
   struct Sample {
     double played_s;
-    Eigen::Vector3d omega_P;  // rad/s
+    Eigen::Vector3d omega_P;
   };
 
-  /// Of a closed curve, what was not travelled from `from_s` to now; of another all.
+  /// Returns the part of a closed curve that was not travelled from `from_s` to now. Returns all of a curve that
+  /// is not closed.
   std::vector<Eigen::Vector3d> untravelled(double now_s, double from_s) const;
   void addUntravelled(const Canvas& canvas, const PictureState& state, double now_s, double from_s) const;
   void addTube(const Canvas& canvas, const PictureState& state, const std::vector<Eigen::Vector3d>& omega_P,
@@ -32,13 +33,13 @@ class PolhodeFigure final : public Actor {
 
   const PictureMotion& motion_;
   double scale_;
-  bool onEllipsoid_;          // which is drawn
-  std::vector<Sample> free_;  // of free motion: the curve, over one period
-  double period_s_;           // of played time; infinite where the curve does not close
+  bool onEllipsoid_;
+  std::vector<Sample> free_;  // curve of a free motion over one period
+  double period_s_;           // period in played time; infinite if the curve does not close
 };
 
-/// On the plane: what was travelled, its last second strong; what is to come, faint. In a film of very many turns,
-/// the nearest ones.
+/// Actor for the herpolhode on the plane. The travelled part is strong, its last 0.9 s strongest, and the part to
+/// come is faint. In a film of very many turns, only the nearest turns are drawn.
 class HerpolhodeFigure final : public Actor {
  public:
   explicit HerpolhodeFigure(const Setting& setting);

@@ -11,9 +11,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSheetReach = 1.06;  // what lies in the sheet ends inside it
-constexpr double kBehind = 0.12;      // of its length lies on the other side of the origin
-constexpr double kParallel = 1e-6;    // rad: less and the plane's direction would be rounding
+constexpr double kSheetReach = 1.06;  // size of the sheet relative to what lies in it
+constexpr double kBehind = 0.12;      // share of the sheet's length on the other side of the origin
+constexpr double kParallel = 1e-6;    // rad; at smaller angles the plane's direction is only rounding
 
 }  // namespace
 

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 
 constexpr int kPoints = 240;
 constexpr double kPaleShare = 0.55;
-constexpr double kTube = 0.012;  // radius of the polhode of this motion
+constexpr double kTube = 0.012;
 
 void requireFree(const PictureMotion& motion, const char* key) {
   if (motion.isFree()) return;
@@ -26,7 +26,7 @@ void requireFree(const PictureMotion& motion, const char* key) {
       fmt::format("{}: polhodes stay as they are only where nothing acts on the body; leave them out", key));
 }
 
-/// The family with this L, each curve in momentum space; the separatrix last.
+/// Returns the polhodes with this L, as curves in momentum space; the separatrix is last.
 std::vector<physics::MomentumPolhode> family(const physics::PrincipalMoments& moments, double L, int perSide) {
   std::vector<physics::MomentumPolhode> all;
   for (const double T : physics::evenEnergies(moments, L, perSide))

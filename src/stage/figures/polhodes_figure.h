@@ -7,14 +7,14 @@
 
 namespace poinsot::stage {
 
-/// A closed curve fixed in the body, in the picture's lengths.
+/// Closed curve fixed in the body, in picture lengths.
 struct BodyCurve {
   std::vector<Eigen::Vector3d> points_P;
   bool separatrix = false;
 };
 
-/// The polhodes of the body on its energy ellipsoid, even from the axes to the separatrix, which is firm: states
-/// of one energy and of different L.
+/// Actor for polhodes of the body on its energy ellipsoid: states of one energy and of different L, even from the
+/// axes to the separatrix, which is strong.
 class PolhodesFigure final : public Actor {
  public:
   /// @throws core::Error(kScene) unless the motion is free.
@@ -29,9 +29,9 @@ class PolhodesFigure final : public Actor {
   std::vector<BodyCurve> curves_;
 };
 
-/// Binet's construction: in the body, the tip of L is on the momentum sphere |m| = L and on the energy ellipsoid
-/// with semi-axes sqrt(2 T I); it goes along their intersection. The separatrix and other polhodes of the sphere
-/// beside it.
+/// Actor for Binet's construction. In the body, the tip of L lies on the momentum sphere |m| = L and on the energy
+/// ellipsoid with semi-axes sqrt(2 T I), and moves along their intersection. Also shows the separatrix and other
+/// polhodes of the sphere.
 class BinetFigure final : public Actor {
  public:
   /// @throws core::Error(kScene) unless the motion is free, kPhysics for a body at rest.
@@ -40,7 +40,7 @@ class BinetFigure final : public Actor {
   void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
   std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
 
-  /// In the picture.
+  /// Returns the sphere's radius in picture lengths.
   double sphereRadius() const { return radius_; }
   const Eigen::Vector3d& semiAxes_P() const { return semiAxes_P_; }
   const std::vector<BodyCurve>& curves() const { return curves_; }
@@ -51,9 +51,9 @@ class BinetFigure final : public Actor {
   double radius_;
   Eigen::Vector3d semiAxes_P_;
   std::vector<BodyCurve> curves_;
-  std::vector<Eigen::Vector3d> polhode_P_;  // of this motion
-  bool closes_;                             // not on the separatrix
-  double scale_;                            // picture lengths per kg·m²/s
+  std::vector<Eigen::Vector3d> polhode_P_;
+  bool closes_;   // false on the separatrix, where the curve does not close
+  double scale_;  // picture lengths per kg·m²/s
 };
 
 }  // namespace poinsot::stage

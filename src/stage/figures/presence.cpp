@@ -10,9 +10,8 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr float kPen = 3;  // a line has its full width after a third of its way: a pen does not start as a hair
+constexpr float kPen = 3;  // full line width from a third of the progress on: a pen does not start as a hair
 
-/// Those that were added after the first `before`.
 template <class T>
 std::span<T> since(std::vector<T>& all, std::size_t before) {
   return std::span(all).subspan(before);
@@ -27,7 +26,6 @@ float lengthOf(const draw::Curve& curve) {
   return length;
 }
 
-/// Its beginning, so long.
 void shorten(draw::Curve& curve, float length) {
   std::vector<glm::vec3> whole = std::move(curve.points_V);
   if (curve.closed) whole.push_back(whole.front());
@@ -41,7 +39,7 @@ void shorten(draw::Curve& curve, float length) {
   }
 }
 
-/// The value before the first turn: absent where something shows the thing before anything hides it.
+/// Returns the presence before the timeline's first change: 0 if the thing is shown before it is hidden.
 double initialOf(const scene::Timeline& timeline, int thing) {
   for (const scene::TimelineEntry& entry : timeline.entries) {
     if (std::ranges::find(entry.shown, thing) != entry.shown.end()) return 0;
@@ -61,8 +59,6 @@ scene::EasedTrack trackOf(const scene::Timeline& timeline, int thing) {
 
 }  // namespace
 
-// ---- plan
-
 PresencePlan::PresencePlan(const scene::Timeline& timeline) {
   if (timeline.entries.empty()) return;
   for (std::size_t i = 0; i < scene::timelineThings().size(); ++i)
@@ -75,8 +71,6 @@ double PresencePlan::at(std::string_view thing, double filmTime_s) const {
   if (tracks_.empty() || found == things.end()) return 1;
   return tracks_[static_cast<std::size_t>(found - things.begin())].at(filmTime_s);
 }
-
-// ---- mark
 
 DrawMark::DrawMark(const draw::DrawList& list, const std::vector<Label>& labels)
     : ellipsoids_(list.ellipsoids.size()),

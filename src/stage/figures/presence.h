@@ -12,27 +12,27 @@
 
 namespace poinsot::stage {
 
-/// How much of each thing is there while the film runs: 0 is not drawn at all, 1 is whole.
+/// Presence of each drawn object or text over the film: 0 is not drawn at all, 1 is whole.
 class PresencePlan {
  public:
   explicit PresencePlan(const scene::Timeline& timeline);
 
-  /// Of a thing under the name that it has in a scene. What the timeline does not name is always there; what it
-  /// shows before it hides it is absent until then.
+  /// Returns the presence of a thing, by its name in a scene. A thing that the timeline does not name is always
+  /// there. A thing that the timeline shows before hiding it is absent until then.
   double at(std::string_view thing, double filmTime_s) const;
 
  private:
-  std::vector<scene::EasedTrack> tracks_;  // in the order of timelineThings(); empty: all are always there
+  std::vector<scene::EasedTrack> tracks_;  // in the order of timelineThings(); empty: everything is always there
 };
 
-/// Where a draw list and its labels ended before a thing was added.
+/// Ends of a draw list and of its labels before a thing is added.
 class DrawMark {
  public:
   DrawMark(const draw::DrawList& list, const std::vector<Label>& labels);
 
-  /// Makes what was added since as if drawn on a board so far: `presence` in (0, 1) of the way. Solids and arrows
-  /// grow out of `pivot_V`; lines and tubes are drawn along their length, one after another as they were added;
-  /// glass, grids and type grow out of nothing in place.
+  /// Makes everything added since the mark look partly drawn. Solids and arrows grow out of `pivot_V`. Lines and
+  /// tubes are drawn along their length, one after another in the order of adding. Glass, grids and type fade in.
+  /// @param presence  progress of the drawing, in (0, 1)
   void fade(draw::DrawList& list, std::vector<Label>& labels, const Eigen::Vector3d& pivot_V,
             double presence) const;
 

@@ -13,12 +13,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-// In picture lengths.
+// Lengths of axes: a share of the ellipsoid's semi-axes, or a multiple of the body's reach plus kClear picture
+// lengths.
 constexpr double kInEllipsoid = 0.88, kBeyondBody = 1.3, kClear = 0.12;
-constexpr double kLeast = 0.3;  // of half the body's longest extent: for an axis that leads away from it
-// Of an axis this much is framed: labels keep themselves inside, and few axes point outwards.
+// Smallest reach, as a share of half the body's longest extent, for an axis that leads away from the body.
+constexpr double kLeast = 0.3;
+// Share of an axis that is framed: labels keep themselves inside, and few axes point outwards.
 constexpr double kFramed = 0.8;
-constexpr double kAxisNameSize = 0.85;  // in ordinary labels
+constexpr double kAxisNameSize = 0.85;
 constexpr std::array kAxisNames{scene::LabelName::kE1, scene::LabelName::kE2, scene::LabelName::kE3};
 
 }  // namespace
@@ -47,7 +49,7 @@ void PrincipalAxesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const
     canvas.arrow(tip_V, kAxisRadius, canvas.colors.axis);
     const scene::LabelName name = kAxisNames[static_cast<std::size_t>(axis)];
     if (canvas.type_px == 0 || canvas.names[name].empty()) continue;
-    // An axis that points at the eye has no direction in the picture: its label leans upwards.
+    // An axis that points at the eye has no direction in the picture, so its label leans upwards.
     const auto lean = static_cast<float>(1.2 * canvas.type_px);
     const glm::vec2 away = canvas.at_px(tip_V) - centre + glm::vec2(0, -lean);
     const float seen = body_ ? seenPast(state, tip_V, canvas.list.camera) : 1;
@@ -56,7 +58,6 @@ void PrincipalAxesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const
   }
 }
 
-// The sight line is followed from the point towards the eye.
 float PrincipalAxesFigure::seenPast(const PictureState& state, const Vector3d& point_V,
                                     const draw::Camera& camera) const {
   constexpr int kSteps = 32;
@@ -70,7 +71,7 @@ float PrincipalAxesFigure::seenPast(const PictureState& state, const Vector3d& p
   return static_cast<float>(glm::smoothstep(0.95, 1.25, nearest));
 }
 
-// As of the body (body_actor.cpp).
+// The same rules hold for the body (body_actor.cpp).
 std::vector<Vector3d> PrincipalAxesFigure::outermostPoints(const PictureState& state) const {
   if (insideEllipsoid_ || inBall_) return {};
   const Eigen::Matrix3d tips = state.R_VP * lengths_.asDiagonal();

@@ -5,10 +5,10 @@
 
 namespace poinsot::stage {
 
-/// Of the arrows of body axes, in picture lengths.
+/// Radius of the arrows of body axes, in picture lengths.
 inline constexpr double kAxisRadius = 0.0125;
 
-/// The principal axes, arrows with their names. A name behind the body is not shown.
+/// Actor for the principal axes, drawn as arrows with their names. A name behind the body is hidden.
 class PrincipalAxesFigure final : public Actor {
  public:
   explicit PrincipalAxesFigure(const Setting& setting);
@@ -18,16 +18,17 @@ class PrincipalAxesFigure final : public Actor {
   double ballRadius() const override;
 
  private:
-  /// How much of a point is seen past the body: 0 behind it or inside, 1 clear of it, smooth between.
+  /// Returns how visible a point is past the body: 0 behind it or inside, 1 clear of it, smooth between.
   float seenPast(const PictureState& state, const Eigen::Vector3d& point_V, const draw::Camera& camera) const;
 
   Eigen::Vector3d lengths_;
-  const BodyFigure* body_;  // null where it is not shown
+  const BodyFigure* body_;  // null if the body is not shown
   double bodyScale_;
   bool insideEllipsoid_, inBall_;
 };
 
-/// How long the principal axes are drawn, from the fixed point to inside the ellipsoid or beyond the body.
+/// Returns the drawn lengths of the principal axes, from the fixed point to inside the ellipsoid or beyond the
+/// body.
 Eigen::Vector3d principalAxisLengths(const scene::Scene& scene, const BodyFigure& body, const Scales& scales,
                                      const Construction* construction);
 

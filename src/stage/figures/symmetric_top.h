@@ -6,12 +6,13 @@
 
 namespace poinsot::stage {
 
-/// The steady precession of the picture's motion. `key` is named in the message.
-/// @throws core::Error(kScene) unless it is the motion of a free symmetric top.
+/// Returns the steady precession of the picture's motion.
+/// @param key  scene key that the message names
+/// @throws core::Error(kScene) unless the motion is that of a free symmetric top.
 physics::PrecessionCones precessionOf(const PictureMotion& motion, const char* key);
 
-/// The principal axis that theta is measured from: the symmetry axis of a symmetric body, else the axis that it
-/// spins about most at the start. On the side of the spin.
+/// Returns the principal axis that theta is measured from, on the side of the spin: the symmetry axis of a
+/// symmetric body, otherwise the axis with the largest component of omega at the start.
 Eigen::Vector3d mainAxis_P(const PictureMotion& motion);
 
 }  // namespace poinsot::stage

@@ -13,13 +13,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSphereReach = 1.1;  // radius of the sphere, of the ball that holds the body
-constexpr double kStep_rad = 0.015;   // of the point on its sphere, from one sample to the next
+constexpr double kSphereReach = 1.1;  // radius of the sphere, in radii of the ball that holds the body
+constexpr double kStep_rad = 0.015;   // angle between samples of the point on its sphere
 constexpr int kMostTracePoints = 8000;
 constexpr double kPaleTrace = 0.4;
-constexpr double kOverPath = 0.004;  // the travelled part lies over the one to come, where a path runs into itself
+constexpr double kOverPath = 0.004;  // lifts the travelled part over the part to come
 
-// Where the body ends, along the principal axis on which it reaches farthest.
+// Returns the end of the body along the principal axis on which the body reaches farthest.
 Vector3d endOfBody_B(const Setting& setting) {
   const Vector3d& ahead = setting.body.reachAlongAxes();
   const Vector3d behind = 2 * setting.body.halfExtents() - ahead;
@@ -36,7 +36,7 @@ Vector3d tracedPoint_B(const Setting& setting) {
   return trace.scale * kSphereReach * setting.scales.reach * setting.motion.axes().toB(mainAxis_P(setting.motion));
 }
 
-// Played time in which the point goes by a small angle, where it is fastest.
+// Returns the played time in which the point, where fastest, moves by a small angle.
 double stepOf(const PictureMotion& motion, const Vector3d& point_B) {
   const Vector3d direction_P = motion.axes().toP(point_B.normalized());
   double fastest = 0;
@@ -86,7 +86,7 @@ void TraceFigure::add(const Canvas& canvas, double filmTime_s, const PictureStat
   canvas.dot(point_V(state), 0.028, canvas.colors.axis);
 }
 
-// The sphere's ends along V's axes, those of a ball; of no sphere, the path alone.
+// Returns the ends of the sphere along V's axes, or the traced point if no sphere is drawn.
 std::vector<Vector3d> TraceFigure::outermostPoints(const PictureState& state) const {
   if (opacity_ == 0) return {point_V(state)};
   std::vector<Vector3d> points;

@@ -5,9 +5,9 @@
 
 namespace poinsot::stage {
 
-/// The path of a point of the body on a sphere about the fixed point: of a heavy top's axis, the loops of its
-/// nutation. Of a body that moves along, the path in space, without a sphere. The travelled part is strong, the
-/// part to come faint.
+/// Actor for the path of a body point on a sphere about the fixed point, for example the loops of a heavy top's
+/// nutation. If the body moves through the view, the path lies in space and has no sphere. The travelled part is
+/// strong, the part to come faint.
 class TraceFigure final : public Actor {
  public:
   explicit TraceFigure(const Setting& setting);
@@ -16,9 +16,7 @@ class TraceFigure final : public Actor {
   std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
   Eigen::Vector3d growsFrom(const PictureState& state) const override { return point_V(state); }
 
-  /// The point's place at an instant, in V.
   Eigen::Vector3d point_V(const PictureState& state) const { return state.R_VB * point_B_; }
-  /// Of the sphere, in the picture.
   double radius() const { return point_B_.norm(); }
 
  private:
@@ -28,10 +26,10 @@ class TraceFigure final : public Actor {
                const draw::Color& color, double width, double lift) const;
 
   const PictureMotion& motion_;
-  Eigen::Vector3d point_B_;  // from the fixed point, in the picture's lengths
+  Eigen::Vector3d point_B_;  // traced point from the fixed point, in picture lengths
   double flightScale_, opacity_;
   bool future_;
-  double step_s_;  // of played time
+  double step_s_;
 };
 
 }  // namespace poinsot::stage

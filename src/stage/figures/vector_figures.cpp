@@ -12,19 +12,19 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kVectorRadius = 0.019;
-constexpr double kNameSize = 1.15;  // in ordinary labels
+constexpr double kNameSize = 1.15;
 constexpr double kLongestTorque = 0.9;
-constexpr double kAlongShaft = 0.62;  // where omega's name stands beside it
-constexpr double kFarRight = 0.9;     // of L, in type: from here on its name is on its right
-constexpr double kFading = 0.5;       // about there
+constexpr double kAlongShaft = 0.62;  // place along the shaft where omega's name stands
+constexpr double kFarRight = 0.9;     // omega's name changes to the right this far right of L, in type sizes
+constexpr double kFading = 0.5;       // width of the fade of omega's name around kFarRight, in type sizes
 
 float headRadius_px(const Canvas& canvas, const Vector3d& tip_V) {
   const draw::Camera& camera = canvas.list.camera;
   return static_cast<float>(headRadius(kVectorRadius)) * camera.scale_px(depthOf(camera, toPicture(tip_V)));
 }
 
-/// Right of an arrow that is upright in the picture, and square to the others, but beyond the tip of those that
-/// lie: there it goes from one side to the other.
+/// Returns the direction of a label at an arrow's tip: right of an upright arrow, square to a slanting one. A
+/// label of a horizontal arrow lies beyond the tip, where it changes sides.
 glm::vec2 besideTip(glm::vec2 along) {
   const float upright = std::clamp(along.y / 0.3f, -1.0f, 1.0f);
   const glm::vec2 square(std::abs(along.y), -along.x * upright);
@@ -32,8 +32,6 @@ glm::vec2 besideTip(glm::vec2 along) {
 }
 
 }  // namespace
-
-// ---- L
 
 AngularMomentumFigure::AngularMomentumFigure(const Setting& setting) : scale_(setting.scales.L) {}
 
@@ -49,8 +47,6 @@ std::vector<Vector3d> AngularMomentumFigure::outermostPoints(const PictureState&
   return {scale_ * state.L_V};
 }
 
-// ---- omega
-
 AngularVelocityFigure::AngularVelocityFigure(const Setting& setting)
     : scale_(setting.scales.omega),
       inConstruction_(setting.scene.show.plane.visible || setting.scene.show.ellipsoid.visible) {}
@@ -61,9 +57,10 @@ void AngularVelocityFigure::add(const Canvas& canvas, double /*filmTime_s*/, con
   addName(canvas, scale_ * state.omega_V);
 }
 
-// In the construction on the left, of the shaft or of L where that is farther left; where the shaft is well to the
-// right of L, on its right, or it would be read as L's name: it fades from one place to the other. Else over the
-// tip, leaning outwards: it glides from side to side as the tip goes round.
+// In the construction, the name stands left of the shaft, or of L if L is farther left. If the shaft is well to
+// the right of L, the name stands right of the shaft, or it would be read as L's name. The name fades while it
+// changes sides. Otherwise the name stands over the tip and leans outwards, so that it glides from side to side as
+// the tip goes round.
 void AngularVelocityFigure::addName(const Canvas& canvas, const Vector3d& tip_V) const {
   using enum scene::LabelName;
   const glm::vec2 centre = canvas.at_px(Vector3d::Zero());
@@ -87,8 +84,6 @@ void AngularVelocityFigure::addName(const Canvas& canvas, const Vector3d& tip_V)
 std::vector<Vector3d> AngularVelocityFigure::outermostPoints(const PictureState& state) const {
   return {scale_ * state.omega_V};
 }
-
-// ---- torque
 
 TorqueFigure::TorqueFigure(const Setting& setting) : scale_(0) {
   double longest = 0;

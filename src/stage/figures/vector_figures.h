@@ -5,7 +5,6 @@
 
 namespace poinsot::stage {
 
-/// The angular momentum L, an arrow with its name.
 class AngularMomentumFigure final : public Actor {
  public:
   explicit AngularMomentumFigure(const Setting& setting);
@@ -17,7 +16,6 @@ class AngularMomentumFigure final : public Actor {
   double scale_;
 };
 
-/// The angular velocity omega, an arrow with its name.
 class AngularVelocityFigure final : public Actor {
  public:
   explicit AngularVelocityFigure(const Setting& setting);
@@ -29,11 +27,11 @@ class AngularVelocityFigure final : public Actor {
   void addName(const Canvas& canvas, const Eigen::Vector3d& tip_V) const;
 
   double scale_;
-  bool inConstruction_;  // the tip is a place of ellipsoid and plane
+  bool inConstruction_;  // the tip is a point of the ellipsoid and the plane
 };
 
-/// The torque on the body, an arrow with its name, as long as it is strong against the film's longest. Where it is
-/// zero there is none.
+/// Actor for the torque on the body, an arrow with its name, whose length relates to the film's largest torque. A
+/// torque of zero is not drawn.
 class TorqueFigure final : public Actor {
  public:
   explicit TorqueFigure(const Setting& setting);

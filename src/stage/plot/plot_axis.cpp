@@ -7,17 +7,18 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr double kRangeRoom = 0.03;  // of the range, beyond its ends
-constexpr double kFromZero = 0.3;    // of the high end: a low end nearer to zero is taken down to it
+constexpr double kRangeRoom = 0.03;  // room beyond the ends of the range, as a share of the range
+constexpr double kFromZero = 0.3;    // share of the high end; a nearer low end is moved to zero
 constexpr int kMostTicks = 7;
-constexpr double kTold = 0x1p-40;  // of a time: a length that doubles there and ticks resolve
+// Shortest length of a time axis, as a share of its times, that doubles and ticks resolve.
+constexpr double kTold = 0x1p-40;
 
 struct Span {
   double low, high;
 };
 
 Span constantSpan(double value, double size) {
-  if (std::abs(value) < 0.5 * size) return {-size, size};  // zero but for rounding
+  if (std::abs(value) < 0.5 * size) return {-size, size};  // zero except for rounding
   return value > 0 ? Span{0, 1.25 * value} : Span{1.25 * value, 0};
 }
 
@@ -57,7 +58,7 @@ PlotAxis givenAxis(scene::QuantityUnit unit, const QuantityRange& range, const s
 
 PlotAxis timeAxis(double from_s, double to_s, const std::string& tex) {
   auto [low_s, high_s] = std::minmax({from_s, to_s});
-  // A motion that stands still, or so far from 0 that its times are hardly told apart.
+  // The motion stands still, or its times are so large that doubles hardly distinguish them.
   const double told_s = std::abs(low_s) * kTold;
   if (high_s - low_s <= told_s) high_s = low_s + std::max(1.0, told_s);
   PlotAxis axis;

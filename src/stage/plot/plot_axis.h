@@ -9,31 +9,33 @@
 
 namespace poinsot::stage {
 
-/// One axis of a plot. Lengths along it in the unit that is written at it.
+/// Axis of a plot. Lengths along the axis are in the unit that is written at it.
 struct PlotAxis {
   WrittenUnit unit;
   double low = 0, high = 1;
   Ticks ticks;
   std::string label;
 
-  /// 0 at the low end, 1 at the high one.
+  /// Returns the place of an SI value on the axis: 0 at the low end, 1 at the high end.
   double share(double si) const { return shareOfWritten(unit.written(si)); }
   double shareOfWritten(double x) const { return (x - low) / (high - low); }
 };
 
-/// An axis from tick to tick that holds a film's values. One that does not vary but by rounding gets an axis from
-/// zero. `tex`: of the quantities, in a formula; `asked`: the unit to write them in, empty for one that suits.
+/// Returns an axis from tick to tick that holds a film's values. Values that vary only by rounding get an axis
+/// from zero.
+/// @param tex  symbols of the quantities, in a formula
+/// @param asked  unit to write; empty: a suitable one
 PlotAxis valueAxis(scene::QuantityUnit unit, const QuantityRange& range, const std::string& tex,
                    const std::string& asked);
 
-/// An axis with ends of its own, in the unit that the values' axis would have.
+/// Returns an axis from `low` to `high`, which are in the unit that valueAxis() chooses.
 PlotAxis givenAxis(scene::QuantityUnit unit, const QuantityRange& range, const std::string& tex,
                    const std::string& asked, double low, double high);
 
-/// From one time to another, in either order, s. Ends where the film does.
+/// Returns an axis between two times, in either order, s. The axis ends exactly where the film does.
 PlotAxis timeAxis(double from_s, double to_s, const std::string& tex);
 
-/// So many ticks at most.
+/// Returns the axis with at most `most` ticks; a `most` below 3 counts as 3.
 PlotAxis withFewerTicks(const PlotAxis& axis, int most);
 
 }  // namespace poinsot::stage

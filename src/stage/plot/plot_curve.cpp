@@ -16,7 +16,6 @@ double distance(const PlotPoint& p, const PlotPoint& a, const PlotPoint& b) {
   return std::hypot(p.x - a.x - along * dx, p.y - a.y - along * dy);
 }
 
-/// The point between two others at height y.
 PlotPoint crossing(const PlotPoint& a, const PlotPoint& b, double y) {
   const double share = (y - a.y) / (b.y - a.y);
   return {std::lerp(a.filmTime_s, b.filmTime_s, share), std::lerp(a.x, b.x, share), y};
@@ -24,7 +23,6 @@ PlotPoint crossing(const PlotPoint& a, const PlotPoint& b, double y) {
 
 bool inBand(const PlotPoint& p) { return p.y >= 0 && p.y <= 1; }
 
-/// Where a line enters or leaves the band, in its direction.
 std::vector<PlotPoint> crossings(const PlotPoint& a, const PlotPoint& b) {
   std::vector<PlotPoint> all;
   for (const double y : {0.0, 1.0})
@@ -41,11 +39,12 @@ void addColumn(std::vector<PlotPoint>& kept, std::span<const PlotPoint> column) 
   for (auto pick = std::begin(picks); pick != end; ++pick) kept.push_back(column[static_cast<std::size_t>(*pick)]);
 }
 
-// A curve is simplified in runs of so many points: a long one that comes back to its start again and again would
-// take the square of its length.
+// Number of points in a run. Curves are simplified in runs, because a long curve that returns to its start again
+// and again would take quadratic time.
 constexpr std::size_t kRun = 512;
 
-/// All points of a run that are kept but, where it is not the first, its first: the last of the run before.
+/// Adds the points of a run that are kept. The first point of a later run is left out, because it is the last
+/// point of the run before.
 void addRun(std::vector<PlotPoint>& kept, std::span<const PlotPoint> run, double tolerance) {
   std::vector<bool> keep(run.size(), false);
   keep.front() = kept.empty();

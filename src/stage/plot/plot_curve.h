@@ -7,29 +7,29 @@
 
 namespace poinsot::stage {
 
-/// A sample of a curve: where it is, in shares of the axes' lengths from their crossing, and when. Not finite
-/// where the quantity does not exist.
+/// Sample of a curve: its film time, and its place in shares of the axes' lengths from their crossing. The place
+/// is not finite if the quantity does not exist.
 struct PlotPoint {
   double filmTime_s = 0;
   double x = 0, y = 0;
 };
 
-/// A curve's finite stretches.
 using PlotPath = std::vector<std::vector<PlotPoint>>;
 
 PlotPath finiteStretches(std::span<const PlotPoint> points);
 
-/// Of the points in each of `columns` equal columns the first, the lowest, the highest and the last, in their
-/// order: a band of fast wobbles keeps its full height however many lie in a column. @pre x runs one way.
+/// Returns, of the points in each of `columns` equal columns, the first, the lowest, the highest and the last, in
+/// their order. A band of fast oscillations thus keeps its full height. @pre x runs one way.
 std::vector<PlotPoint> perColumn(std::span<const PlotPoint> points, int columns);
 
-/// The curve without the points that lie within `tolerance` of the lines that remain (Douglas and Peucker 1973).
+/// Returns the curve without the points that lie within `tolerance` of the remaining lines (Douglas and Peucker
+/// 1973).
 std::vector<PlotPoint> simplified(std::span<const PlotPoint> points, double tolerance);
 
-/// What lies at 0 <= y <= 1.
+/// Returns the parts of the curve at 0 <= y <= 1.
 PlotPath insideBand(std::span<const PlotPoint> points);
 
-/// The part up to a film time, or from it on; `cursor` is the point there, which both have.
+/// Return the part up to a film time, or from that time on. Both contain `cursor`, the point at that time.
 std::vector<PlotPoint> before(std::span<const PlotPoint> points, const PlotPoint& cursor);
 std::vector<PlotPoint> after(std::span<const PlotPoint> points, const PlotPoint& cursor);
 

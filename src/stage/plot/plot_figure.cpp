@@ -16,19 +16,20 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr double kType = 0.027;                 // of what type is sized by
-constexpr double kCurve = 1.25, kCursor = 0.6;  // in ordinary lines
-constexpr double kCurveDot = 0.2;               // radius, in em
-constexpr float kFaint = 0.62f;                 // towards the paper: what is still to come
-// Of the axes' lengths: a twentieth of a pixel in a plot of 2000.
+constexpr double kType = 0.027;                 // size of the type, as a share of Sizing::type_px
+constexpr double kCurve = 1.25, kCursor = 0.6;  // line widths, in ordinary lines
+constexpr double kCurveDot = 0.2;               // radius of the cursor's dot, in em
+constexpr float kFaint = 0.62f;                 // mix towards the paper, for the part still to come
+// In shares of the axes' lengths. The first is a twentieth of a pixel in a plot of 2000 pixels.
 constexpr double kTolerance = 2.5e-5, kWidestTolerance = 5e-4;
-constexpr int kColumns = 4096;               // a picture has at most twice as many
-constexpr std::size_t kMostPoints = 20'000;  // of one curve, so that a film of an hour is drawn in time
+constexpr int kColumns = 4096;               // a picture has at most twice as many columns of pixels
+constexpr std::size_t kMostPoints = 20'000;  // points of one curve, so that a film of an hour is drawn in time
 constexpr std::size_t kPointsPerPixel = 4;
-constexpr double kLeastArea = 0.4;      // of the panel's width, for curves: else the type is set smaller
-constexpr double kSmallestArea = 0.25;  // the same, where that is smaller than type on paper should be
+constexpr double kLeastArea = 0.4;  // share of the panel's width and height for curves; type shrinks to leave it
+constexpr double kSmallestArea = 0.25;  // kLeastArea for type that is already smaller than it should be on paper
 
-// What even half a pixel of tolerance leaves too much of goes round and round: its first rounds show it all.
+// Limits the number of points. A curve with too many points even at the widest tolerance goes round and round, so
+// its first rounds show it all.
 std::vector<PlotPoint> bounded(const std::vector<PlotPoint>& points) {
   std::vector<PlotPoint> kept = simplified(points, kTolerance);
   if (kept.size() > kMostPoints) kept = simplified(points, kWidestTolerance);
@@ -111,7 +112,7 @@ struct PlotFigure::Plan {
     frame.equalScales = x.unit == unit && frame.x.unit.perSi == frame.y.unit.perSi && ofLikeLength();
   }
 
-  /// Axes of very different lengths on one scale would leave a sliver.
+  /// Returns false if one scale for both axes would make the plot a sliver.
   bool ofLikeLength() const {
     const double ratio = (frame.x.high - frame.x.low) / (frame.y.high - frame.y.low);
     return ratio > 0.3 && ratio < 4;
@@ -196,7 +197,7 @@ void PlotFigure::Plan::addPath(draw::Picture& picture, const std::vector<PlotPoi
 
 void PlotFigure::Plan::addCurves(draw::Picture& picture, const PixelBox& area, double filmTime_s,
                                  const PlotPen& pen) const {
-  // A film that repeats has been through all of it before it begins.
+  // A film that repeats has travelled the whole curve before it begins.
   const double travelled_s = repeats ? track.duration_s() : filmTime_s;
   std::vector<PlotPoint> at;
   for (std::size_t i = 0; i < curves.size(); ++i) at.push_back(cursor(i, travelled_s));
@@ -209,7 +210,7 @@ void PlotFigure::Plan::addCurves(draw::Picture& picture, const PixelBox& area, d
 
 void PlotFigure::Plan::addCursor(draw::Picture& picture, const PixelBox& area, double filmTime_s,
                                  const PlotPen& pen) const {
-  // A ring whose width closes it: strokes alone lie over strokes.
+  // The dot is a ring whose width closes its hole, because only strokes lie over strokes.
   constexpr int kCorners = 24;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const PlotPoint p = cursor(i, filmTime_s);
@@ -228,7 +229,7 @@ void PlotFigure::Plan::addCursor(draw::Picture& picture, const PixelBox& area, d
   }
 }
 
-// Of a phase portrait: both values, at the right over the curves.
+// Adds both values of a phase portrait, at the right above the curves.
 void PlotFigure::Plan::addPair(draw::Picture& picture, const PixelBox& panel, const PixelBox& area,
                                double filmTime_s, const PlotPen& pen) const {
   const double em = pen.em_px, baseline = labelRow(area, pen);

@@ -13,42 +13,43 @@
 
 namespace poinsot::stage {
 
-/// Between a panel's sides and the ends of its horizontal axis, px.
+/// Room between a panel's sides and the ends of its horizontal axis, px.
 struct PlotSides {
   double left = 0, right = 0;
 };
 
-/// What the axes of a plot have to hold.
+/// Ranges of values that the axes of a plot must hold.
 struct PlotRanges {
   QuantityRange y;
-  std::optional<QuantityRange> x;  ///< of a phase portrait
+  std::optional<QuantityRange> x;
 };
 
-/// Both, for plots that are to be compared. @pre of one kind.
+/// Returns ranges that hold both, for plots that are to be compared. @pre both are of one kind.
 PlotRanges joined(const PlotRanges& a, const PlotRanges& b);
 
-/// A panel with curves of a scene's quantities over its film, a cursor at the film's time and the values there.
-/// All that does not depend on time or size is worked out once, here.
+/// Panel with curves of a scene's quantities over its film, a cursor at the film time, and the values there. The
+/// constructor computes everything that does not depend on time or size.
 class PlotFigure {
  public:
-  /// `motion`: drawnMotion() of the scene. @pre the plot's quantities are of one unit; one for a phase portrait.
-  /// @param least  what its axes hold besides its own curves
+  /// @param motion  drawnMotion() of the scene
+  /// @param least  ranges that the axes hold besides the plot's own curves
+  /// @pre the plot's quantities are of one unit; a phase portrait has one quantity.
   PlotFigure(const scene::Scene& scene, const scene::Plot& plot, std::shared_ptr<const physics::Motion> motion,
              const std::optional<PlotRanges>& least = {});
   ~PlotFigure();
   PlotFigure(PlotFigure&&) noexcept;
 
-  /// Of its curves, with those that it was made for.
+  /// Returns the ranges of the plot's curves, joined with those passed to the constructor.
   const PlotRanges& ranges() const;
 
-  /// What of its type's size fits into a cell: 1, or less in a small one.
+  /// Returns the factor by which type shrinks to fit into a cell: 1, or less in a small cell.
   double typeShare(const Cell& cell, const Sizing& sizing) const;
 
-  /// What it needs beside its axis of time; of a phase portrait nothing, which has no such axis.
+  /// Returns the room that the plot needs beside its axis of time; nothing for a phase portrait.
   PlotSides sides(const Cell& cell, const Sizing& sizing) const;
 
-  /// Adds the panel at film time `filmTime_s` to a picture. All of it lies inside the panel. A pure function.
-  /// `least` stays free beside an axis of time, so that those of plots under one another are in line.
+  /// Adds the panel at a film time to a picture. Nothing reaches beyond the panel. A pure function.
+  /// @param least  room to leave beside an axis of time, so that axes of plots under one another are in line
   void add(draw::Picture& picture, const Cell& cell, const Sizing& sizing, double filmTime_s,
            const PlotSides& least = {}) const;
 

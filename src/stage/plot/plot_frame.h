@@ -8,48 +8,46 @@
 #include "stage/plot/plot_axis.h"
 #include "stage/type/pixel_box.h"
 
-/// What of a plot stands still: axes, ticks, their labels, the title.
+/// Static parts of a plot: axes, ticks, their labels, the title.
 namespace poinsot::stage {
 
-/// Between a panel's edges and what is in it, em of the plot's type.
+/// Room between a panel's edges and its contents, in em of the plot's type.
 inline constexpr double kPlotEdge = 0.9;
 
-/// What a plot is drawn with.
 struct PlotPen {
   Palette colors;
-  double em_px = 24;   ///< size of its type
-  double line_px = 2;  ///< an ordinary line
+  double em_px = 24;
+  double line_px = 2;
   scene::DecimalSign decimalSign = scene::DecimalSign::kPoint;
 };
 
-/// Where type stands on its line.
 enum class Align { kLeft, kCentre, kRight };
 
 /// Adds one line of type at `x`, `baseline`, px. Returns its width in px.
 double addLine(draw::Picture& picture, const std::string& tex, double x, double baseline, Align align,
                double em_px, const draw::Color& color);
 
-/// In px at that size of type.
 double widthOf(const std::string& tex, double em_px);
 
 struct PlotFrame {
   std::string title;
   PlotAxis x, y;
-  bool equalScales = false;  ///< a unit of x is as long as one of y
+  bool equalScales = false;  ///< a unit of x is as long as a unit of y
 };
 
-/// Room that a plot needs at its right for what it writes beside the curves, px; at least the half of a label at
-/// the x axis.
+/// Returns the area for curves inside a panel.
+/// @param rightRoom_px  room at the right for what is written beside the curves; at least half a label of the x
+/// axis is left
 PixelBox curveArea(const PixelBox& panel, const PlotFrame& frame, double rightRoom_px, const PlotPen& pen);
 
-/// So few ticks that their labels stay apart.
+/// Returns the frame with so few ticks that their labels stay apart.
 PlotFrame fitted(const PlotFrame& frame, const PixelBox& area, const PlotPen& pen);
 
 /// @pre `frame` is fitted to `area`.
 void addFrame(draw::Picture& picture, const PixelBox& panel, const PixelBox& area, const PlotFrame& frame,
               const PlotPen& pen);
 
-/// Where the y axis's label begins, over the axis's own labels, and its baseline; px.
+/// Return the left end and the baseline of the y axis's label, which stands over the axis's numbers; px.
 double labelLeft(const PixelBox& area, const PlotFrame& frame, const PlotPen& pen);
 double labelRow(const PixelBox& area, const PlotPen& pen);
 

@@ -11,7 +11,7 @@
 namespace poinsot::stage {
 namespace {
 
-// Of a step: an end that rounding put beside a tick is on it.
+// Share of a step. An end that rounding moves this far from a tick counts as on the tick.
 constexpr double kOnTick = 1e-9;
 
 Ticks covering(double low, double high, Ticks ticks) {
@@ -26,7 +26,7 @@ Ticks inner(double low, double high, Ticks ticks) {
   return ticks;
 }
 
-/// The next larger of 1, 2, 5, 10, 20, ...
+/// Returns the next coarser step: 1, 2, 5, 10, 20, ...
 Ticks coarser(Ticks ticks) {
   if (ticks.digit == 5) return {.digit = 1, .power = ticks.power + 1};
   return {.digit = ticks.digit == 1 ? 2 : 5, .power = ticks.power};
@@ -35,7 +35,7 @@ Ticks coarser(Ticks ticks) {
 template <class Placed>
 Ticks finest(double low, double high, int most, Placed placed) {
   POINSOT_EXPECT(low < high && std::isfinite(low) && std::isfinite(high));
-  // A step of a hundredth of the length is too fine for any `most`.
+  // A step of a hundredth of the length is too fine for every `most`.
   Ticks ticks{.digit = 1, .power = static_cast<int>(std::floor(std::log10(high - low))) - 2};
   while (placed(low, high, ticks).count() > most) ticks = coarser(ticks);
   return placed(low, high, ticks);
@@ -47,7 +47,7 @@ double Ticks::step() const { return at(1); }
 
 double Ticks::at(std::int64_t multiple) const {
   const auto whole = static_cast<double>(multiple * digit);
-  // Division by a power of ten rounds once: 3 tenths are the double nearest to 0.3.
+  // Division by a power of ten rounds once: 3 tenths give the double nearest to 0.3.
   return power < 0 ? whole / std::pow(10.0, -power) : whole * std::pow(10.0, power);
 }
 

@@ -7,22 +7,23 @@
 namespace poinsot::stage {
 namespace {
 
-// Towards ink and towards paper, in linear light: farther, the hue or the type's contrast would be lost. On dark
-// paper a step that the eye sees takes away more light.
+// Mixes towards ink and towards paper, in linear light. Beyond them, the hue or the contrast of type would be
+// lost. On dark paper a visible step takes away more light.
 constexpr float kToInk = 0.75f, kToLightPaper = 0.16f, kToDarkPaper = 0.42f;
-constexpr float kLeastContrast = 4.5f;  // of type; what has less by itself is not made fainter
+constexpr float kLeastContrast = 4.5f;  // smallest contrast of type; colours with less are not made fainter
 
 float luminance(const draw::Color& c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; }
 
 float shareOfPaper(const draw::Color& color, const draw::Color& paper) {
   const float there = luminance(paper), here = luminance(color);
   if (there > here) return kToLightPaper;
-  constexpr float kFlare = 0.05f;  // WCAG 2's
+  constexpr float kFlare = 0.05f;  // glare constant of WCAG 2's contrast ratio
   const float faintest = kLeastContrast * (there + kFlare) - kFlare;
   return std::clamp((here - faintest) / (here - there), kToLightPaper, kToDarkPaper);
 }
 
-/// `place` from 0, the strongest, to 1. Nothing is stronger than ink.
+/// Returns a tone of a colour: `place` is 0 for the strongest and 1 for the faintest. Nothing is stronger than
+/// ink.
 draw::Color tone(const Palette& colors, const draw::Color& color, float place) {
   const float share = shareOfPaper(color, colors.paper);
   if (color == colors.ink) return glm::mix(color, colors.paper, share * place);

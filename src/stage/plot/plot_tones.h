@@ -8,11 +8,10 @@
 
 namespace poinsot::stage {
 
-/// The colour that a family's meaning has.
 draw::Color familyColor(const Palette& colors, scene::QuantityFamily family);
 
-/// One colour for each of a plot's quantities: its family's, and where it has several, tones of it from dark to
-/// light.
+/// Returns one colour for each of a plot's quantities: its family's colour, or tones of it from dark to light if
+/// the plot has several quantities of the family.
 std::vector<draw::Color> quantityColors(const Palette& colors, const std::vector<int>& quantities);
 
 }  // namespace poinsot::stage

@@ -9,21 +9,21 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr double kSize = 0.037;  // of the type height: between a title and a subtitle
-constexpr double kRoom = 0.88;   // of the picture's width
-constexpr double kBelow = 0.03;  // of the type height: free under the lines
-constexpr double kAbove = 0.01;  // and over them
-constexpr double kCapHeight = 0.7, kDescent = 0.2, kLeading = 0.28;  // em
-constexpr double kIn_s = 0.5, kOut_s = 0.3;  // one goes before the next comes: two at one place cannot be read
+constexpr double kSize = 0.037;  // size, as a share of the type height: between a title and a subtitle
+constexpr double kRoom = 0.88;   // width for captions, as a share of the picture's width
+constexpr double kBelow = 0.03;  // share of the type height: free under the lines
+constexpr double kAbove = 0.01;  // share of the type height: free over the lines
+constexpr double kCapHeight = 0.7, kDescent = 0.2, kLeading = 0.28;
+constexpr double kIn_s = 0.5, kOut_s = 0.3;  // one caption goes before the next comes: two at once are illegible
 
-/// Where a line may be broken: at spaces outside formulas and braces.
+/// Returns the places where a line may be broken: spaces outside formulas and braces.
 std::vector<std::size_t> breaksIn(const std::string& tex) {
   std::vector<std::size_t> places;
   int depth = 0;
   bool formula = false;
   for (std::size_t i = 0; i < tex.size(); ++i) {
     if (tex[i] == '\\') {
-      ++i;  // the sign after it is no brace or dollar of its own
+      ++i;  // skips an escaped character
       continue;
     }
     if (tex[i] == '$') formula = !formula;
@@ -47,7 +47,7 @@ CaptionStrip::Line CaptionStrip::lineOf(const std::string& tex) {
   return {tex, run.width_em, std::max(run.inkTop_em, kCapHeight), std::max(-run.inkBottom_em, kDescent)};
 }
 
-// The break that leaves the longer line shortest.
+// Chooses the break that makes the longer line shortest.
 std::optional<std::array<CaptionStrip::Line, 2>> CaptionStrip::halvesOf(const std::string& tex) {
   std::optional<std::array<Line, 2>> best;
   const auto width = [](const std::array<Line, 2>& lines) {
@@ -97,7 +97,7 @@ void CaptionStrip::add(draw::Picture& picture, const Moment& moment, const Sizin
   const std::vector<Line> lines = linesOf(*entry, room_px / wanted_px);
   double widest = 0;
   for (const Line& line : lines) widest = std::max(widest, line.width_em);
-  const double em_px = std::min(wanted_px, room_px / widest);  // what two lines do not hold is set smaller
+  const double em_px = std::min(wanted_px, room_px / widest);  // text too long for two lines is smaller
   double y = picture.size_px.y - height_px(picture.size_px, sizing) + kAbove * sizing.type_px;
   for (const Line& line : lines) {
     y += em_px * line.top_em;

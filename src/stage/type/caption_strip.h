@@ -14,22 +14,21 @@
 
 namespace poinsot::stage {
 
-/// The captions of a film, centred in a strip at the bottom of the picture that is kept free all the time, so that
-/// nothing moves when they come and go. One that is too long for a line takes two.
+/// Captions of a film, centred in a strip at the bottom of the picture. The strip stays free all the time, so that
+/// nothing moves when captions come and go. A caption that is too long for one line takes two.
 class CaptionStrip {
  public:
-  /// @param duration_s  of the film: what stands until its end does not fade
+  /// @param duration_s  duration of the film; a caption that lasts to the end does not fade out
   CaptionStrip(const std::vector<scene::Caption>& captions, double duration_s);
 
-  /// Of the strip, in pixels from the picture's bottom; 0 without captions.
+  /// Returns the height of the strip; 0 without captions.
   double height_px(glm::vec2 size_px, const Sizing& sizing) const;
-  /// The caption of that moment, in the strip of a picture whose size is set.
   void add(draw::Picture& picture, const Moment& moment, const Sizing& sizing, const Palette& colors) const;
 
  private:
   struct Line {
     std::string tex;
-    double width_em = 0, top_em = 0, bottom_em = 0;  // of the ink: over the baseline, and under it
+    double width_em = 0, top_em = 0, bottom_em = 0;  // width; height of the ink over and under the baseline
   };
   struct Entry {
     scene::Caption caption;

@@ -6,9 +6,9 @@
 namespace poinsot::stage {
 namespace {
 
-// In shares of the reference height.
+// Share of the reference height.
 constexpr double kLine = 2.0 / 1080;
-// In points: a label as the text of a book's captions, and nothing that a copier would lose.
+// In points. A label is like the text of a book's captions, and no line is so thin that a copier loses it.
 constexpr double kPrintedLabel = 8.5, kPrintedLine = 0.6, kLeastPrinted = 6.5;
 
 }  // namespace

@@ -10,12 +10,12 @@ namespace {
 
 using scene::Spot;
 
-constexpr float kNoteHalo = 0.085f;    // of the type's size: what it stands over stays clear of it
-constexpr double kBlocksApart = 0.35;  // between blocks, of the edge
+constexpr float kNoteHalo = 0.085f;    // share of the type's size: keeps the drawing clear of the type
+constexpr double kBlocksApart = 0.35;  // gap between blocks, as a share of the free edge
 constexpr double kMostTop = 0.4, kMostBottom = 0.35,
-                 kMostSide = 0.35;  // of the picture, for type that stands still
+                 kMostSide = 0.35;  // largest shares of the picture for type that stands still
 
-// Nine places in three rows of three.
+// The nine places are numbered row by row, three in a row.
 int columnOf(Spot at) { return static_cast<int>(at) % 3; }
 int rowOf(Spot at) { return static_cast<int>(at) / 3; }
 
@@ -28,7 +28,7 @@ PixelBox wishedBox(const NoteBlock& block, glm::dvec2 picture_px, double edge_px
 
 PixelBox movedTo(const PixelBox& box, double top) { return {box.left, top, box.right, top + box.height()}; }
 
-/// Away from the boxes that it comes too near to: up at the picture's bottom, else down.
+/// Moves a box off the boxes near it: up at the picture's bottom, otherwise down.
 PixelBox clearOf(const std::vector<PixelBox>& taken, PixelBox box, bool upwards, double apart) {
   const auto blocking = [&](const PixelBox& other) { return near(box, other, apart); };
   for (auto other = std::ranges::find_if(taken, blocking); other != taken.end();
@@ -37,7 +37,7 @@ PixelBox clearOf(const std::vector<PixelBox>& taken, PixelBox box, bool upwards,
   return box;
 }
 
-// Corners first: the title is in one. The middle row last, for it has room on both sides.
+// Corners come first, because the title is in one. The middle row comes last, because it has room on both sides.
 constexpr std::array kOrder = {Spot::kTopLeft,    Spot::kTopRight,    Spot::kTop,
                                Spot::kBottomLeft, Spot::kBottomRight, Spot::kBottom,
                                Spot::kLeft,       Spot::kRight,       Spot::kCentre};

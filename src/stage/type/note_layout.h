@@ -22,12 +22,11 @@ struct NotePiece {
 struct NoteRow {
   std::vector<NotePiece> pieces;
   double width_px = 0;
-  double ascent_px = 0, descent_px = 0;  ///< over and under its baseline, with the space to the next row
-  bool halo = true;                      ///< keeps it legible over what it stands on
+  double ascent_px = 0, descent_px = 0;  ///< above and below the baseline, with the space to the next row
+  bool halo = true;                      ///< rim that keeps the row legible over the drawing
   double opacity = 1;
 };
 
-/// Rows under one another.
 struct NoteBlock {
   scene::Spot at = scene::Spot::kTop;
   std::vector<NoteRow> rows;
@@ -35,22 +34,23 @@ struct NoteBlock {
   glm::dvec2 size_px() const;
 };
 
-/// Where blocks lie in a picture: none over another, all of them inside where they can be. At most one at each
-/// place, in any order. Those at the top and at the bottom keep their rows as near to it as others let them, those
-/// in the middle row give way downwards. `edge_px` stays free at the picture's edges.
+/// Returns the boxes of blocks in a picture: none over another, and all inside if possible. Blocks at the top and
+/// at the bottom stay as near to that edge as others allow; blocks in the middle row give way downwards.
+/// @param blocks  at most one at each place, in any order
+/// @param edge_px  room that stays free at the picture's edges
 std::vector<PixelBox> placedBlocks(const std::vector<NoteBlock>& blocks, glm::dvec2 size_px, double edge_px);
 
-/// How far blocks reach into the picture from its sides, px.
+/// Distances that blocks reach into the picture from its sides, px.
 struct NoteReach {
   double left = 0, top = 0, right = 0, bottom = 0;
 };
 
 NoteReach reachOf(const std::vector<NoteBlock>& blocks, const std::vector<PixelBox>& boxes, glm::dvec2 size_px);
 
-/// Whether panels keep enough of the picture, and no block leaves it.
+/// Returns true if panels keep enough of the picture and no block leaves it.
 bool leavesRoom(const std::vector<PixelBox>& boxes, const NoteReach& reach, glm::dvec2 size_px);
 
-/// Adds the blocks' type, at the left, in the middle or at the right of their boxes as their places are.
+/// Adds the blocks' type, aligned in each box by the block's place: left, centred or right.
 void addBlocks(draw::Picture& picture, const std::vector<NoteBlock>& blocks, const std::vector<PixelBox>& boxes);
 
 }  // namespace poinsot::stage

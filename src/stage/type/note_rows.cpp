@@ -13,19 +13,20 @@ namespace {
 
 using scene::Spot;
 
-// In shares of what type is sized by.
+// Sizes of type and width of the free edge, as shares of Sizing::type_px.
 constexpr double kHeading = 0.044, kUnderHeading = 0.028;
 constexpr double kTitle = 0.042, kSubtitle = 0.03, kNote = 0.032, kFootnote = 0.025, kRowsEdge = 0.055;
-// In em.
+// Lengths in em of a row's type.
 constexpr double kRowCapHeight = 0.7, kRowDescent = 0.2, kRowLeading = 0.3;
-constexpr double kRowEquals = 0.3;  // between "=" and a value
+constexpr double kRowEquals = 0.3;  // gap between "=" and a value
 constexpr double kReadout = 0.5;    // leading between read-outs, whose digits are all tall
 
 double sizeOf(double share, const Sizing& sizing) { return std::max(share * sizing.type_px, sizing.least_px); }
 
 void growTo(NoteRow& row, const std::string& tex, double size_px, double leading) {
   const text::GlyphRun run = text::setTex(tex);
-  const double tall = std::max(0.0, run.inkTop_em - 1) + std::max(0.0, -run.inkBottom_em - 0.4);  // built up
+  // Formulas that are built up, such as fractions, need more leading.
+  const double tall = std::max(0.0, run.inkTop_em - 1) + std::max(0.0, -run.inkBottom_em - 0.4);
   leading += 0.5 * tall;
   row.ascent_px = std::max(row.ascent_px, size_px * std::max(run.inkTop_em, kRowCapHeight));
   row.descent_px = std::max(row.descent_px, size_px * (std::max(-run.inkBottom_em, kRowDescent) + leading));
@@ -48,7 +49,7 @@ void addTitle(NoteBlock& block, const std::string& title, const std::string& sub
     block.rows.push_back(lineRow(subtitle, sizeOf(subtitleShare, sizing), room_px, colors.quietInk));
 }
 
-// 200000 as "200 000"; a number with decimals stays as it is.
+// Writes 200000 as "200 000". A number with decimals is not grouped.
 std::string grouped(double x, scene::DecimalSign sign) {
   std::string digits = fmt::format("{:.15g}", x);
   if (digits.find_first_not_of("0123456789") != std::string::npos) return numberTex(digits, sign);
@@ -61,9 +62,7 @@ std::string exaggerationText(const scene::Scene& scene) {
   return "angles drawn " + grouped(scene.show.exaggerateAngles, scene.style.decimalSign) + " times larger";
 }
 
-// ---- read-outs: names end at one place, values begin at one
-
-/// Widths of the columns of read-outs that stand under one another, em.
+/// Widths of the columns of read-outs under one another, em. Names end at one place and values begin at one.
 struct Columns {
   double name = 0, value = 0, unit = 0;
 

@@ -8,15 +8,15 @@
 
 namespace poinsot::stage {
 
-/// The type of a picture that stands still, at an instant; its places do not depend on it.
+/// Type of a picture that stands still, at an instant. The places are the same at all instants.
 struct PictureWriting {
   std::vector<NoteBlock> blocks;
   std::vector<PixelBox> boxes;
   NoteReach reach;
 };
 
-/// Type that is too much for the picture is set smaller, all of it alike. What decides are widths and places,
-/// which do not depend on the time: so a film's type does not breathe.
+/// Returns the type of a picture. Type that takes too much of the picture is set smaller, all of it alike. Only
+/// widths and places decide this, and they do not depend on the time, so that type keeps its size during a film.
 PictureWriting pictureWriting(const scene::Scene& scene, const WrittenThings& things, glm::ivec2 size_px,
                               const Sizing& sizing, const Palette& colors);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMostDigits = 4;
 
-/// Decimals with which a positive number has so many digits that count.
+/// Returns the decimals with which a positive number has `digits` significant digits.
 int decimalsOf(int digits, double number) { return digits - 1 - static_cast<int>(std::floor(std::log10(number))); }
 
 std::vector<int> quantitiesOf(const std::vector<scene::Readout>& readouts) {

@@ -14,11 +14,10 @@
 namespace poinsot::stage {
 namespace {
 
-/// What a key is called in a formula.
 struct Symbol {
   std::string_view key;
-  std::string_view tex;  ///< its elements have an index
-  bool inAxes = false;   ///< of the body, else of space
+  std::string_view tex;  ///< symbol without the index of an element
+  bool inAxes = false;   ///< components along axes of the body, otherwise of space
 };
 
 constexpr std::array kSymbols{Symbol{"motion.omega_body", "\\omega", true},
@@ -32,7 +31,7 @@ constexpr std::array kSymbols{Symbol{"motion.omega_body", "\\omega", true},
                               Symbol{"body.mass", "m"},
                               Symbol{"time.start", "t_0"}};
 
-/// "show.plane.opacity" as "plane opacity": of a thing that is shown, with its name.
+/// Returns "plane opacity" for "show.plane.opacity". Only under `show` does the object's name precede the key.
 std::string wordsOf(std::string_view path) {
   auto from = path.rfind('.');
   if (path.starts_with("show.") && from != std::string_view::npos && from > 4) from = path.rfind('.', from - 1);
@@ -42,14 +41,14 @@ std::string wordsOf(std::string_view path) {
   return words;
 }
 
-/// Principal axes have numbers; others are x, y, z.
+/// Returns a number for a principal axis, otherwise x, y or z.
 std::string indexOf(int element, bool numbered) {
   constexpr std::string_view kLetters = "xyz";
   if (numbered || element > 2) return fmt::format("{}", element + 1);
   return std::string(1, kLetters[static_cast<std::size_t>(element)]);
 }
 
-/// "1.5e-07" as $1.5\times 10^{-7}$, without dollar signs.
+/// Returns "1.5e-07" as $1.5\times 10^{-7}$, without dollar signs.
 std::string numberInFormula(const std::string& typed, scene::DecimalSign sign) {
   const auto e = typed.find_first_of("eE");
   std::string digits = numberTex(std::string_view(typed).substr(0, e), sign);
@@ -100,7 +99,7 @@ std::vector<SweepLabels> sweepLabels(const std::vector<scene::SweepAxis>& axes,
     for (const scene::SweepValue& value : axes[i].values) {
       const std::string tex = numberInFormula(value.number, scene.style.decimalSign) + gapAndUnit(axes[i].unit);
       labels.values.push_back("$" + tex + "$");
-      // One formula where the name is one, so that it is spaced as a formula is.
+      // One formula if the name is one, so that TeX spaces it as a formula.
       const bool formula = labels.name.starts_with('$') && labels.name.ends_with('$');
       labels.whole.push_back(formula ? labels.name.substr(0, labels.name.size() - 1) + " = " + tex + "$"
                                      : labels.name + " $= " + tex + "$");

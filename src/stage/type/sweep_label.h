@@ -9,18 +9,19 @@
 
 namespace poinsot::stage {
 
-/// What is written at the cells of one range, in TeX: "$\omega_2 = 4.2\,\mathrm{rad/s}$".
+/// Labels of the cells of one range, in TeX: "$\omega_2 = 4.2\,\mathrm{rad/s}$".
 struct SweepLabels {
   std::string name;                 ///< "$\omega_2$"
   std::vector<std::string> values;  ///< "$4.2\,\mathrm{rad/s}$", one for each
-  std::vector<std::string> whole;   ///< both, with the equals sign
+  std::vector<std::string> whole;
 };
 
-/// The symbol that a book has for the key, else the words of its path. @param scene  of a cell
+/// Returns the symbol that books use for the key, or else the words of its path. @param scene  scene of a cell
 std::string sweptName(const scene::SweepAxis& axis, const scene::Scene& scene);
 
-/// Of each range. `names`: in place of the first ranges' own.
-/// @throws core::Error(kUsage) for a name that is no TeX.
+/// Returns the labels of each range.
+/// @param names  replace the names of the first ranges
+/// @throws core::Error(kUsage) if a name is not TeX.
 std::vector<SweepLabels> sweepLabels(const std::vector<scene::SweepAxis>& axes,
                                      const std::vector<std::string>& names, const scene::Scene& scene);
 

@@ -13,11 +13,11 @@ namespace {
 
 using scene::QuantityUnit;
 
-constexpr double kResolution = 250;  // least number of values that are told apart
+constexpr double kResolution = 250;  // smallest number of values that decimals distinguish
 
 struct TimeUnit {
   double seconds;
-  double upTo;  ///< of its own
+  double upTo;  ///< largest number in this unit
   std::string_view tex;
 };
 
@@ -46,7 +46,7 @@ std::string factorAndUnit(const WrittenUnit& unit) {
   return unit.tex.empty() ? factor : fmt::format("{}\\,{}", factor, unit.tex);
 }
 
-/// A unit's name inside \mathrm, which has no letters beyond ASCII.
+/// Returns a unit's name for use inside \mathrm, which has no letters beyond ASCII.
 std::string nameInFormula(std::string name) {
   if (name == "%") return "\\%";
   constexpr std::pair<std::string_view, std::string_view> kLetters[] = {{"µ", "}\\text{µ}\\mathrm{"},
