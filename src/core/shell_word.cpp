@@ -10,7 +10,7 @@
 namespace poinsot::core {
 namespace {
 
-/// Returns whether a word can be shown unchanged: it is one line, and safe on a terminal.
+/// Returns whether a word is safe to print on a terminal without escapes, on one line.
 bool isShown(std::string_view word) {
   return word.find_first_of("\n\t") == std::string_view::npos && printableLines(word) == word;
 }
@@ -26,13 +26,13 @@ std::string inSingleQuotes(std::string_view word) {
   return text + "'";
 }
 
-/// Quotes a word as $'...', with bytes as octal numbers. Always three digits, so that a following digit stays
-/// separate.
+/// Quotes a word as $'...', with control characters and non-ASCII bytes as octal numbers. Octal numbers always
+/// have three digits, because a following digit of the word would otherwise become part of the number.
 std::string inNumberedQuotes(std::string_view word) {
   std::string text = "$'";
   for (const char c : word)
-    if (c < 0x20 || c == 0x7f)  // includes bytes that are not ASCII: they are negative
-      text += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+    if (const auto byte = static_cast<unsigned char>(c); byte < 0x20 || byte >= 0x7f)
+      text += fmt::format("\\{:03o}", byte);
     else
       text += c == '\'' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
   return text + "'";

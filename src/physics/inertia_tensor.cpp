@@ -15,8 +15,8 @@ namespace {
 
 using Matrix = std::array<std::array<DoubleDouble, 3>, 3>;
 
-/// Returns the matrix of a rotor of unit length. The diagonal is a difference of squares, so that a quarter turn
-/// has exact zeros.
+/// Returns the rotation matrix of a rotor of unit length. The form of the diagonal gives exact zeros for a quarter
+/// turn.
 Matrix rotationMatrix(const Rotor<DoubleDouble>& q) {
   const DoubleDouble ww = q.w * q.w, xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
   const DoubleDouble xy = q.x * q.y, xz = q.x * q.z, yz = q.y * q.z;
@@ -30,7 +30,10 @@ Matrix rotationMatrix(const Quaternion& q) {
   if (!q.coeffs().allFinite() || q.coeffs().isZero(0))
     throw core::physicsError(fmt::format("a rotation must be a nonzero, finite quaternion, got ({}, {}, {}, {})",
                                          q.w(), q.x(), q.y(), q.z()));
-  return rotationMatrix(normalized(Rotor<DoubleDouble>{q.w(), q.x(), q.y(), q.z()}));
+  // Scales the quaternion, because squares of components beyond 1e±154 leave the range of a double.
+  const int exponent = -exponentOf(q.coeffs().cwiseAbs().maxCoeff());
+  const auto part = [exponent](double x) { return DoubleDouble(std::ldexp(x, exponent)); };
+  return rotationMatrix(normalized(Rotor<DoubleDouble>{part(q.w()), part(q.x()), part(q.y()), part(q.z())}));
 }
 
 std::array<DoubleDouble, 3> product(const Matrix& R, const std::array<DoubleDouble, 3>& v) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -29,12 +30,12 @@ std::vector<MassProperties> points(const std::vector<Particle>& particles) {
   return result;
 }
 
-// Values of PHYSICS section 3, of five masses whose numbers are exact in binary.
+// Tensors of five masses whose numbers are exact in binary, computed apart from the code.
 const Matrix3d kAboutOrigin = symmetric(8.560546875, 8.654296875, 9.3046875, -0.24609375, 1.01953125, 2.1796875);
 const Matrix3d kAboutCentre =
     symmetric(8.5045166015625, 7.9420166015625, 8.54296875, -0.052734375, 1.06787109375, 2.19287109375);
 
-TEST(MassProperties, Equation3And7OfFiveMasses) {
+TEST(MassProperties, ObeyEquations3And7ForFiveMasses) {
   const MassProperties body = combined(points(FiveMasses().particles));
   EXPECT_EQ(body.mass_kg(), 6);
   EXPECT_EQ(body.centre_B(), Vector3d(0.34375, 0.09375, 0.0234375));
@@ -42,7 +43,7 @@ TEST(MassProperties, Equation3And7OfFiveMasses) {
   EXPECT_EQ(body.inertiaAbout(Vector3d::Zero()), kAboutOrigin);
 }
 
-TEST(MassProperties, Equation14AboutAnyPoint) {
+TEST(MassProperties, ObeyEquation14AboutAnyPoint) {
   const MassProperties body = combined(points(FiveMasses().particles));
   const ParticleSystem particles = FiveMasses().flying();  // sums over the particles themselves
   Draw draw(31);
@@ -54,8 +55,8 @@ TEST(MassProperties, Equation14AboutAnyPoint) {
   expectResidual("displaced axis", residual, 1e-15);  // measured 2.8e-16
 }
 
-// The tensor of the particles about a point, taken back to their centre.
-TEST(MassProperties, FromInertiaAboutAPointTakesTheDisplacementAway) {
+// The tensor of particles about a point is taken back to their centre.
+TEST(MassProperties, AreRecoveredFromTheInertiaAboutAnyPoint) {
   const ParticleSystem particles = FiveMasses().flying();
   Draw draw(34);
   double residual = 0;
@@ -70,8 +71,8 @@ TEST(MassProperties, FromInertiaAboutAPointTakesTheDisplacementAway) {
             kAboutCentre);
 }
 
-// What is left must be matter: of a lamina, whose moments obey an equality, to the rounding of what was given.
-TEST(MassProperties, FromInertiaAboutAPointLeavesMatter) {
+// The result must be possible for matter. A lamina, whose moments obey an equality, may differ by rounding.
+TEST(MassProperties, RejectAnImpossibleInertiaAboutAPoint) {
   const auto left = [](double along, double far) {
     return MassProperties::fromInertiaAbout({0, 0, far}, 2, {0, 0, 0},
                                             Vector3d(2 * far * far + 1, 2 * far * far + 1, along).asDiagonal());
@@ -83,12 +84,12 @@ TEST(MassProperties, FromInertiaAboutAPointLeavesMatter) {
                core::Error);
 }
 
-TEST(MassProperties, Equation14OfACone) {
+TEST(MassProperties, ObeyEquation14ForACone) {
   const MassProperties cone = massProperties(Cone{.45, 1.7}, 1);
   EXPECT_NEAR(cone.inertiaAbout({0, 0, .75 * 1.7})(0, 0), 1.764375, 4e-16);  // about its apex
 }
 
-TEST(MassProperties, Equation16TurnsTheMatterWithTheTensor) {
+TEST(MassProperties, ObeyEquation16WhenTheBodyTurns) {
   Draw draw(32);
   double residual = 0, back = 0, invariants = 0;
   for (int i = 0; i < 300; ++i) {
@@ -110,7 +111,7 @@ TEST(MassProperties, Equation16TurnsTheMatterWithTheTensor) {
                  kAboutCentre));
   }
   expectResidual("tensor of the turned masses", residual,
-                 5e-15);  // measured 9.6e-16: of positions that are rounded
+                 5e-15);  // measured 9.6e-16, because positions are rounded
   expectResidual("trace, determinant, norm", invariants, 4e-15);  // measured 1.3e-15: 15 digits given
   expectResidual("there and back", back, 1e-15);                  // measured 1e-16
 }
@@ -129,8 +130,7 @@ TEST(MassProperties, QuarterTurnsAreExact) {
             Vector3d(0, -3, 0));
 }
 
-// A box cut in parts, at random, is the box.
-TEST(MassProperties, ThePartsOfABoxAreTheBox) {
+TEST(MassProperties, PartsOfABoxAddUpToTheBox) {
   Draw draw(33);
   double inertia = 0, centre = 0;
   for (int i = 0; i < 200; ++i) {
@@ -169,7 +169,7 @@ TEST(MassProperties, SymmetricArrangementsAreSymmetricToTheLastBit) {
   EXPECT_TRUE(body.inertia_B().isDiagonal(0));
 }
 
-TEST(MassProperties, APointHasNoInertiaAndASumOfOneIsItself) {
+TEST(MassProperties, PointHasNoInertiaAndSumOfOneIsUnchanged) {
   const MassProperties point = MassProperties::ofPoint(2, {1, 2, 3});
   EXPECT_EQ(point.inertia_B(), Matrix3d::Zero());
   EXPECT_EQ(point.inertiaAbout({1, 2, 0}), Matrix3d(Vector3d(18, 18, 0).asDiagonal()));
@@ -183,7 +183,7 @@ std::string verdict(double mass_kg, const Vector3d& centre_B, const Matrix3d& in
   return refusal([&] { MassProperties(mass_kg, centre_B, inertia_B); });
 }
 
-TEST(MassProperties, RefusesWhatNoMatterHas) {
+TEST(MassProperties, RejectImpossibleMassCentreAndInertia) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   const Vector3d origin = Vector3d::Zero();
   const Matrix3d I = Matrix3d::Identity();
@@ -200,11 +200,11 @@ TEST(MassProperties, RefusesWhatNoMatterHas) {
   EXPECT_EQ(verdict(1, origin, symmetric(1, 1, 1, 2, 0, 0)),
             "moments of inertia must not be negative, got principal moments (-1, 1, 3) kg·m²");
   EXPECT_EQ(verdict(1, origin, symmetric(1, 2, 4, 0, 0, 0)),
-            "no moment may exceed the sum of the other two (no matter has these values), got principal moments "
-            "(1, 2, 4) kg·m²");
+            "no moment may exceed the sum of the other two (no body has these values), got principal moments (1, "
+            "2, 4) kg·m²");
 }
 
-TEST(MassProperties, AcceptsWhatRoundingLeavesOfALimit) {
+TEST(MassProperties, AcceptLaminaeAndRodsDespiteRounding) {
   const Vector3d origin = Vector3d::Zero();
   EXPECT_EQ(verdict(1, origin, symmetric(.1, .2, .30000000000000004, 0, 0, 0)), "accepted");  // a lamina
   EXPECT_EQ(verdict(1, origin, symmetric(-1e-18, 1, 1, 0, 0, 0)), "accepted");                // a rod
@@ -221,11 +221,11 @@ TEST(MassProperties, RefusesPointsThatAreTooFarAway) {
   const std::string beyond = "the inertia about (1e+200, 0, 0) m is beyond the range of numbers";
   EXPECT_EQ(refusal([&] { ball.inertiaAbout({1e200, 0, 0}); }), beyond);
   for (const double bad : {NAN, INFINITY}) EXPECT_NE(refusal([&] { ball.inertiaAbout({0, bad, 0}); }), "accepted");
-  // M a² across the line to the point, whose digits hide the ball's own 0.4.
+  // M a² across the line to the point hides the ball's own moment of 0.4.
   EXPECT_EQ(ball.inertiaAbout({1e150, 0, 0})(1, 1), 1e150 * 1e150);
 }
 
-TEST(MassProperties, NamesAQuaternionThatIsNoRotation) {
+TEST(MassProperties, RejectAQuaternionThatIsNoRotation) {
   const Vector3d origin = Vector3d::Zero();
   const Quaternion none(0, 0, 0, 0), notANumber(1, NAN, 0, 0);
   const std::string zero = "a rotation must be a nonzero, finite quaternion, got (0, 0, 0, 0)";
@@ -236,6 +236,17 @@ TEST(MassProperties, NamesAQuaternionThatIsNoRotation) {
   EXPECT_EQ(refusal([&] { massProperties(SolidPart{Box{{1, 2, 3}}, 1, none}); }), zero);
   EXPECT_EQ(refusal([&] { turnedVector(none, {1, 2, 3}); }), zero);
   EXPECT_EQ(refusal([&] { turnedTensor(none, box.inertia_B()); }), zero);
+}
+
+TEST(TurnedTensor, AcceptsQuaternionsOfAnyLength) {
+  // Scaling by a power of two is exact, so that the bits of the result must not change.
+  const Quaternion q(1, 2, -3, 4);
+  const Eigen::Matrix3d inertia_B = massProperties(Box{{1, 2, 3}}, 1).inertia_B(),
+                        expected = turnedTensor(q, inertia_B);
+  for (const int exponent : {-1074, -600, 600, 1021}) {
+    const Quaternion scaled(q.coeffs() * std::ldexp(1.0, exponent));
+    EXPECT_EQ(turnedTensor(scaled, inertia_B), expected) << exponent;
+  }
 }
 
 }  // namespace
