@@ -34,7 +34,7 @@ float shareBefore(float ahead, vec2 slope) {
   return covered(vec3(slope, ahead) / length(slope));
 }
 
-// Returns the same share for glass and a solid, with the accuracy of faintLine().
+// Returns shareBefore() for glass and a solid, with the accuracy of faintLine().
 float glassBefore(float ahead, vec2 slope) {
   return clamp(0.5 + sharpness * ahead * inversesqrt(dot(slope, slope) + 1e-18), 0.0, 1.0);
 }
@@ -69,7 +69,7 @@ float covered(ScreenEllipse e, vec2 p_px) {
 // Returns a line (a, b, c), a x + b y + c, as an edge at a pixel; (a, b) is a unit vector towards the inside.
 vec3 edgeAt(vec3 line, vec2 p_px) { return vec3(line.xy, dot(line.xy, p_px) + line.z); }
 
-// Return the edge that is farther in, and the edge that is farther out.
+// innerOf() returns the edge that is farther in, outerOf() the edge that is farther out.
 vec3 innerOf(vec3 a, vec3 b) { return a.z > b.z ? a : b; }
 vec3 outerOf(vec3 a, vec3 b) { return a.z > b.z ? b : a; }
 

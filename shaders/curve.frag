@@ -10,7 +10,7 @@ noperspective in vec4 tangentOut_C;
 
 void main() {
   Material material = Material(own(0).rgb, own(0).a);
-  float solid = own(1).x, lift = own(1).y;  // distance to move the curve towards the eye
+  float solid = own(1).x, lift = own(1).y;  // lift: distance towards the eye
   float offset = acrossOut.x, halfWidth = acrossOut.y;
   // `offset` is linear over a piece, so its derivatives give the exact direction of the piece.
   vec2 inwards = -normalize(vec2(dFdx(offset), dFdy(offset)) + vec2(1e-9, 0.0));

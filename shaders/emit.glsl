@@ -24,7 +24,7 @@ const float kNumber = 1.0 / 65535.0;
 #if EDGES == 2
 bool isSame(float a, float b) { return abs(a - b) < 0.5 * kNumber; }
 
-// Reports whether that solid is at a texel. Where the depth is 1 there is no solid, and the colour is stale.
+// Reports whether the solid `number` is at a texel. Where the depth is 1 there is no solid, and the colour is stale.
 bool isThere(ivec2 texel, float depth, float number) {
   return depth < 1.0 && isSame(texelFetch(fullColor, texel).a, number);
 }

@@ -52,7 +52,7 @@ void main() {
   float b = dot(ray, o) - kk * du * ou - slope * radii.x * du;
   float c = dot(o, o) - kk * ou * ou - 2.0 * slope * radii.x * ou - radii.x * radii.x;
   float root = sqrt(max(b * b - a * c, 0.0));
-  // The nearer of the two roots, without cancellation. a changes sign if the eye looks into the cone.
+  // The nearer of the two roots, without cancellation. `a` changes sign if the eye looks into the cone.
   float q = b > 0.0 ? -b - root : -b + root;
   float r1 = q / a, r2 = abs(q) > 1e-20 ? c / q : r1;
   float near = min(r1, r2), far = max(r1, r2);

@@ -13,7 +13,7 @@ void addCone(int i, int slot, vec2 p_px, vec3 ray) {
   vec3 apex_C = own(i).xyz, axis = own(i + 1).xyz;  // unit, from the apex to the base
   float height = own(i + 2).w, slope = own(i + 3).w, radius = slope * height;
   float rimOpacity = own(i + 4).w, outsideOpacity = own(i + 5).w;
-  vec4 insideColor = own(i + 6), lineColor = own(i + 7);  // opacity flat-on
+  vec4 insideColor = own(i + 6), lineColor = own(i + 7);  // alpha: opacity flat-on
   float lineWidth_px = own(i + 8).x, looksIn = own(i + 8).y;  // 1 if the eye looks in at the base
   vec3 towardEye_C = -normalize(ray);
   vec3 base = edgeAt(ScreenEllipse(vec2(own(i).w, own(i + 1).w), own(i + 2).xyz), p_px);
@@ -29,7 +29,7 @@ void addCone(int i, int slot, vec2 p_px, vec3 ray) {
   float du = dot(ray, axis), ou = dot(o, axis), kk = 1.0 + slope * slope;
   float a = dot(ray, ray) - kk * du * du, b = dot(ray, o) - kk * du * ou, c = dot(o, o) - kk * ou * ou;
   float root = sqrt(max(b * b - a * c, 0.0));
-  // Without cancellation; a changes sign if the ray runs into the cone.
+  // Roots without cancellation; `a` changes sign if the ray runs into the cone.
   float q = b > 0.0 ? -b - root : -b + root;
   float r1 = q / (abs(a) > 1e-9 ? a : 1e-9), r2 = abs(q) > 1e-20 ? c / q : r1;
   float first = min(r1, r2), last = max(r1, r2);
@@ -42,7 +42,7 @@ void addCone(int i, int slot, vec2 p_px, vec3 ray) {
   float tNear = clamp(tOutside, tAxis - size, tAxis + size), tFar = clamp(tInside, tAxis - size, tAxis + size);
   float nearOpacity = coneOpacity(outsideOpacity, rimOpacity, o + tNear * ray, ou + tNear * du, axis, slope, towardEye_C);
   float farOpacity = coneOpacity(insideColor.a, rimOpacity, o + tFar * ray, ou + tFar * du, axis, slope, towardEye_C);
-  // Where the base is seen, one side is not.
+  // Where the base is visible, one of the sides is not.
   float nearCover = max(whole - looksIn * inBase, 0.0), farCover = max(whole - (1.0 - looksIn) * inBase, 0.0);
   colors[slot] = premultiplied(insideColor.rgb, nearOpacity * nearCover);
   depths[slot] = toDepth(t0 + tNear);

@@ -3,7 +3,7 @@ struct Glass {
   vec3 color;
   float rimOpacity;
   vec4 lineColor;      // a: opacity, 0 if there is no graticule
-  vec2 lineWidth_px;   // and its reciprocal
+  vec2 lineWidth_px;   // width and its reciprocal
 };
 
 // Returns the sheet at one end of a chord: premultiplied colour with its opacity.

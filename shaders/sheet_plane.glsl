@@ -17,7 +17,7 @@ void addPlane(int i, int slot, vec2 p_px) {
   vec3 q = vec3(p_px - vec2(own(i).w, own(i + 1).w), 1.0);
   float inverse = 1.0 / max(dot(own(i + 3).xyz, q), 1e-6);  // 1 at the centre; nothing shows beyond the horizon
   vec2 uv = vec2(dot(own(i).xyz, q), dot(own(i + 1).xyz, q)) * inverse;
-  vec2 lineWidth_px = vec2(own(i + 2).w, own(i + 3).w);  // and its reciprocal
+  vec2 lineWidth_px = vec2(own(i + 2).w, own(i + 3).w);  // width and its reciprocal
   vec4 lineColor = own(i + 9);
   vec4 shadow = vec4(fourthsOf(i + 4), own(i + 7).w);  // centre, 1 / radius, opacity
 

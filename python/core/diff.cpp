@@ -64,8 +64,8 @@ compare::NearRule limitsOf(const DiffAsk& ask) {
     if (known == compare::ruleLimits().end()) {
       std::vector<std::string_view> keys{"like"};
       for (const compare::RuleLimit& limit : compare::ruleLimits()) keys.emplace_back(limit.key);
-      throw core::usageError(fmt::format("rule: no limit is called '{}'; there are {}", core::printable(key),
-                                         core::joined(keys, ", ")));
+      throw core::usageError(
+          fmt::format("rule: unknown key '{}'; the keys are {}", core::printable(key), core::joined(keys, ", ")));
     }
     known->set(limits, "rule: " + key, word);
   }
@@ -120,11 +120,11 @@ std::string comparedJson(Source reference, Source test, const compare::DiffReque
   const compare::DiffNames names{nameOf(reference), nameOf(test)};
   const bool film = isFilm(reference), testIsFilm = isFilm(test);
   if (film != testIsFilm)
-    throw core::usageError(fmt::format("the {} is a film, the {} a picture: give two of a kind",
+    throw core::usageError(fmt::format("the {} is a film, but the {} is a picture: give two films or two pictures",
                                        film ? "reference" : "test", film ? "test" : "reference"));
   const auto expectOneSize = [](const std::string& mismatch, bool compared) {
     if (!compared && !mismatch.empty())
-      throw core::usageError(mismatch + ": pictures of different sizes are not compared");
+      throw core::usageError(mismatch + ": only pictures of the same size can be compared");
   };
   if (film) {
     const compare::FilmDiff diff = compare::diffFilms(names.reference, names.test, request, jobs);

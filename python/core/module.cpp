@@ -138,8 +138,8 @@ void declare(py::module_ module) {
 int fill(PyObject* object) {
   if (PyInterpreterState_Get() != PyInterpreterState_Main()) {
     PyErr_SetString(PyExc_ImportError,
-                    "poinsot works in the main interpreter only, not in a subinterpreter; with mod_wsgi set "
-                    "WSGIApplicationGroup %{GLOBAL}, else start another process");
+                    "poinsot works only in the main interpreter, not in a subinterpreter; with mod_wsgi, set "
+                    "WSGIApplicationGroup %{GLOBAL}; otherwise, start another process");
     return -1;
   }
   static PyObject* first = nullptr;

@@ -88,7 +88,8 @@ auto withPicture(const std::shared_ptr<LoadedScene>& loaded, const PictureAsk& a
 void requireSides(std::int64_t width, std::int64_t height, const scene::Limits& limits) {
   const std::int64_t most = limits[scene::Limit::kSide];
   const auto text = [&] {
-    return fmt::format("size=({}, {}): sides are from {} to {} pixels", width, height, scene::kLeastSide, most);
+    return fmt::format("size=({}, {}): sides must be from {} to {} pixels", width, height, scene::kLeastSide,
+                       most);
   };
   if (std::min(width, height) < scene::kLeastSide) throw core::usageError(text());
   if (std::max(width, height) > most) throw core::limitError(text() + "; " + howToRaise(scene::Limit::kSide));

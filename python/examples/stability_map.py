@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Draws a body's stability map: the time from flip to flip, for each direction of L in it, with the separatrix.
+"""Draws a body's stability map: the time between two flips for each direction of L in the body, with the separatrix.
 
-Needs python3-matplotlib. Writes stability_map.png, or the file that is named.
+Needs python3-matplotlib. Writes stability_map.png, or the file that you name.
 """
 
 import sys

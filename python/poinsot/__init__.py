@@ -10,9 +10,9 @@
     scene.render(2.0)                        # uint8 array (1080, 1920, 3)
     scene.film("racket.mp4")
 
-A scene is what `poinsot render` reads; poinsot.loads() takes it as text or as a dictionary. Quantities are in SI units
-and radians. Letters say the axes that components are along: B those of the body, as the scene describes it, W inertial
-ones. R_WB and q_WB take components in B to components in W.
+A scene is the input of `poinsot render`; poinsot.loads() accepts it as text or as a dictionary. Quantities are in SI
+units and radians. Suffixes name the axes of components: B for the body's axes, as the scene describes the body, and W
+for inertial axes. R_WB and q_WB take components in B to components in W.
 """
 
 from ._core import version as __version__

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of arguments: a value that a function cannot take raises UsageError, which says what it takes."""
+"""Checks of arguments. A value that a function does not accept raises UsageError, which names the accepted values."""
 
 import decimal
 import math
@@ -14,7 +14,7 @@ import numpy as np
 from ._errors import UsageError
 
 _LONGEST = 60  # characters of a value in a message
-_MOST = 2**63 - 1  # of whole numbers, as _core has them
+_MOST = 2**63 - 1  # largest integer of _core
 _MOST_JOBS = 1024
 
 
@@ -23,7 +23,7 @@ def refuse(argument: str, it: object, takes: str) -> NoReturn:
 
 
 def shown(it: object) -> str:
-    """A value in a message: itself if it is plain and short, else its type."""
+    """Returns the text of a value for a message: the value itself if it is plain and short, else its type."""
     text = _plain(it)
     if isinstance(it, (tuple, list)) and len(it) < _LONGEST:
         parts = ", ".join(_plain(one) or _type(one) for one in it)
@@ -34,7 +34,7 @@ def shown(it: object) -> str:
 def _plain(it: object) -> str:
     if isinstance(it, int) and it.bit_length() > 64:
         return ""
-    if isinstance(it, (np.number, np.bool_)):  # of which one kind is a float, too
+    if isinstance(it, (np.number, np.bool_)):  # np.float64 is a float, too
         return str(it)
     return repr(it) if it is None or isinstance(it, (bool, int, float, complex, str, bytes, range)) else ""
 
@@ -44,7 +44,7 @@ def _type(it: object) -> str:
 
 
 def whole(it: object) -> int | None:
-    """A whole number of Python or NumPy; None if it is something else."""
+    """Returns an integer of Python or NumPy as an int; None for anything else."""
     if isinstance(it, (bool, np.bool_)):
         return None
     try:
@@ -55,7 +55,7 @@ def whole(it: object) -> int | None:
 
 
 def pair(it: object) -> tuple[int, int] | None:
-    """Two whole numbers; None if it is something else."""
+    """Returns two integers; None for anything else."""
     if not isinstance(it, (tuple, list)) and not (isinstance(it, np.ndarray) and it.ndim == 1):
         return None
     if len(it) != 2:
@@ -67,17 +67,17 @@ def pair(it: object) -> tuple[int, int] | None:
 def size(it: object) -> tuple[int, int] | None:
     if it is None:
         return None
-    return pair(it) or refuse("size", it, "a size is a pair of whole numbers, width and height in pixels: (1280, 720)")
+    return pair(it) or refuse("size", it, "must be two integers, width and height in pixels: (1280, 720)")
 
 
 def frames(it: object, count: int) -> tuple[int, int] | None:
-    """The first and the last frame."""
+    """Returns the first and the last frame."""
     if it is None:
         return None
     steps = isinstance(it, range) and it.step == 1 and len(it) > 0
     found = (it.start, it.stop - 1) if isinstance(it, range) and steps else pair(it)
     if found is None:
-        refuse("frames", it, "a pair, the first frame and the last: (0, 9); or a range without gaps: range(0, 10)")
+        refuse("frames", it, "must be the first and the last frame: (0, 9), or a range without gaps: range(0, 10)")
     first, last = found
     if first > last:
         refuse("frames", it, f"the first frame, {first}, comes after the last, {last}")
@@ -88,35 +88,36 @@ def frames(it: object, count: int) -> tuple[int, int] | None:
 
 def flag(argument: str, it: object) -> bool:
     if not isinstance(it, (bool, np.bool_)):
-        refuse(argument, it, "True or False")
+        refuse(argument, it, "must be True or False")
     return bool(it)
 
 
 def jobs(it: object) -> int | None:
-    """How many processes or threads work at a time; None where the function chooses."""
+    """Returns how many processes or threads work at a time; None if the function chooses the number."""
     if it is None:
         return None
     found = whole(it)
-    return found if found is not None and 1 <= found <= _MOST_JOBS else refuse("jobs", it, f"from 1 to {_MOST_JOBS}")
+    return found if found is not None and 1 <= found <= _MOST_JOBS else refuse("jobs", it, f"must be 1 to {_MOST_JOBS}")
 
 
 def function(argument: str, it: object) -> None:
     if it is not None and not callable(it):
-        refuse(argument, it, "a function")
+        refuse(argument, it, "must be a function")
 
 
 def bits(it: object) -> int:
-    return 16 if whole(it) == 16 else 8 if whole(it) == 8 else refuse("bits", it, "8 or 16")
+    return 16 if whole(it) == 16 else 8 if whole(it) == 8 else refuse("bits", it, "must be 8 or 16")
 
 
 def is_masked(it: object) -> bool:
-    """Whether it is an array that masks one of its values."""
+    """Returns whether a value is an array that masks at least one of its elements."""
     return isinstance(it, np.ma.MaskedArray) and bool(np.any(it.mask))
 
 
 def real(it: object) -> float | None:
-    """A real number; infinite beyond the range of doubles. None for anything else: a truth value, a timedelta64, which
-    NumPy has as a whole number, or text.
+    """Returns a real number as a float, infinite beyond the range of doubles; None for anything else.
+
+    Booleans, text and timedelta64, which NumPy registers as an integer type, are not real numbers.
     """
     if isinstance(it, (bool, np.bool_, np.timedelta64)) or not isinstance(it, (numbers.Real, decimal.Decimal)):
         return None
@@ -124,71 +125,71 @@ def real(it: object) -> float | None:
         return float(it)
     except OverflowError:
         return math.inf
-    except ValueError:  # of a signalling NaN
+    except ValueError:  # a signalling NaN
         return math.nan
 
 
 def number(argument: str, it: object) -> float:
     value = real(it)
-    return value if value is not None and math.isfinite(value) else refuse(argument, it, "a number")
+    return value if value is not None and math.isfinite(value) else refuse(argument, it, "must be a finite number")
 
 
 def text(argument: str, it: object, takes: str) -> str:
-    """A text that is Unicode, without NUL."""
+    """Returns a string of valid Unicode without NUL."""
     if not isinstance(it, str):
         refuse(argument, it, takes)
     if "\0" in it:
-        refuse(argument, it, "no NUL may stand in a text")
+        refuse(argument, it, "must not contain NUL")
     try:
         it.encode()
     except UnicodeEncodeError:
-        refuse(argument, it, "half of a surrogate pair is no character")
+        refuse(argument, it, "must not contain half of a surrogate pair")
     return str(it)
 
 
 def path(argument: str, it: object) -> str:
-    """A path as text; bytes that are no UTF-8 are kept as os.fsdecode() does."""
+    """Returns a path as text; os.fsdecode() keeps bytes that are not UTF-8."""
     try:
         name = os.fsdecode(it)  # type: ignore[arg-type]
         os.fsencode(name)
     except (TypeError, UnicodeEncodeError):
-        refuse(argument, it, 'a path, as "scenes/top.toml" or a pathlib.Path')
+        refuse(argument, it, 'must be a path, such as "scenes/top.toml" or a pathlib.Path')
     if "\0" in name:
-        refuse(argument, it, "no NUL may stand in a path")
+        refuse(argument, it, "must not contain NUL")
     return name
 
 
 def stem(argument: str, it: object) -> str:
-    """A file's name without its ending."""
-    name = text(argument, it, "a text")
+    """Returns the name of a file without folder and suffix."""
+    name = text(argument, it, "must be a string")
     if not name or "/" in name:
-        refuse(argument, it, 'a file\'s name without folder and ending, as "top"')
+        refuse(argument, it, 'must be a file name without folder and suffix, such as "top"')
     return name
 
 
 def paths(argument: str, it: object) -> list[str]:
     if isinstance(it, (str, bytes, os.PathLike)) or not isinstance(it, Sequence):
-        refuse(argument, it, 'a list of folders, as ["meshes"]')
+        refuse(argument, it, 'must be a list of folders, such as ["meshes"]')
     return [path(f"{argument}[{i}]", one) for i, one in enumerate(it)]
 
 
 def table(argument: str, it: object, example: str) -> dict[str, Any]:
-    """A dictionary with texts as keys; an empty one for None."""
+    """Returns a dictionary with strings as keys; an empty one for None."""
     if it is None:
         return {}
     if not isinstance(it, Mapping):
-        refuse(argument, it, f"a dictionary, as {example}")
-    return {text(f"a key of {argument}", key, "a text"): value for key, value in it.items()}
+        refuse(argument, it, f"must be a dictionary, such as {example}")
+    return {text(f"a key of {argument}", key, "must be a string"): value for key, value in it.items()}
 
 
 def limits(it: object) -> list[str]:
-    """The words of limits for the program."""
+    """Returns limits as words for the program, such as "side=16384"."""
     given = table("limits", it, '{"side": 16384, "memory": "4 GiB"}')
     return [f"{name}={_limit(f'limits[{shown(name)}]', most)}" for name, most in given.items()]
 
 
 def _limit(argument: str, most: object) -> str:
     if isinstance(most, str):
-        return text(argument, most, "a text")
+        return text(argument, most, "must be a string")
     number = whole(most)
-    return refuse(argument, most, 'a whole number, or a size such as "4 GiB"') if number is None else str(number)
+    return refuse(argument, most, 'must be an integer, or a size such as "4 GiB"') if number is None else str(number)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Notes about a scene that was loaded, and how much memory its pictures take."""
+"""Notes about a loaded scene, and estimates of the memory that its pictures take."""
 
 import math
 from typing import Any

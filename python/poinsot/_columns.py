@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Columns of a trajectory, one number a row, and the arrays of vectors that they are components of."""
+"""Columns of a trajectory with one number per row, and the arrays of vectors whose components they are."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
@@ -11,7 +11,7 @@ from . import _times
 from ._arguments import is_masked
 from ._errors import UsageError
 
-#: Arrays of vectors, and the columns of their components, as in the program's CSV.
+#: Names of arrays of vectors, and the columns of their components in the program's CSV.
 PARTS: Mapping[str, Sequence[str]] = {
     "q_WB": [f"q_{part}" for part in "wxyz"],
     "q_WB_xyzw": [f"q_{part}" for part in "xyzw"],
@@ -20,7 +20,7 @@ PARTS: Mapping[str, Sequence[str]] = {
 
 
 def split(name: str, values: Any) -> Iterator[tuple[str, NDArray[np.float64]]]:
-    """Columns of an array, flattened in C order: a vector's components, anything else by itself."""
+    """Splits an array into columns, flattened in C order: one per component of a vector, else one."""
     array = _times.times(name, values) if name == "t" else doubles(name, values)
     parts = PARTS.get(name)
     if parts is None:
@@ -33,14 +33,14 @@ def split(name: str, values: Any) -> Iterator[tuple[str, NDArray[np.float64]]]:
 
 
 def doubles(name: str, values: Any) -> NDArray[np.float64]:
-    """An array of real numbers. Raises UsageError for anything else."""
+    """Returns an array of real numbers. Raises UsageError for anything else."""
     if is_masked(values):
         masked = f"numpy.ma.getmaskarray({name})" + (".any(axis=-1)" if values.ndim > 1 else "")
         raise UsageError(f"{name}: has masked values; fill them, or leave out their rows in all columns: keep = ~{masked}")
     array = np.asarray(values)
     if array.dtype.kind not in "iufO":
-        raise UsageError(f"{name}: values of the type {array.dtype}; real numbers are expected")
+        raise UsageError(f"{name}: expected real numbers, got values of type {array.dtype}")
     try:
         return np.asarray(array, dtype=np.float64)
     except (TypeError, ValueError) as error:
-        raise UsageError(f"{name}: has values that are no real numbers") from error
+        raise UsageError(f"{name}: has values that are not real numbers") from error

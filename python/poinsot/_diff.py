@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Comparing pictures: arrays, files and PIL images."""
+"""Comparison of pictures: arrays, files and PIL images."""
 
 from __future__ import annotations
 
@@ -28,30 +28,32 @@ def diff(
     jobs: int | None = None,
     limits: Mapping[str, int | str] | None = None,
 ) -> dict[str, Any]:
-    """Compares two pictures, or two films frame by frame: the figures and the verdict of `poinsot diff --json`.
+    """Compares two pictures, or two films frame by frame. Returns the figures and the verdict of `poinsot diff --json`.
 
-    reference, test: each a path of a PNG or a film, a PIL image, or an array of uint8 or uint16: (height, width) or
-        (height, width, 1) grey, (height, width, 2) grey and alpha, 3 RGB, 4 RGBA; sRGB, alpha straight, rows from the
-        top. Both may be of different kinds; a film goes with a film only.
-    rule: what counts as near. A name, "same", "near" (the default) or "other_driver", or a dictionary with the keys of
-        a [rule] in a golden.toml: like (a name), max and level (of 255), pixels, flip_mean, flip_max. A limit is a
-        number or the program's word: {"max": 4, "pixels": "0-0.5%"}.
+    reference, test: each a path of a PNG or a film, a PIL image, or an array of uint8 or uint16. The shape of an array
+        is (height, width) for grey, or (height, width, n) with n = 1 for grey, 2 for grey and alpha, 3 for RGB, 4 for
+        RGBA. Colours are sRGB, alpha is straight, and rows begin at the top. The two may be of different kinds, but a
+        film can only be compared with a film.
+    rule: limits of a near picture. A name, "same", "near" (the default) or "other_driver", or a dictionary with the
+        keys of a [rule] in a golden.toml: like (a name), max and level (of 255), pixels, flip_mean, flip_max. A limit
+        is a number or a word of the program: {"max": 4, "pixels": "0-0.5%"}.
     ignore: boxes (x, y, width, height) in pixels from the top left that are not compared.
-    mask: a picture as above, or an array of bool (height, width); where it is painted, pixels are not compared.
-    pixels_per_degree: of view, for FLIP, 1 to 1000.
-    jobs: how many frames of films are compared at a time, 1 to 1024; one for each CPU if not given.
-    limits: as of load(); the memory counts.
+    mask: a picture as above, or an array of bool (height, width). Pixels where the mask is painted are not compared.
+    pixels_per_degree: pixels per degree of view for FLIP, 1 to 1000.
+    jobs: number of frames of films that are compared at a time, 1 to 1024; by default one for each CPU.
+    limits: limits as for load(). Only the limit of memory has an effect.
 
-    Returns a dictionary, among its keys: verdict ("identical", "near" or "different"), beyond (limits that do not hold,
-    in words), notes, differing_pixels, differing_share, max_difference, mean_difference and rmse (of 255), psnr_db,
-    ssim (mean, worst, worst_at), flip (mean, min, quartiles, max), change (in words), places, worst_pixels, limits. A
-    figure that is undefined is None. reference and test are the paths, None for a picture in memory. Films have frames
-    (the figures of each), worst_frame and film (where they differ) in place of most of these.
+    Returns a dictionary with these keys, among others: verdict ("identical", "near" or "different"), beyond (the limits
+    that do not hold, in words), notes, differing_pixels, differing_share, max_difference, mean_difference and rmse (of
+    255), psnr_db, ssim (mean, worst, worst_at), flip (mean, min, quartiles, max), change (in words), places,
+    worst_pixels, limits. An undefined figure is None. reference and test are the paths, None for a picture in memory.
+    For films, most of these are replaced by frames (the figures of each frame), worst_frame and film (where the films
+    differ).
 
     Raises UsageError for pictures of different sizes, FileError, LimitError.
     """
     if not 1 <= _arguments.number("pixels_per_degree", pixels_per_degree) <= _MOST_PER_DEGREE:
-        _arguments.refuse("pixels_per_degree", pixels_per_degree, f"a number from 1 to {_MOST_PER_DEGREE}")
+        _arguments.refuse("pixels_per_degree", pixels_per_degree, f"must be a number from 1 to {_MOST_PER_DEGREE}")
     result: dict[str, Any] = json.loads(
         _core.diff(
             _source("reference", reference),
@@ -74,7 +76,7 @@ def _is_path(it: Any) -> bool:
 
 
 def _boxes(boxes: Any) -> list[list[float]]:
-    takes = "a list of boxes (x, y, width, height) in pixels"
+    takes = "must be a list of boxes (x, y, width, height) in pixels"
     given = _entries(boxes)
     if given is None:
         _arguments.refuse("ignore", boxes, takes)
@@ -88,14 +90,14 @@ def _boxes(boxes: Any) -> list[list[float]]:
 
 
 def _entries(it: Any) -> list[Any] | None:
-    """The entries of a list or an array; None for anything else."""
+    """Returns the entries of a list or an array; None for anything else."""
     if isinstance(it, np.ndarray):
         return list(it) if it.ndim and not _arguments.is_masked(it) else None
     return list(it) if isinstance(it, Sequence) and not isinstance(it, (str, bytes)) else None
 
 
 def _source(side: str, it: Any) -> bytes | NDArray[Any]:
-    """A file's name as bytes, or pixels with three axes."""
+    """Returns a file's name as bytes, or pixels as an array with three axes."""
     if _is_path(it):
         path = _arguments.path(side, it)
         if os.path.isdir(path):
@@ -104,7 +106,7 @@ def _source(side: str, it: Any) -> bytes | NDArray[Any]:
     array = _pil_pixels(side, it) if hasattr(it, "getbands") else _array(side, it)
     if array.dtype.kind != "u" or array.dtype.itemsize > 2:
         raise UsageError(
-            f"{side}: samples of the type {array.dtype}; uint8 or uint16 are compared, for example "
+            f"{side}: expected samples of type uint8 or uint16, got {array.dtype}; convert them, for example by "
             "(255 * picture).round().astype(numpy.uint8)"
         )
     if array.ndim == 2:
@@ -116,17 +118,17 @@ def _source(side: str, it: Any) -> bytes | NDArray[Any]:
 
 def _array(side: str, it: Any) -> NDArray[Any]:
     if not hasattr(it, "__array__") and not isinstance(it, Sequence):
-        _arguments.refuse(side, it, "a path, an array of pixels or a PIL image")
+        _arguments.refuse(side, it, "must be a path, an array of pixels or a PIL image")
     if _arguments.is_masked(it):
         raise UsageError(f"{side}: has masked values; give mask= the boolean array {side}.mask")
     try:
         return np.asarray(it)
     except (ValueError, TypeError, OverflowError):
-        _arguments.refuse(side, it, "an array of pixels has rows of one length")
+        _arguments.refuse(side, it, "the rows of an array of pixels must have one length")
 
 
 def _pil_pixels(side: str, image: Any) -> NDArray[Any]:
-    """Pixels of a PIL image, as they show."""
+    """Returns the visible pixels of a PIL image."""
     if image.mode in ("P", "PA") or "transparency" in image.info:
         see_through = image.mode == "PA" or "transparency" in image.info
         return np.asarray(image.convert("RGBA" if see_through else "RGB"))
@@ -134,10 +136,10 @@ def _pil_pixels(side: str, image: Any) -> NDArray[Any]:
         return np.asarray(image.convert("L"))
     pixels = np.asarray(image)
     if image.mode.startswith("I") and pixels.min() >= 0 and pixels.max() <= np.iinfo(np.uint16).max:
-        return pixels.astype(np.uint16)  # PIL reads a grey PNG of 16 bits as numbers of 32
+        return pixels.astype(np.uint16)  # PIL reads a grey PNG of 16 bits as 32-bit integers
     if image.mode in ("L", "LA", "RGB", "RGBA"):
         return pixels
-    raise UsageError(f'{side}: a PIL image of the mode {image.mode}; convert it, for example by convert("RGB")')
+    raise UsageError(f'{side}: a PIL image of mode {image.mode}; convert it, for example by convert("RGB")')
 
 
 def _painted(mask: Any) -> Any:
@@ -150,15 +152,15 @@ def _rule(rule: str | Mapping[str, Any] | None) -> list[tuple[str, str]]:
     if rule is None:
         return []
     if isinstance(rule, str):
-        return [("like", _arguments.text("rule", rule, "a name"))]
+        return [("like", _arguments.text("rule", rule, "must be a name"))]
     limits = _arguments.table("rule", rule, '{"max": 4, "pixels": "0-0.5%"}, or a name such as "same"')
     return [(key, _word(key, value)) for key, value in limits.items()]
 
 
 def _word(key: str, value: Any) -> str:
-    """A limit as a golden.toml has it: a range from 0."""
+    """Returns a limit in the notation of a golden.toml: a range from 0."""
     if isinstance(value, str):
-        return _arguments.text(f"rule[{key!r}]", value, "a text")
+        return _arguments.text(f"rule[{key!r}]", value, "must be a string")
     number = _arguments.whole(value)
     if number is None and _arguments.number(f"rule[{key!r}]", value) == 0:
         number = 0

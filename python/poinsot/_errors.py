@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Errors of a scene, a value or the machine. The module _core and the program raise them through made()."""
+"""Error classes of this package. The module _core and the program raise errors through made()."""
 
 from __future__ import annotations
 
@@ -12,25 +12,25 @@ from typing import Any, NamedTuple
 
 
 class Error(Exception):
-    """Base of all errors of this package."""
+    """Base class of all errors of this package."""
 
 
 class UsageError(Error, ValueError):
-    """A value that a function cannot take."""
+    """A value that a function does not accept."""
 
 
 class Problem(NamedTuple):
-    """One thing wrong with a scene. Line and column count from 1; they are 0, and `file` is empty, for an override."""
+    """One mistake in a scene. Line and column count from 1. For an override, both are 0 and `file` is empty."""
 
     file: str
     line: int
     column: int
     message: str
-    override: str = ""  #: its key, as "style.theme"; empty for a problem in a file
+    override: str = ""  #: key of the override, such as "style.theme"; empty for a problem in a file
 
 
 class SceneError(Error, ValueError):
-    """A scene, or a file that it names, is wrong: the text shows where, `problems` lists everything."""
+    """A mistake in a scene or in a file that it names. The text shows each place, and `problems` lists all mistakes."""
 
     def __init__(self, text: str, problems: Iterable[Problem] = ()) -> None:
         super().__init__(text)
@@ -41,11 +41,11 @@ class SceneError(Error, ValueError):
 
 
 class LimitError(Error, ValueError):
-    """More than a limit allows, and how to raise it; or a motion time outside the span in which the motion is known."""
+    """More than a limit allows, with the way to raise it; or a motion time outside the span of a motion."""
 
 
 class SceneLimitError(SceneError, LimitError):
-    """A scene in which nothing is wrong but that it asks for more than limits allow."""
+    """A scene whose only mistakes are values beyond a limit."""
 
 
 class FarTimeWarning(UserWarning):
@@ -61,13 +61,14 @@ class RenderError(Error, RuntimeError):
 
 
 class FileError(Error, OSError):
-    """A file cannot be read or written; `filename` is its name. Where the system gives the reason, it is also the
-    FileNotFoundError, FileExistsError, IsADirectoryError, NotADirectoryError or PermissionError that `open()` would
-    raise, with its `errno` and `strerror`.
+    """A file cannot be read or written; `filename` is the name of the file.
+
+    If the system gives the reason, the error is also the FileNotFoundError, FileExistsError, IsADirectoryError,
+    NotADirectoryError or PermissionError that `open()` would raise, with `errno` and `strerror`.
     """
 
     def __new__(cls, text: str = "", number: int | None = None, filename: str | None = None) -> FileError:
-        return super().__new__(_FILE_ERRORS.get(number, cls), text)  # type: ignore[call-arg]  # typeshed has none
+        return super().__new__(_FILE_ERRORS.get(number, cls), text)  # type: ignore[call-arg]  # not in typeshed
 
     def __init__(self, text: str = "", number: int | None = None, filename: str | None = None) -> None:
         super().__init__(text)
@@ -84,19 +85,19 @@ class FileError(Error, OSError):
 
 
 class FileMissingError(FileError, FileNotFoundError):
-    """The file, or the folder it is to be written to, does not exist."""
+    """The file, or the folder of a file to write, does not exist."""
 
 
 class FileIsThereError(FileError, FileExistsError):
-    """Another file stands where the file is to be written."""
+    """A file of this name already exists."""
 
 
 class FileIsFolderError(FileError, IsADirectoryError):
-    """A folder stands where a file is wanted."""
+    """The name is that of a folder, not of a file."""
 
 
 class FolderIsFileError(FileError, NotADirectoryError):
-    """A file stands where a folder is wanted."""
+    """A part of the path is a file, not a folder."""
 
 
 class FileDeniedError(FileError, PermissionError):
@@ -124,9 +125,10 @@ _CLASSES: dict[str, type[Error]] = {
 def made(
     kind: str, text: str, problems: Iterable[Problem] = (), number: int = 0, filename: str | None = None
 ) -> Error:
-    """The error of a kind that _core names. Its text is one of in_python().
+    """Returns the error of a kind that _core names. Its text is a result of in_python().
 
-    number, filename: of an error of a file: the system's errno, 0 if no call of the system failed.
+    number: for an error of a file, the system's errno; 0 if no system call failed.
+    filename: for an error of a file, the name of the file.
     """
     if kind == "file":
         return FileError(text, number or None, filename)
@@ -138,14 +140,14 @@ def made(
 
 
 def says_limit(text: str) -> bool:
-    """Whether a text of in_python() says how to raise a limit."""
+    """Returns whether a text of in_python() contains the way to raise a limit."""
     return 'limits={"' in text
 
 
-# What users wrote is kept: quoted texts, and lines of a file, which a message shows indented.
+# Text of the user that must not change: quoted text, and lines of a file, which a message shows indented.
 _QUOTED = r""""[^"\n]*"|(?<!\w)'[^'\n]*'(?!\w)|`[^`\n]*`|^ .*$"""
 
-# Options as the layers and the program name them in messages, and what stands for each here. The first that fits wins.
+# Options in messages of the layers and of the program, and the Python argument for each. The first match wins.
 _OPTIONS = [
     (re.compile(rf"(?<![\w-]){option}|(?P<kept>{_QUOTED})", re.MULTILINE), argument)
     for option, argument in (
@@ -166,7 +168,7 @@ _OPTIONS = [
 
 
 def in_python(text: str) -> str:
-    """A message in which arguments of functions stand for options of the program."""
+    """Replaces options of the program in a message by the arguments of Python functions."""
     for option, argument in _OPTIONS:
         text = option.sub(partial(_replaced, argument), text)
     return text

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A film on disk, and how a notebook shows it."""
+"""A film on disk, with its display in a notebook."""
 
 import base64
 import html
@@ -13,19 +13,19 @@ _MOST_INLINE_BYTES = 32 << 20
 
 @dataclass(frozen=True)
 class Film:
-    """A film that was made. In a notebook it plays in place, and its bytes are kept in the notebook."""
+    """A finished film. In a notebook, the film plays in its cell, and the notebook stores its bytes."""
 
     path: Path
     size: tuple[int, int]  #: width and height in pixels
     frame_count: int
-    duration: float  #: s
+    duration: float  #: in s
 
     def _repr_html_(self) -> str:
         place = html.escape(str(self.path))
         if "{frame" in self.path.name:
             return f"<p>{self.frame_count} pictures: {place}</p>"
         if not self.path.is_file():
-            return f"<p>The film {place} is no longer there: it was moved or removed.</p>"
+            return f"<p>The film {place} no longer exists: it was moved or removed.</p>"
         source = self._source()
         suffix = self.path.suffix.lower()
         width = f'style="max-width: 100%; width: {min(self.size[0], 960)}px"'
@@ -36,7 +36,7 @@ class Film:
         return place
 
     def _source(self) -> str:
-        """The film itself; of a long one its place."""
+        """Returns the film as a data URL, or its path if the film is large."""
         kind = (_VIDEO | _PICTURE).get(self.path.suffix.lower())
         if kind is None or self.path.stat().st_size > _MOST_INLINE_BYTES:
             return html.escape(str(self.path), quote=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Grading the trajectory of another engine: how far it is off the motion of a scene."""
+"""Grades of trajectories: how far another engine's result is off the motion of a scene."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ._trajectory import Trajectory
 
 _MOST_NAMED = 8  # columns in a message
 
-# Arrays that a motion is graded by, and what stands for them in messages.
+# Arrays by which a motion can be graded, and their description in messages.
 _GRADED = ("q_WB", "q_WB_xyzw", "omega_B", "omega_W")
 _WANTED = (
     "q_WB, an array (n, 4), or omega_B, an array (n, 3), or the columns of their components q_w, q_x, q_y, q_z or "
@@ -47,13 +47,13 @@ def _limit(word: float | str) -> float:
 def _passes(result: dict[str, Any], limit: float) -> bool:
     attitude = result["quantities"]["attitude"]
     if attitude is None:
-        raise UsageError("max_attitude_error: the table has no attitude: q_WB, or q_w, q_x, q_y, q_z")
-    largest = attitude["largest"]  # None: not finite
+        raise UsageError("max_attitude_error: the table has no attitude; give q_WB, or q_w, q_x, q_y, q_z")
+    largest = attitude["largest"]  # None if not finite
     return largest is not None and largest <= limit
 
 
 def _pairs(table: Any) -> Iterator[tuple[str, Any]]:
-    """Names and values of the columns of a table."""
+    """Yields the name and the values of each column of a table."""
     if isinstance(table, Trajectory):
         yield from table._flat()
     elif isinstance(table, Mapping):
@@ -72,7 +72,7 @@ def _pairs(table: Any) -> Iterator[tuple[str, Any]]:
 
 
 def _columns_of(table: Any) -> list[tuple[str, Any]]:
-    """The columns of a table. Raises UsageError, with the names of its arrays, for what is no motion."""
+    """Returns the columns of a table. Raises UsageError, with the names of the arrays, if the table has no motion."""
     columns: list[tuple[str, Any]] = []
     rows: dict[str, int] = {}
     for name, values in _pairs(table):
@@ -80,7 +80,7 @@ def _columns_of(table: Any) -> list[tuple[str, Any]]:
         columns += parts
         if _is_known(name):
             rows[name] = len(parts[0][1])
-    if "t" in rows:  # else the lack of it is reported
+    if "t" in rows:  # a missing t is reported later
         _require_motion([name for name, _ in columns])
         for name, count in rows.items():
             if count != rows["t"]:
@@ -100,7 +100,7 @@ def _is_known(name: str) -> bool:
 
 
 def _known(name: str, values: Any) -> Iterator[tuple[str, Any]]:
-    """Columns to grade. Columns of other names are left empty: only messages name them."""
+    """Yields the columns to grade. A column of another name is empty, because only messages use it."""
     if _is_known(name):
         yield from _columns.split(name, values)
     else:

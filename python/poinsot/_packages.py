@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Packages that some functions need and the rest does without: imported when they are used."""
+"""Optional packages, which are imported on first use."""
 
 import importlib
 from types import ModuleType
@@ -8,7 +8,7 @@ from ._errors import Error
 
 
 class MissingPackageError(Error, ImportError):
-    """A function needs a package that is not installed; the text names it."""
+    """A function needs a package that is not installed. The text names the package."""
 
 
 def imported(module: str, user: str) -> ModuleType:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The program `poinsot`, which makes the files: with workers of its own, out of reach of the interpreter's threads."""
+"""Runs the program `poinsot`, which writes the files with its own worker processes, independent of Python's threads."""
 
 import errno
 import glob
@@ -19,7 +19,7 @@ _VARIABLE = "POINSOT_PROGRAM"
 
 
 def _found() -> tuple[str, str]:
-    """The program, and what it is called in messages."""
+    """Returns the program, and its name in messages."""
     named = os.environ.get(_VARIABLE)
     if named:
         return named, f"{_VARIABLE}={named}"
@@ -36,12 +36,12 @@ def run(
     words: Sequence[str],
     progress: Callable[[int, int], object] | None = None,
 ) -> None:
-    """Runs one of its commands, which makes the file `output`, to the end. Calls `progress` with (done, total) frames.
+    """Runs a command of the program, which writes the file `output`. Calls `progress` with (done, total) frames.
 
-    Ctrl-C, and whatever `progress` raises, makes the program stop, and is raised when it has: what was complete is kept
+    Ctrl-C and exceptions of `progress` stop the program and are raised after it has ended. Complete segments are kept
     for resume=True.
     """
-    # A word that begins with "-" would be an option.
+    # The program would read a name that begins with "-" as an option.
     place = os.path.join(".", output) if output.startswith("-") else output
     said: list[str] = []
     failure: dict[str, Any] = {}
@@ -63,13 +63,13 @@ def run(
     if process.returncode:
         raise _error(process.returncode, "".join(said), failure)
     if not _is_there(output):
-        raise FileError(f"{output}: {_found()[1]} ended well and did not write it", errno.ENOENT, output)
+        raise FileError(f"{output}: {_found()[1]} exited with 0 but did not write the file", errno.ENOENT, output)
 
 
 def _started(words: Sequence[str]) -> subprocess.Popen[str]:
     program, called = _found()
     try:
-        # In a process group of its own: the Ctrl-C of a terminal reaches it once, through us.
+        # In its own process group, so that Ctrl-C in a terminal reaches the program only once, through this process.
         return subprocess.Popen(
             [program, *words],
             stdin=subprocess.DEVNULL,
@@ -84,25 +84,25 @@ def _started(words: Sequence[str]) -> subprocess.Popen[str]:
 
 
 def _error(status: int, said: str, failure: dict[str, Any]) -> Error:
-    """The error of a program that ended so. `failure` is empty, or the event of which file made it fail."""
+    """Returns the error for a program's exit status. `failure` is the event with the file that failed, or empty."""
     text = in_python(re.sub(r"^poinsot: (error: )?", "", said, flags=re.MULTILINE)).strip()
-    match status:  # as the program's manual page has them
+    match status:  # exit codes of the program's manual page
         case 2:
             return made("limit" if says_limit(text) else "usage", text)
         case 3:
             return made("render", text)
         case 4:
-            name = os.fsdecode(failure["file"].encode("latin-1")) if failure else None  # a character for each byte
+            name = os.fsdecode(failure["file"].encode("latin-1")) if failure else None  # one character per byte
             return made("file", text, number=failure.get("errno", 0), filename=name)
-    return Error(text or f"the program ended with {status}")
+    return Error(text or f"the program exited with status {status}")
 
 
 def _event(line: str) -> dict[str, Any] | None:
-    """An event that the program reports on a line of its own; None for a line of text."""
+    """Returns the event in a line of the program; None for a line of text."""
     return json.loads(line) if line.startswith("{") else None
 
 
 def _is_there(output: str) -> bool:
-    """Whether there is such a file, or a picture of such a sequence."""
+    """Returns whether the file exists, or any picture of the sequence."""
     around = re.split(r"\{frame(?::0\d)?\}", output)
     return os.path.exists(output) if len(around) == 1 else bool(glob.glob("*".join(map(glob.escape, around))))

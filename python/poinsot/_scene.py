@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A scene: what it is made from, and what can be made of it."""
+"""Scenes: loading, the motion as arrays, pictures and films."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from ._film import Film
 from ._times import Time, Times
 from ._trajectory import Trajectory
 
-_DISPLAY_WIDTH = 960  # of a picture in a notebook, pixels
+_DISPLAY_WIDTH = 960  # width of a picture in a notebook, pixels
 _OVERRIDES = '{"style.theme": "dark"}'  # an example
 
 Path_ = str | os.PathLike[str]
@@ -31,16 +31,16 @@ Path_ = str | os.PathLike[str]
 
 @dataclass(frozen=True)
 class _Source:
-    """What a scene is made from."""
+    """Everything from which a scene is loaded."""
 
     file_name: str
     overrides: tuple[str, ...]
     limits: tuple[str, ...]
     asset_roots: tuple[str, ...]
-    text: str | None = None  # that of the file, if not given
+    text: str | None = None  # by default, the text of the file
 
     def scene(self) -> Scene:
-        """Reads and checks it. Raises SceneError, LimitError, FileError."""
+        """Reads and checks the scene. Raises SceneError, LimitError, FileError."""
         words = list(self.overrides), list(self.limits), [os.fsencode(root) for root in self.asset_roots]
         file = os.fsencode(self.file_name)
         if self.text is not None:
@@ -49,7 +49,7 @@ class _Source:
         return Scene._of(core, replace(self, text=core.text))
 
     def elsewhere(self) -> _Source:
-        """The same with absolute names, for a process in another folder."""
+        """Returns a copy with absolute paths, for a process in another folder."""
         try:
             roots = tuple(os.path.abspath(root) for root in self.asset_roots)
             return replace(self, file_name=os.path.abspath(self.file_name), asset_roots=roots)
@@ -78,12 +78,12 @@ def load(
 ) -> Scene:
     """Loads the scene of a file.
 
-    overrides: keys to set above what the file says, as {"style.theme": "dark", "motion.omega_body": [0, 5, "1 rpm"]}.
-    limits: limits to raise or lower, as {"side": 16384, "memory": "4 GiB"}.
-    asset_roots: more folders in which files that the scene names may lie.
+    overrides: values that override keys of the file: {"style.theme": "dark", "motion.omega_body": [0, 5, "1 rpm"]}.
+    limits: limits to raise or lower, such as {"side": 16384, "memory": "4 GiB"}.
+    asset_roots: additional folders for files that the scene names.
 
-    Raises SceneError with everything that is wrong and where; FileError, which is also a FileNotFoundError or the like;
-    LimitError; UsageError.
+    Raises SceneError with all mistakes and their places; FileError, which is also a FileNotFoundError or another error
+    of open(); LimitError; UsageError.
     """
     return _source(_arguments.path("path", path), overrides, limits, asset_roots).scene()
 
@@ -97,37 +97,37 @@ def loads(
     limits: Mapping[str, int | str] | None = None,
     asset_roots: Sequence[Path_] = (),
 ) -> Scene:
-    """Loads the scene of a text in TOML, or of its tables as dictionaries:
+    """Loads a scene from text in TOML, or from its tables as dictionaries:
 
         poinsot.loads({"body": {"principal_moments": [1, 2, 2.5]}, "motion": {"omega_body": [0.05, "20 rpm", 0]}})
 
-    name: the scene's name, as that of a file without ".toml".
-    folder: folder from which files are read that the scene names.
+    name: name of the scene, like a file name without ".toml".
+    folder: folder of the files that the scene names.
 
-    Values are plain numbers and texts, or times (timedelta, timedelta64), arrays and pandas Series without masked
-    values, and paths. Other arguments and errors are those of load().
+    Values are plain numbers and strings, times (timedelta, timedelta64), paths, and arrays and pandas Series without
+    masked values. Other arguments and errors are those of load().
     """
     file_name = Path(_arguments.path("folder", folder)) / f"{_arguments.stem('name', name)}.toml"
     return _source(str(file_name), overrides, limits, asset_roots, _toml.scene_text(source)).scene()
 
 
 class Scene:
-    """A scene file that was read and checked: a body, its motion, and how both are drawn. load() and loads() return it.
-    It never changes.
+    """A loaded and checked scene: a body, its motion, and the way to draw both. load() and loads() return a scene. It
+    never changes.
 
-    Film time runs from 0 to `duration`; motion time is the physics' own, and may run slower or faster.
+    Film time runs from 0 to `duration`. Motion time is the time of the physics, and may run slower or faster.
 
-    Scenes are equal if their text, overrides, limits, asset roots and file names are.
+    Two scenes are equal if their texts, overrides, limits, asset roots and file names are equal.
     """
 
     __slots__ = ("__weakref__", "_core", "_place", "_source")
 
     _core: _CoreScene
     _source: _Source
-    _place: _Source  # the same, wherever the process goes
+    _place: _Source  # the source with absolute paths
 
     def __init__(self) -> None:
-        raise TypeError("a scene is made by poinsot.load() or poinsot.loads()")
+        raise TypeError("use poinsot.load() or poinsot.loads() to make a scene")
 
     @classmethod
     def _of(cls, core: _CoreScene, source: _Source) -> Scene:
@@ -150,22 +150,22 @@ class Scene:
         return self
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Scene:
-        return self  # nothing of it changes
+        return self  # a scene never changes
 
     @property
     def name(self) -> str:
-        """Name of the file without folder and ending."""
+        """Name of the file without folder and suffix."""
         return self._core.name
 
     @property
     def text(self) -> str:
-        """The scene file, as it was when it was loaded."""
+        """Text of the scene file at the time of loading."""
         return self._core.text
 
     @property
     def overrides(self) -> dict[str, Any]:
-        """Keys that load(), loads() and replace() have set. Values are as the scene was read: plain numbers, texts, lists
-        and dictionaries, also where arrays were given. The dictionary is a new one each time.
+        """Keys that load(), loads() and replace() have overridden. Values are plain numbers, strings, lists and
+        dictionaries, even if arrays were given. Each access returns a new dictionary.
         """
         return _toml.overridden(self._source.overrides)
 
@@ -186,30 +186,30 @@ class Scene:
 
     @property
     def frame_count(self) -> int:
-        """How many frames the film has."""
+        """Number of frames of the film."""
         return self._core.frame_count
 
     def replace(self, overrides: Mapping[str, Any]) -> Scene:
-        """The scene with some keys set anew, as by load(). Raises as load()."""
+        """Returns a scene with some keys overridden, as load() does. Raises the errors of load()."""
         new = {word.partition("=")[0]: word for word in _words(overrides)}
         kept = [word for word in self._source.overrides if word.partition("=")[0] not in new]
         return replace(self._source, overrides=(*kept, *new.values())).scene()
 
     def motion_time(self, t: Times) -> NDArray[np.float64]:
-        """Motion time at film times, in s; of the shape of `t`. Raises UsageError for a time outside the film."""
+        """Converts film times to motion times, in s, in the shape of `t`. Raises UsageError outside the film."""
         return self._core.motion_times(_times.film_times("t", t, self.duration))
 
     def trajectory(self, times: Times, *, span: tuple[Time, Time] | None = None) -> Trajectory:
-        """The motion at motion times, of any shape and in any order; exact at any time where no torque acts.
+        """Returns the motion at motion times of any shape and in any order. If no torque acts, it is exact at any time.
 
-        times: in s, or as timedelta or timedelta64.
-        span: the first and the last motion time over which a driven motion is integrated; without it, those of `times`
-        and 0. The last bits depend on the span. A scene keeps its latest four spans, so more times of the same span cost
-        little.
+        times: motion times in s, or as timedelta or timedelta64.
+        span: first and last motion time over which a driven motion is integrated; by default, from the earliest to the
+            latest of `times` and 0. The last bits depend on the span. A scene keeps its latest four spans, so more
+            times of the same span cost little.
 
-        Ctrl-C ends it. Raises UsageError for a time that is not finite, and LimitError, which is also a ValueError, for
-        one outside the span or so far that the motion is beyond the range of numbers; PhysicsError. A FarTimeWarning
-        reports times so far that the attitude is no longer exact to rounding.
+        Ctrl-C stops the computation. Raises UsageError for a time that is not finite. Raises LimitError, which is also
+        a ValueError, for a time outside the span, or so far from 0 that the motion is beyond the range of numbers.
+        Raises PhysicsError. A FarTimeWarning reports times so far from 0 that the attitude is not exact to rounding.
         """
         t = _times.times("times", times)
         rows = self._core.trajectory(t, _times.span(span))
@@ -236,26 +236,26 @@ class Scene:
     def check(self) -> dict[str, Any]:
         """Returns the notes that `poinsot check` prints about the scene, and how much memory a film of it takes.
 
-        The dictionary has: ok; problems, the reasons why no picture can be drawn; notes, values that are allowed and may
-        be slips (both lists of Problem, with file, line, column and message); estimates: frames, film_memory_bytes of a
-        worker that makes the film as an MP4, picture_memory_bytes of render(), all whole numbers. load() has already
-        raised mistakes in the text itself, as SceneError.
+        The dictionary has these keys. ok: whether pictures can be drawn. problems: the reasons why no picture can be
+        drawn. notes: allowed values that may be mistakes. problems and notes are lists of Problem, with file, line,
+        column and message. estimates: frames, film_memory_bytes of a worker that makes the film as an MP4, and
+        picture_memory_bytes of render(), all integers. load() raises mistakes in the text itself as SceneError.
         """
         return _check.check(self._core)
 
     def grade(self, table: Any, *, max_attitude_error: float | str | None = None) -> dict[str, Any]:
-        """Measures how far another engine's trajectory is off the motion of this scene, and from when on.
+        """Measures how far another engine's trajectory is off the motion of this scene, and since when.
 
         table: a path of a CSV file, a dictionary of arrays, a structured array, a pandas.DataFrame or a Trajectory. Its
-            columns are those of `poinsot trajectory`, in any order: t (motion time in s) and at least one of q_w, q_x,
-            q_y, q_z, of omega_B_x, omega_B_y, omega_B_z (rad/s), of omega_W_x, ...; others are ignored. Vectors may be
-            one array, too: q_WB or q_WB_xyzw (..., 4), omega_B, omega_W, L_W, rate_B, rate_W (..., 3).
-        max_attitude_error: the largest attitude error that passes, in rad or with a unit: "0.1 deg".
+            columns are those of `poinsot trajectory`, in any order: t (motion time in s) and at least one group of q_w,
+            q_x, q_y, q_z, of omega_B_x, omega_B_y, omega_B_z (rad/s), or of omega_W_x, ... Other columns are ignored. A
+            vector may also be one array: q_WB or q_WB_xyzw (..., 4), omega_B, omega_W, L_W, rate_B, rate_W (..., 3).
+        max_attitude_error: largest attitude error that passes, in rad or with a unit, such as "0.1 deg".
 
         Returns the dictionary of `poinsot grade --json`: file (None for a table in memory), scene, rows, from_s, to_s,
-        quantities (each None where its columns are absent, or its errors largest, largest_at_s, final, rms, drift),
-        fits (None, or how else the table has to be read to fit), notes; and passes, None without a max_attitude_error.
-        A number that is not finite is None.
+        quantities, fits, notes and passes. Each quantity is None if its columns are absent, else its errors: largest,
+        largest_at_s, final, rms, drift. fits is None, or another reading of the table that fits the motion. passes is
+        None without a max_attitude_error. A number that is not finite is None.
 
         Raises UsageError for a table that cannot be graded, FileError for such a file, LimitError.
         """
@@ -263,27 +263,27 @@ class Scene:
 
     def sweep_map(self, *, shape: tuple[int, int] = (91, 181)) -> dict[str, Any]:
         """Computes the stability map that `poinsot sweep --map` draws: the time from flip to flip of this body, for
-        each direction of L in it, with the scene's |L|.
+        each direction of L in the body, with the |L| of the scene.
 
-        shape: how many values theta and phi have.
+        shape: numbers of theta and phi values.
 
-        Returns a dictionary. P are the principal axes e1, e2, e3, in the order of moments.
+        Returns a dictionary with these keys. P are the principal axes e1, e2, e3, in the order of moments.
         theta: (n,) angle of L from e3, 0 to pi, rad. phi: (m,) its azimuth from e1 towards e2, 0 to 2 pi, rad.
         flip_interval: (n, m) s, inf on the separatrix and about the middle axis.
         direction_P, direction_B: (n, m, 3) unit vectors along L, in P and along the body's axes.
         moments: (3,) kg m^2. R_BP: (3, 3) takes components in P to those in B. L: |L|, kg m^2/s.
         scene: theta, phi and flip_interval of the scene's own L at its start.
         separatrix_P: (2, k, 3) the two great circles of directions that never come back.
-        scale: least and most, s: the ends of the map's colours, logarithmic between them or not.
-        labels: of theta, phi and flip_interval, for plots; TeX as matplotlib takes it.
+        scale: least and most, the ends of the colour scale in s, and logarithmic, whether the scale is logarithmic.
+        labels: labels of theta, phi and flip_interval for plots, in matplotlib's TeX.
 
-        Source: 2K/lambda of the closed form, see docs/physics.md. Raises PhysicsError if the body is not free, is at
-        rest, or has two equal moments; UsageError for another shape.
+        Source: 2K/lambda of the closed form; see docs/physics.md. Raises PhysicsError if the body is not free, is at
+        rest, or has two equal moments; UsageError for an invalid shape.
         """
         return _sweep.sweep_map(self._core, shape)
 
     def alt_text(self) -> str:
-        """The picture in words, for readers who do not see it."""
+        """Returns a description of the picture in words, for readers who cannot see the picture."""
         return self._core.alt_text()
 
     @overload
@@ -321,15 +321,16 @@ class Scene:
         transparent: bool = False,
         bits: int = 8,
     ) -> NDArray[np.uint8] | NDArray[np.uint16]:
-        """The picture at film time t in s; without one, at the scene's time.still.
+        """Returns the picture at film time t in s; by default, at time.still of the scene.
 
-        size: width and height in pixels, in place of the scene's.
-        transparent: without paper: four channels, alpha straight.
-        bits: of a sample, 8 or 16.
+        size: width and height in pixels; by default, the size of the scene.
+        transparent: draws no background. The picture then has four channels, with straight alpha.
+        bits: bits per sample, 8 or 16.
 
-        An array (height, width, 3 or 4) of uint8 or uint16, sRGB, rows from the top; the pixels of `poinsot still`.
-        Drawn on a thread of this package's. The first call removes Mesa's variables from the environment and sets its
-        own. Ctrl-C is heard while it waits for the thread. Raises UsageError, LimitError, RenderError.
+        The array has the shape (height, width, 3 or 4) and is of uint8 or uint16, in sRGB, with rows from the top. Its
+        pixels are those of `poinsot still`. A thread of this package draws the picture. The first call replaces Mesa's
+        variables in the environment by those of poinsot. Ctrl-C takes effect during the wait for the thread. Raises
+        UsageError, LimitError, RenderError.
         """
         return self._core.picture(
             None if t is None else _times.film_time("t", t, self.duration),
@@ -349,9 +350,10 @@ class Scene:
         transparent: bool = False,
         force: bool = False,
     ) -> Path:
-        """Writes the picture at film time t: .png, .pdf, .svg or .tex, by the name.
+        """Writes the picture at film time t. The suffix of the path selects .png, .pdf, .svg or .tex.
 
-        width: width on paper, as "86mm". Type and lines then have a size in points, and `size` gives the proportion only.
+        width: width on paper, such as "86mm". Text and lines then have a size in points, and `size` only sets the
+            proportion.
         dpi: pixels per inch on paper.
         force: replaces a file that poinsot did not write.
 
@@ -364,7 +366,7 @@ class Scene:
         if t is not None:
             words += ["--time", repr(_times.film_time("t", t, self.duration))]
         if width is not None:
-            words += ["--width", _arguments.text("width", width, 'a width on paper, as "86mm"')]
+            words += ["--width", _arguments.text("width", width, 'must be a width on paper, such as "86mm"')]
         if dpi is not None:
             words += ["--dpi", repr(_arguments.number("dpi", dpi))]
         if _arguments.flag("transparent", transparent):
@@ -385,16 +387,17 @@ class Scene:
         force: bool = False,
         progress: Callable[[int, int], object] | None = None,
     ) -> Film:
-        """Makes the film: .mp4, .mov, .webm, .gif or .apng, by the name. The same scene gives the same bytes.
+        """Makes the film. The suffix of the path selects .mp4, .mov, .webm, .gif or .apng. The same scene always gives
+        the same bytes.
 
-        size: width and height in pixels, in place of the scene's.
-        frames: a pair, the first and the last, both included; or a range, as range(0, 10) for frames 0 to 9; all if not
-        given.
-        jobs: how many processes work, 1 to 1024; one for each CPU if not given.
-        resume: goes on with what an earlier call that was stopped left.
+        size: width and height in pixels; by default, the size of the scene.
+        frames: the first and the last frame, both included, or a range, such as range(0, 10) for frames 0 to 9; by
+            default, all frames.
+        jobs: number of worker processes, 1 to 1024; by default, one for each CPU.
+        resume: continues an earlier call that was stopped.
         force: replaces a file that poinsot did not write.
-        progress: called with how many frames are done, and of how many. What it raises stops the film, as Ctrl-C
-        does within half a second.
+        progress: called with the number of finished frames and the number of all frames. An exception of the function
+            stops the film, as Ctrl-C does within half a second.
 
         Raises UsageError, LimitError, RenderError, FileError.
         """
@@ -422,7 +425,7 @@ class Scene:
     def _make(
         self, command: str, output: str, words: list[str], progress: Callable[[int, int], object] | None = None
     ) -> None:
-        """Runs the program on the text that was loaded, whatever is in the scene's file by now."""
+        """Runs the program on the loaded text, even if the scene's file has changed since."""
         folder, name = os.path.split(self._place.file_name)
         with tempfile.TemporaryDirectory(prefix="poinsot-") as scratch:
             copy = Path(scratch) / name

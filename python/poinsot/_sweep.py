@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from . import _arguments, _core
 
 _MOST_CELLS = 4_000_000
-_ROUNDING = 1e-15  # of a cosine whose angle is pi/2 or pi
+_ROUNDING = 1e-15  # largest rounding of a cosine whose angle is pi/2 or pi
 
 
 def sweep_map(core: _core.Scene, shape: tuple[int, int]) -> dict[str, Any]:
@@ -19,7 +19,7 @@ def sweep_map(core: _core.Scene, shape: tuple[int, int]) -> dict[str, Any]:
     rows, columns = _checked(shape)
     theta, phi = np.linspace(0, np.pi, rows, dtype=np.float64), np.linspace(0, 2 * np.pi, columns, dtype=np.float64)
     direction_P = _directions(theta[:, np.newaxis], phi[np.newaxis, :])
-    by_row = [_core.stability(core, row) for row in direction_P]  # Ctrl-C ends it between two rows
+    by_row = [_core.stability(core, row) for row in direction_P]  # Ctrl-C takes effect between two rows
     numbers = by_row[0]
     x, y, z = numbers.L_P / np.linalg.norm(numbers.L_P)
     return {
@@ -47,14 +47,14 @@ def sweep_map(core: _core.Scene, shape: tuple[int, int]) -> dict[str, Any]:
 
 
 def _checked(shape: Any) -> tuple[int, int]:
-    found = _arguments.pair(shape) or _arguments.refuse("shape", shape, "two whole numbers, of theta and of phi")
+    found = _arguments.pair(shape) or _arguments.refuse("shape", shape, "must be two integers, for theta and phi")
     if min(found) < 2 or found[0] * found[1] > _MOST_CELLS:
-        _arguments.refuse("shape", shape, f"at least 2 each, and at most {_MOST_CELLS} cells")
+        _arguments.refuse("shape", shape, f"must be at least 2 each, and at most {_MOST_CELLS} cells")
     return found
 
 
 def _directions(theta: NDArray[np.float64], phi: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Unit vectors. Components that are 0 but for rounding are exactly 0: there the flip takes for ever."""
+    """Returns unit vectors. Components that are 0 to rounding become exactly 0, where a flip takes forever."""
     parts = np.broadcast_arrays(np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta))
     direction: NDArray[np.float64] = np.stack(parts, axis=-1)
     direction[np.abs(direction) < _ROUNDING] = 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Python values as TOML, which the standard library only reads."""
+"""Conversion of Python values to TOML, which the standard library cannot write."""
 
 import json
 import math
@@ -16,15 +16,15 @@ from . import _times
 from ._arguments import is_masked, path, real, refuse, shown, text
 from ._errors import UsageError
 
-_MOST_INTEGER = 2**63 - 1  # of TOML
-_TAKES = "a scene has truth values, numbers, texts, times, and lists and tables of them"
+_MOST_INTEGER = 2**63 - 1  # largest integer of TOML
+_TAKES = "a scene accepts booleans, numbers, strings, times, and lists and tables of these"
 
 
 def value(place: str, it: Any) -> str:
-    """A value on one line. Takes truth values, numbers, texts, paths, times with a unit, and lists, arrays, pandas
-    Series and dictionaries of them.
+    """Returns a value as TOML on one line. Accepts booleans, numbers, strings, paths, times with a unit, and lists,
+    arrays, pandas Series and dictionaries of these.
 
-    place: what the value is of, for messages: "motion.omega_body[1]".
+    place: place of the value for messages, such as "motion.omega_body[1]".
     """
     if isinstance(it, (bool, np.bool_)):
         return "true" if it else "false"
@@ -46,19 +46,19 @@ def value(place: str, it: Any) -> str:
 
 
 def scene_text(source: object) -> str:
-    """A scene as text or as tables, as a text."""
+    """Returns the text of a scene that is given as text or as tables."""
     if isinstance(source, str):
-        return text("source", source, "a text")
+        return text("source", source, "must be a string")
     if not isinstance(source, Mapping):
-        refuse("source", source, "a text in TOML, or a dictionary of tables")
+        refuse("source", source, "must be text in TOML, or a dictionary of tables")
     try:
         return document(source)
     except RecursionError:
-        raise UsageError("source: a table or a list that holds itself") from None
+        raise UsageError("source: a table or a list contains itself") from None
 
 
 def document(tables: Mapping[str, Any]) -> str:
-    """A dictionary of tables as a scene file: a table has its keys on lines of their own."""
+    """Returns a dictionary of tables as a scene file, with one line for each key."""
     lines = []
     plain = {name: it for name, it in tables.items() if not isinstance(it, Mapping)}
     for name, it in plain.items():
@@ -71,17 +71,17 @@ def document(tables: Mapping[str, Any]) -> str:
 
 
 def override(key: str, it: Any) -> str:
-    """A word that sets one key of a scene."""
+    """Returns the override that sets one key of a scene, such as "style.theme=\"dark\""."""
     if not key or "=" in key:
-        raise UsageError(f"overrides: {key!r} is no key of a scene; a key is a text such as \"style.theme\"")
+        raise UsageError(f"overrides: {key!r} is not a key of a scene; a key is a string such as \"style.theme\"")
     try:
         return f"{key}={value(key, it)}"
     except RecursionError:
-        raise UsageError(f"{key}: a table or a list that holds itself") from None
+        raise UsageError(f"{key}: a table or a list contains itself") from None
 
 
 def overridden(words: Iterable[str]) -> dict[str, Any]:
-    """Keys and values of such words."""
+    """Returns the keys and values of overrides."""
     parts = (word.partition("=") for word in words)
     return {key: tomllib.loads(f"it = {it}")["it"] for key, _, it in parts}
 
@@ -91,16 +91,16 @@ def _line(table: str, key: object, it: Any) -> str:
 
 
 def _elements(place: str, it: Any) -> Sequence[Any] | NDArray[Any]:
-    """A list, an array or a pandas Series as a list or a plain array."""
+    """Converts a list, an array or a pandas Series to a list or a plain array."""
     if isinstance(it, (list, tuple)):
         return it
     if is_masked(it):
-        raise UsageError(f"{place}: has masked values, which a scene has not; fill them or leave them out")
-    if hasattr(it, "to_numpy"):  # of pandas, without importing it
+        raise UsageError(f"{place}: has masked values, which a scene cannot contain; fill them or leave them out")
+    if hasattr(it, "to_numpy"):  # a pandas object, tested without importing pandas
         it = it.to_numpy()
     if not isinstance(it, np.ndarray):
         refuse(place, it, _TAKES)
-    return np.asarray(it)  # also of a masked one whose mask masks nothing
+    return np.asarray(it)  # also converts a masked array without masked values
 
 
 def _number(place: str, it: Any, number: float) -> str:
@@ -110,7 +110,7 @@ def _number(place: str, it: Any, number: float) -> str:
         return "nan"
     if math.isinf(number):
         if not isinstance(it, (float, np.floating)):
-            refuse(place, it, "a number beyond the range of doubles")
+            refuse(place, it, "is beyond the range of doubles")
         return "inf" if number > 0 else "-inf"
     return repr(number)
 
@@ -121,6 +121,6 @@ def _text(place: str, it: str) -> str:
 
 def _key(place: str, name: object) -> str:
     if not isinstance(name, str):
-        raise UsageError(f"{place}: the key {shown(name)} is no text")
+        raise UsageError(f"{place}: the key {shown(name)} is not a string")
     bare = name.isascii() and name.replace("_", "").replace("-", "").isalnum()
     return name if bare else _text(f"a key of {place}", name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The motion as arrays."""
+"""Arrays of a motion."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Trajectory:
-    """The motion at some times, as arrays. Each has the shape of `t` in front of the shape of one value.
+    """Motion at some times, as arrays. Each array has the shape of `t`, followed by the shape of one value.
 
-    Axes: B those of the body, as the scene describes it; W inertial ones, z up.
+    B are the body's axes, as the scene describes the body. W are inertial axes, with z up.
 
     t: motion time, s.
-    q_WB: (..., 4) unit quaternion w, x, y, z, its scalar first, with w >= 0; takes components in B to those in W.
+    q_WB: (..., 4) unit quaternion w, x, y, z, its scalar first, with w >= 0; takes components in B to components in W.
     q_WB_xyzw: (..., 4) the same with its scalar last.
     R_WB: (..., 3, 3) the same rotation as a matrix.
     omega_B, omega_W: (..., 3) angular velocity I^-1 L, in B and in W, rad/s.
@@ -35,11 +35,11 @@ class Trajectory:
     rate_B, rate_W: (..., 3) rate at which the attitude turns, rad/s: omega, unless motion.dissipation acts.
     columns: names of the columns of to_frame().
 
-    motion[key] selects times as t[key] does: motion[-1], motion[::10], motion[motion.t > 1]. Its arrays are copies.
+    motion[key] selects times as t[key] does: motion[-1], motion[::10], motion[motion.t > 1]. The arrays are copies.
     """
 
     t: Array  #: motion time, s
-    q_WB: Array  #: (..., 4) unit quaternion w, x, y, z with w >= 0; takes components in B to those in W
+    q_WB: Array  #: (..., 4) unit quaternion w, x, y, z with w >= 0; takes components in B to components in W
     R_WB: Array  #: (..., 3, 3) the same rotation as a matrix
     omega_B: Array  #: (..., 3) angular velocity I^-1 L in B, rad/s
     omega_W: Array  #: (..., 3) the same vector in W
@@ -47,33 +47,34 @@ class Trajectory:
     T: Array  #: (...) energy of rotation, J
     rate_B: Array  #: (..., 3) rate at which the attitude turns in B, rad/s; omega_B unless motion.dissipation acts
     rate_W: Array  #: (..., 3) the same vector in W
-    columns: tuple[str, ...]  #: names of to_frame()'s columns: those of the program's CSV
+    columns: tuple[str, ...]  #: names of the columns of to_frame(), as in the program's CSV
 
     @property
     def L_B(self) -> Array:
-        """(..., 3) angular momentum along the body's axes, kg m^2/s."""
+        """Angular momentum along the body's axes, (..., 3), kg m^2/s."""
         return np.asarray(np.einsum("...ji,...j->...i", self.R_WB, self.L_W))
 
     @property
     def q_WB_xyzw(self) -> Array:
-        """(..., 4) the quaternion q_WB with its scalar last, x, y, z, w: the order of SciPy, ROS and glTF."""
+        """The quaternion q_WB with its scalar last, (..., 4): x, y, z, w, the order of SciPy, ROS and glTF."""
         return self.q_WB[..., [1, 2, 3, 0]]
 
     @property
     def rotation(self) -> Rotation:
         """The attitude as a scipy.spatial.transform.Rotation, from B to W: rotation.apply(omega_B) is omega_W.
 
-        One rotation for a single time; else as many as times, flattened in C order. Raises MissingPackageError without
-        SciPy.
+        The object holds one rotation for a single time, else one for each time, flattened in C order. Raises
+        MissingPackageError without SciPy.
         """
         transform = _packages.imported("scipy.spatial.transform", "Trajectory.rotation")
         return transform.Rotation.from_quat(self.q_WB_xyzw if self.t.ndim == 0 else self.q_WB_xyzw.reshape(-1, 4))
 
     def to_frame(self) -> DataFrame:
-        """A pandas.DataFrame with the columns of `poinsot trajectory`: t, q_w, q_x, q_y, q_z, omega_B_x, ..., T.
+        """Returns a DataFrame with the columns of `poinsot trajectory`: t, q_w, q_x, q_y, q_z, omega_B_x, ..., T.
 
-        A row for each time, in the order of t flattened in C order; units as of the arrays. rate_B and rate_W are there
-        only if motion.dissipation makes them other vectors than omega. Raises MissingPackageError without pandas.
+        The pandas.DataFrame has a row for each time, in the order of t flattened in C order. Units are those of the
+        arrays. rate_B and rate_W are columns only if motion.dissipation makes them differ from omega. Raises
+        MissingPackageError without pandas.
         """
         pandas = _packages.imported("pandas", "Trajectory.to_frame()")
         return pandas.DataFrame(dict(self._flat()))

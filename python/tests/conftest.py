@@ -14,7 +14,7 @@ PAGES = [ROOT / "docs/python.md", ROOT / "python/README.md"]
 
 
 def snippets(page):
-    """Python of a page, each piece with the line that it begins at."""
+    """Returns the Python snippets of a page, each with the number of its first line."""
     text = page.read_text()
     found = [(text.count("\n", 0, one.start(1)) + 1, one[1]) for one in re.finditer(r"```python\n(.*?)```", text, re.S)]
     assert text.count("```python") == len(found) > 0
@@ -23,13 +23,13 @@ def snippets(page):
 
 @pytest.fixture
 def racket():
-    """The scene of the README, drawn small."""
+    """Returns the scene of the README with small pictures."""
     return poinsot.load(SCENES / "tennis_racket.toml", {"output.size": [160, 90]})
 
 
 @pytest.fixture
 def program():
-    """Runs the program, which is the oracle of what the package makes, and returns what it printed."""
+    """Returns a function that runs the program, the oracle for the package, and returns its output."""
 
     def run(*words):
         command = [os.environ["POINSOT_TESTED_PROGRAM"], *map(str, words)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Stability maps, checks and explanations. Oracles: the closed form by SciPy, the program's info, check and explain."""
+"""Tests stability maps, checks and explanations. Oracles: the closed form by SciPy; info, check and explain."""
 
 import json
 import os
@@ -17,43 +17,43 @@ INERTIA = np.array([[2.0, 0.3, 0.1], [0.3, 3.0, -0.2], [0.1, -0.2, 3.5]])
 
 @pytest.fixture
 def tilted():
-    """A body whose principal axes are not those of its description."""
+    """Returns the scene of a body whose principal axes differ from the axes of its description."""
     return poinsot.loads({"body": {"inertia": INERTIA}, "motion": {"omega_body": [0.1, 2, 0.3]}})
 
 
 def closed_form(moments, m_P):
-    """2K/lambda for L = m_P, from the energy and |L| alone; sorted axes a < b < c (Landau and Lifshitz, section 37)."""
+    """Returns 2K/lambda for L = m_P, from energy and |L| alone; sorted axes a < b < c (Landau, Lifshitz, section 37)."""
     special = pytest.importorskip("scipy.special", reason="python3-scipy is not installed")
     (a, b, c), T2, L2 = np.sort(moments), (m_P**2 / moments).sum(axis=-1), (m_P**2).sum(axis=-1)
     about_c = L2 > T2 * b
     near, far = np.where(about_c, c, a), np.where(about_c, a, c)
-    rate = np.sqrt((near - b) * (L2 - T2 * far) / (a * b * c))  # both factors change their signs together
+    rate = np.sqrt((near - b) * (L2 - T2 * far) / (a * b * c))  # both factors change sign together
     complement = (b - far) * (T2 * near - L2) / ((near - b) * (L2 - T2 * far))
     return 2 * special.ellipk(complement) / rate
 
 
-def test_the_map_is_the_closed_form(tilted):
+def test_the_map_equals_the_closed_form(tilted):
     map = tilted.sweep_map(shape=(19, 37))
     assert (map["flip_interval"].shape, map["direction_B"].shape) == ((19, 37), (19, 37, 3))
     expected = closed_form(map["moments"], map["L"] * map["direction_P"])
-    far = expected < 20 * map["scale"]["least"]  # nearer to the separatrix 1 - k^2 is lost in this formula
+    far = expected < 20 * map["scale"]["least"]  # nearer to the separatrix, this formula loses 1 - k^2
     assert far.mean() > 0.9
     assert np.abs(map["flip_interval"] / expected - 1)[far].max() < 1.6e-13  # measured 1.6e-14
 
 
-def test_the_maps_directions_are_those_of_its_angles(tilted):
+def test_the_maps_directions_match_its_angles(tilted):
     map = tilted.sweep_map(shape=(5, 9))
     theta, phi = np.meshgrid(map["theta"], map["phi"], indexing="ij")
     expected = np.stack([np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)], axis=-1)
     assert np.abs(map["direction_P"] - expected).max() < 3e-16
     assert (map["theta"][[0, -1]] == [0, np.pi]).all() and (map["phi"][[0, -1]] == [0, 2 * np.pi]).all()
     R = map["R_BP"]
-    # P are the principal axes: measured 4.4e-16
+    # In the principal axes P, the inertia tensor is diagonal; measured 4.4e-16.
     assert np.abs(R.T @ INERTIA @ R - np.diag(map["moments"])).max() < 5e-15
     assert np.abs(map["direction_B"] - map["direction_P"] @ R.T).max() == 0
 
 
-def test_a_cell_is_what_info_says_of_a_body_that_starts_so(program, tilted):
+def test_a_cell_equals_info_of_a_body_with_this_start(program, tilted):
     map = tilted.sweep_map(shape=(5, 8))
     for cell in ((1, 1), (2, 3)):
         omega_B = np.linalg.solve(INERTIA, map["L"] * map["direction_B"][cell])
@@ -64,10 +64,10 @@ def test_a_cell_is_what_info_says_of_a_body_that_starts_so(program, tilted):
     assert racket["scene"]["flip_interval"] == pytest.approx(printed, rel=1e-14)
 
 
-def test_no_flip_comes_about_the_middle_axis_nor_on_the_separatrix():
+def test_flip_intervals_are_infinite_on_the_middle_axis():
     scene = poinsot.loads({"body": {"principal_moments": [1, 2, 3]}, "motion": {"omega_body": [0.1, 2, 0.3]}})
     map = scene.sweep_map(shape=(3, 5))
-    assert np.isinf(map["flip_interval"][1, 1]) and np.isinf(map["flip_interval"][1, 3])  # e2 and -e2
+    assert np.isinf(map["flip_interval"][1, 1]) and np.isinf(map["flip_interval"][1, 3])  # along e2 and -e2
     assert np.isfinite(map["flip_interval"]).sum() == 13
     L_P = map["L"] * map["separatrix_P"]
     assert map["separatrix_P"].shape[::2] == (2, 3)
@@ -99,7 +99,7 @@ def test_bodies_without_a_map_are_refused(changes, message):
 
 
 @pytest.mark.parametrize("shape", [3, (3,), (1, 5), (2.5, 3), (4, 5, 6), "ab", (10**4, 10**4), None])
-def test_maps_of_no_shape_are_refused(racket, shape):
+def test_invalid_shapes_are_refused(racket, shape):
     with pytest.raises(poinsot.UsageError, match="shape="):
         racket.sweep_map(shape=shape)
 
@@ -111,7 +111,7 @@ def run(*words):
     return subprocess.run([os.environ["POINSOT_TESTED_PROGRAM"], *map(str, words)], capture_output=True, text=True)
 
 
-def test_notes_are_those_of_the_programs_check(tmp_path):
+def test_notes_equal_those_of_the_programs_check(tmp_path):
     file = tmp_path / "slips.toml"
     file.write_text(
         "[body]\nshape = 'box'\nsize = [1, 2, 3]\nmass = 1\n[motion]\nomega_body = [1, 2, 3]\n"
@@ -125,7 +125,7 @@ def test_notes_are_those_of_the_programs_check(tmp_path):
     assert poinsot.load(RACKET).check()["notes"] == []
 
 
-def test_what_cannot_be_drawn_is_a_problem(tmp_path):
+def test_a_scene_that_cannot_be_drawn_has_a_problem(tmp_path):
     file = tmp_path / "driven.toml"
     file.write_text(
         "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [1, 2, 3]\ndrag.rate = [0.1, 0.1, 0.1]\n"
@@ -139,7 +139,7 @@ def test_what_cannot_be_drawn_is_a_problem(tmp_path):
     assert problem.file == str(file)
 
 
-def test_estimates_are_the_bounds_that_memory_is_refused_at(racket):
+def test_memory_limits_below_the_estimates_are_refused(racket):
     estimates = racket.check()["estimates"]
     assert estimates["frames"] == racket.frame_count
     assert {type(estimate) for estimate in estimates.values()} == {int}
@@ -161,7 +161,7 @@ def test_estimates_are_the_bounds_that_memory_is_refused_at(racket):
 
 
 @pytest.mark.parametrize("word", ["camera.fov", "fov", "camera", "racket", "slug", "units", ""])
-def test_names_are_explained_as_by_the_program(program, word):
+def test_explanations_equal_those_of_the_program(program, word):
     said = program("explain", *([word] if word else [])).decode()
 
     def words(text):
@@ -175,7 +175,7 @@ def test_names_are_explained_as_by_the_program(program, word):
             assert words(text).strip() in words(said)
 
 
-def test_an_unknown_name_gets_the_nearest():
+def test_an_unknown_name_gets_a_suggestion():
     with pytest.raises(poinsot.UsageError, match="did you mean camera.fov"):
         poinsot.explain("camera.fow")
     assert poinsot.explain("camera.fov")["camera.fov"]["default"] == '"24 deg"'

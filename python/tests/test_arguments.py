@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Wrong arguments: every function refuses them in the words of its own arguments. Times with units, frames, files."""
+"""Tests arguments: every function refuses wrong values by the argument's name. Also times with units, frames, files."""
 
 import copy
 import datetime
@@ -39,12 +39,12 @@ GOOD |= {"reference": PICTURE, "test": PICTURE, "table": {"t": [0.0], "T": [1.0]
 
 
 def called(it):
-    """A value in a test's message: Python writes no integer of 5000 digits."""
+    """Returns a value as a text for messages. Python refuses to write an integer of 5000 digits."""
     return f"<{it.bit_length()} bits>" if isinstance(it, int) else f"{it!r:.60}"
 
 
 def functions(scene):
-    """Every public function, with the name of its class."""
+    """Yields every public function, and every method of a scene, with its name."""
     for name in poinsot.__all__:
         if inspect.isfunction(thing := getattr(poinsot, name)):
             yield name, thing
@@ -53,7 +53,7 @@ def functions(scene):
             yield f"Scene.{name}", getattr(scene, name)
 
 
-def test_a_wrong_argument_is_refused_in_the_functions_own_words(tmp_path, racket):
+def test_messages_name_wrong_arguments_in_python_terms(tmp_path, racket):
     refused = 0
     for name, function in functions(racket):
         parameters = inspect.signature(function).parameters
@@ -61,7 +61,7 @@ def test_a_wrong_argument_is_refused_in_the_functions_own_words(tmp_path, racket
         assert GOOD.keys() >= set(required), f"{name}: give GOOD a value of {required}"
         good = {name: GOOD[name] for name in required}
         if name in ("Scene.save", "Scene.film"):
-            good["path"] = tmp_path / "none" / "a.mp4"  # ends soon where nothing else is wrong
+            good["path"] = tmp_path / "none" / "a.mp4"  # fails soon if all other arguments are good
         for parameter in parameters:
             for wrong in WRONG:
                 where = f"{name}({parameter}={called(wrong)})"
@@ -89,7 +89,7 @@ def test_a_wrong_value_of_a_scene_is_refused_with_its_key(racket, wrong):
             racket.replace({"time.duration": given})
         assert str(caught.value).startswith(("time.duration", "a key of time.duration")), str(caught.value)
         assert len(str(caught.value)) < 400, "a message shows no large value whole"
-        with pytest.raises((poinsot.UsageError, poinsot.SceneError), match=r"time\.duration|a list that holds itself"):
+        with pytest.raises((poinsot.UsageError, poinsot.SceneError), match=r"time\.duration|a list contains itself"):
             poinsot.loads({**OWN, "time": {"duration": given}})
 
 
@@ -97,9 +97,9 @@ def test_masks_none_and_complex_numbers_are_named_with_their_key():
     masked = np.ma.array([[2.0, 0, 0], [0, 2, 0], [0, 0, 3]], mask=np.eye(3))
     for key, wrong, words in (
         ("body.inertia", masked, r"^body\.inertia: has masked values"),
-        ("body.principal_moments", [1, None, 2], r"^body\.principal_moments\[1\]=None: a scene has"),
-        ("motion.omega_body", np.array([1, 2, 3j]), r"^motion\.omega_body\[0\]=\S*1\+0j\S*: a scene has"),
-        ("body.mass", 10**400, r"^body\.mass=<int>: a number beyond"),
+        ("body.principal_moments", [1, None, 2], r"^body\.principal_moments\[1\]=None: a scene accepts"),
+        ("motion.omega_body", np.array([1, 2, 3j]), r"^motion\.omega_body\[0\]=\S*1\+0j\S*: a scene accepts"),
+        ("body.mass", 10**400, r"^body\.mass=<int>: is beyond the range of doubles"),
     ):
         table, _, name = key.partition(".")
         with pytest.raises(poinsot.UsageError, match=words):
@@ -122,7 +122,7 @@ def test_a_time_of_a_scene_may_have_its_unit(given, seconds):
     started = poinsot.loads({**OWN, "time": {"start": given}})
     assert started.motion_time(0) == seconds  # film time 0 is this motion time
     assert poinsot.loads(OWN).replace({"time.start": given}).motion_time(0) == seconds
-    with pytest.raises(poinsot.SceneError, match=r"body\.mass.* s"):  # only where a time is meant
+    with pytest.raises(poinsot.SceneError, match=r"body\.mass.* s"):  # only keys of times take a unit
         poinsot.loads({**OWN, "body": {"principal_moments": [1, 2, 2.5], "mass": np.timedelta64(2, "s")}})
 
 
@@ -148,7 +148,7 @@ def test_times_that_are_not_finite_are_shown_short():
 @pytest.mark.parametrize("wrong", [0, -1, 1025, 2**31, 2**40, 1.5, "2", True])
 def test_jobs_are_from_1_to_1024(racket, tmp_path, wrong):
     for made in (functools.partial(racket.film, tmp_path / "a.mp4"), functools.partial(poinsot.diff, PICTURE, PICTURE)):
-        with pytest.raises(poinsot.UsageError, match="^jobs=.*from 1 to 1024"):
+        with pytest.raises(poinsot.UsageError, match="^jobs=.*must be 1 to 1024"):
             made(jobs=wrong)
 
 
@@ -174,7 +174,7 @@ def test_a_scene_takes_no_attributes_and_equals_its_copy(racket):
     assert poinsot.loads(OWN) == poinsot.loads(OWN) != poinsot.loads(OWN, folder="/") != poinsot.loads(OWN)
 
 
-def test_a_scene_is_made_by_functions():
+def test_scenes_cannot_be_made_by_their_class():
     with pytest.raises(TypeError, match=r"poinsot.load\(\)"):
         poinsot.Scene()
 
@@ -200,7 +200,7 @@ def test_a_scene_is_made_by_functions():
 def test_times_are_seconds_or_have_a_unit(given, seconds):
     t = poinsot.loads(OWN).trajectory(given).t
     assert t.dtype == np.float64 and t.shape == np.shape(seconds)
-    assert t.tolist() == seconds  # to the last bit: each has one rounding
+    assert t.tolist() == seconds  # to the last bit, because each value is rounded once
 
 
 def test_timedeltas_of_pandas_are_times():
@@ -215,7 +215,7 @@ def test_timedeltas_of_pandas_are_times():
 
 
 class Quantity(np.ndarray):
-    """An array with a unit, as packages for units have it."""
+    """An array with a unit, like those of packages for units."""
 
     unit = "ms"
 
@@ -238,7 +238,7 @@ class Quantity(np.ndarray):
         ([[1], [1, 2]], "number of seconds"),
     ],
 )
-def test_what_is_no_time_is_refused_with_its_place(given, place):
+def test_values_that_are_not_times_are_refused_with_their_index(given, place):
     with pytest.raises(poinsot.UsageError, match=place):
         poinsot.loads(OWN).trajectory(given)
 
@@ -279,7 +279,7 @@ def test_frames_are_a_pair_or_a_range(racket, monkeypatch, asked, words):
         *("0-9", (3, 0), (-1, 2), (0, 420), range(0, 421), slice(0, 9), {0, 9}, (None, 3)),
     ],
 )
-def test_other_frames_are_refused(racket, asked):
+def test_invalid_frames_are_refused(racket, asked):
     with pytest.raises(poinsot.UsageError, match="^frames="):
         racket.film("a.mp4", frames=asked)
 
@@ -302,7 +302,7 @@ def test_a_size_is_two_whole_numbers(racket, size):
         ("x" * 300, OSError, errno.ENAMETOOLONG),
     ],
 )
-def test_a_file_that_cannot_be_read_is_pythons_own_error_too(tmp_path, monkeypatch, name, kind, number):
+def test_an_unreadable_file_raises_pythons_own_error_too(tmp_path, monkeypatch, name, kind, number):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "file").write_text("")
     with pytest.raises(kind):
@@ -318,7 +318,7 @@ def test_a_file_that_cannot_be_read_is_pythons_own_error_too(tmp_path, monkeypat
 
 
 def failing_calls(scene, path):
-    """Calls that read or write a file of that name, without its ending."""
+    """Yields calls that read or write a file `path` with various endings."""
     for suffix, call in ((".png", poinsot.diff), (".mp4", poinsot.diff)):
         yield functools.partial(call, f"{path}{suffix}", PICTURE)
         yield functools.partial(call, PICTURE, PICTURE, mask=f"{path}.png")
@@ -337,7 +337,7 @@ def failing_calls(scene, path):
         ("x" * 300, OSError, errno.ENAMETOOLONG),
     ],
 )
-def test_every_function_gives_the_systems_reason(tmp_path, monkeypatch, racket, name, kind, number):
+def test_file_errors_have_the_systems_number_and_reason(tmp_path, monkeypatch, racket, name, kind, number):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "file").write_text("")
     with pytest.raises(kind):
@@ -351,15 +351,15 @@ def test_every_function_gives_the_systems_reason(tmp_path, monkeypatch, racket, 
         assert error.filename and os.path.dirname(name) in error.filename, call
 
 
-def test_a_folder_that_takes_no_files_is_the_systems_error(racket):
-    # Nobody can make a file in /proc, root neither.
+def test_an_unwritable_folder_raises_the_systems_error(racket):
+    # Not even root can create a file in /proc.
     for made in (functools.partial(racket.save, "/proc/x.png"), functools.partial(racket.film, "/proc/x.mp4")):
         with pytest.raises((FileNotFoundError, PermissionError)) as caught:
             made(size=(32, 32))
         assert isinstance(caught.value, poinsot.FileError) and caught.value.filename.startswith("/proc")
 
 
-def test_a_name_that_is_no_utf8_is_the_errors_filename(tmp_path, racket):
+def test_errors_keep_file_names_that_are_not_utf8(tmp_path, racket):
     name = os.fsdecode(os.fsencode(tmp_path) + b"/\xff/a.mp4")
     for call in (functools.partial(racket.film, name), functools.partial(poinsot.diff, name, name)):
         with pytest.raises(FileNotFoundError) as caught:
@@ -367,7 +367,7 @@ def test_a_name_that_is_no_utf8_is_the_errors_filename(tmp_path, racket):
         assert caught.value.filename in (name, os.path.dirname(name))
 
 
-def test_a_file_that_cannot_be_written_says_why(tmp_path, racket):
+def test_errors_of_unwritten_files_have_the_reason(tmp_path, racket):
     with pytest.raises(FileNotFoundError, match="no such folder") as caught:
         racket.film(tmp_path / "none" / "a.mp4")
     assert isinstance(caught.value, poinsot.FileError)
@@ -388,30 +388,30 @@ def test_a_program_that_cannot_be_started_is_named_with_its_variable(tmp_path, m
     assert isinstance(caught.value, poinsot.FileError)
 
 
-def test_a_program_that_makes_nothing_is_noticed(tmp_path, monkeypatch, racket):
+def test_a_program_that_writes_no_file_is_reported(tmp_path, monkeypatch, racket):
     monkeypatch.setenv("POINSOT_PROGRAM", "/bin/true")
     for name in ("a.mp4", "{frame:03}.png"):
-        with pytest.raises(poinsot.FileError, match="POINSOT_PROGRAM=/bin/true ended well and did not write it"):
+        with pytest.raises(poinsot.FileError, match="POINSOT_PROGRAM=/bin/true exited with 0 but did not write the file"):
             racket.film(tmp_path / name)
 
 
-def test_more_than_a_limit_allows_is_a_limit_error(tmp_path):
-    with pytest.raises(poinsot.LimitError, match=r'limits=\{"frames": N\} raises that') as caught:
+def test_exceeding_a_limit_raises_a_limit_error(tmp_path):
+    with pytest.raises(poinsot.LimitError, match=r'limits=\{"frames": N\} raises the limit') as caught:
         poinsot.loads(OWN, limits={"frames": 1})
     assert isinstance(caught.value, poinsot.SceneError) and len(caught.value.problems) == 1
     with pytest.raises(poinsot.SceneError) as caught:
         poinsot.loads(OWN, {"style.theme": "no such"}, limits={"frames": 1})
-    assert not isinstance(caught.value, poinsot.LimitError)  # more is wrong than that
+    assert not isinstance(caught.value, poinsot.LimitError)  # the limit is not the only problem
     for limits, words in (({"output": 1024}, "output"), ({"memory": "1 MiB"}, "memory")):
         scene = poinsot.loads({**OWN, "time": {"duration": 0.1}}, {"output.size": [64, 36]}, limits=limits)
-        with pytest.raises(poinsot.LimitError, match=rf'limits={{"{words}": \w+}} raises that') as caught:
+        with pytest.raises(poinsot.LimitError, match=rf'limits={{"{words}": \w+}} raises the limit') as caught:
             scene.film(tmp_path / f"{words}.mp4")
         assert "--" not in str(caught.value) and "poinsot:" not in str(caught.value)
-    with pytest.raises(poinsot.LimitError, match=r'^size=.*limits={"side": N} raises that'):
+    with pytest.raises(poinsot.LimitError, match=r'^size=.*limits={"side": N} raises the limit'):
         scene.render(size=(100_000, 90))
 
 
-def test_an_override_that_is_wrong_is_no_file(racket):
+def test_a_wrong_override_is_reported_without_a_file(racket):
     with pytest.raises(poinsot.SceneError) as caught:
         racket.replace({"style.theme": "drak"})
     problem = caught.value.problems[0]
@@ -421,7 +421,7 @@ def test_an_override_that_is_wrong_is_no_file(racket):
     assert (str(again), again.problems) == (str(caught.value), caught.value.problems)
 
 
-def test_names_that_are_no_utf8_are_read_and_written(tmp_path, racket):
+def test_files_with_names_that_are_not_utf8_are_read_and_written(tmp_path, racket):
     name = os.fsencode(tmp_path) + b"/\xff.toml"
     with open(name, "w") as file:
         file.write(racket.text)

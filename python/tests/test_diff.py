@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures compared. Oracles: the program's JSON for files of the same pixels, and NumPy for the figures."""
+"""Tests poinsot.diff(). Oracles: the program's JSON for files of the same pixels, and NumPy for the figures."""
 
 import itertools
 import json
@@ -20,7 +20,7 @@ def shown(seed, shape=(32, 48, 3), dtype=np.uint8):
 
 
 def near(picture, step=1, share=0.3):
-    """The same but for some samples."""
+    """Returns a copy of a picture with some samples changed by up to `step`."""
     random = np.random.default_rng(7)
     steps = random.integers(-step, step + 1, picture.shape) * (random.random(picture.shape) < share)
     moved = picture.astype(np.int64) + steps
@@ -51,7 +51,7 @@ def saved(tmp_path):
 
 
 @pytest.mark.parametrize("shape", [(32, 48), (32, 48, 2), (32, 48, 3), (32, 48, 4)], ids=str)
-def test_figures_are_the_programs_to_the_last_bit(saved, shape):
+def test_figures_equal_the_programs_to_the_last_bit(saved, shape):
     a = shown(1, shape)
     for b in (a.copy(), near(a), near(a, 60, 0.1)):
         file_a, file_b = saved(a), saved(b)
@@ -63,7 +63,7 @@ def test_figures_are_the_programs_to_the_last_bit(saved, shape):
         assert poinsot.diff(Image.open(file_a), str(file_b)) == {**expected, "reference": None}
 
 
-def test_sixteen_bits_are_the_programs(tmp_path, program):
+def test_figures_of_16_bits_equal_the_programs(tmp_path, program):
     for name, theme in (("a.png", "light"), ("b.png", "dark")):
         form = ("--size", "48x32", "--bits", "16", "-D", f"style.theme={theme}")
         program("still", "scenes/tennis_racket.toml", *form, "-o", tmp_path / name)
@@ -75,7 +75,7 @@ def test_sixteen_bits_are_the_programs(tmp_path, program):
     assert (expected["verdict"], poinsot.diff(a, tmp_path / "a.png")["verdict"]) == ("different", "identical")
 
 
-def test_a_grey_png_of_sixteen_bits_is_what_pil_makes_of_it(saved):
+def test_a_grey_png_of_16_bits_is_read_as_by_pil(saved):
     deep = shown(3, (32, 48), np.uint16)
     file = saved(deep)
     assert Image.open(file).mode.startswith("I")
@@ -83,19 +83,19 @@ def test_a_grey_png_of_sixteen_bits_is_what_pil_makes_of_it(saved):
     assert poinsot.diff(file, Image.open(file))["notes"] == []
 
 
-def test_palettes_and_bilevel_pictures_are_compared_as_they_show(saved):
+def test_palette_and_bilevel_pictures_are_compared_by_colour(saved):
     plain = shown(4)
     palette = Image.fromarray(plain).quantize(16)
     assert poinsot.diff(palette, np.asarray(palette.convert("RGB")))["verdict"] == "identical"
     bilevel = Image.fromarray(plain).convert("1")
     assert poinsot.diff(bilevel, np.asarray(bilevel.convert("L")))["verdict"] == "identical"
-    palette.info["transparency"] = 0  # the colour 0 is not seen
+    palette.info["transparency"] = 0  # colour 0 becomes transparent
     assert poinsot.diff(palette, np.asarray(palette.convert("RGBA")))["verdict"] == "identical"
-    with pytest.raises(poinsot.UsageError, match="reference: a PIL image of the mode CMYK"):
+    with pytest.raises(poinsot.UsageError, match="reference: a PIL image of mode CMYK"):
         poinsot.diff(Image.fromarray(plain).convert("CMYK"), plain)
 
 
-def test_figures_are_numpys():
+def test_figures_equal_those_of_numpy():
     a = shown(1)
     b = near(a, 60, 0.1)
     figures = poinsot.diff(a, b)
@@ -131,7 +131,7 @@ def test_figures_are_numpys():
     ],
     ids=str,
 )
-def test_rules_are_the_programs(saved, rule, words):
+def test_rules_equal_the_programs_options(saved, rule, words):
     a = shown(1)
     b = near(a, 60, 0.1)
     expected = by_program(saved(a), saved(b), *words)
@@ -139,7 +139,7 @@ def test_rules_are_the_programs(saved, rule, words):
     assert poinsot.diff(a, b, rule=rule)["limits"] == expected["limits"]
 
 
-def test_places_are_left_out(saved):
+def test_ignored_boxes_and_masks_are_left_out(saved):
     a = shown(1)
     b = a.copy()
     b[4:9, 10:30] ^= 255
@@ -165,7 +165,7 @@ def test_films_are_compared_frame_by_frame(tmp_path):
     assert figures == by_program(*films)
     assert (len(figures["frames"]), figures["verdict"]) == (3, "different")
     assert poinsot.diff(films[0], films[0], jobs=2)["verdict"] == "identical"
-    with pytest.raises(poinsot.UsageError, match="the reference is a film, the test a picture"):
+    with pytest.raises(poinsot.UsageError, match="the reference is a film, but the test is a picture"):
         poinsot.diff(films[0], shown(1))
 
 
@@ -175,44 +175,44 @@ PICTURE = shown(1)
 @pytest.mark.parametrize(
     "asked, message",
     [
-        ({"test": shown(1, (32, 47, 3))}, "the size is 47x32, not 48x32: pictures of different sizes are not compared"),
-        ({"test": PICTURE / 255}, "test: samples of the type float64; uint8 or uint16"),
-        ({"test": PICTURE.astype(np.int64)}, "test: samples of the type int64"),
-        ({"test": PICTURE > 3}, "test: samples of the type bool"),
-        ({"test": [[1, 2], [3, 4]]}, "test: samples of the type int64"),
-        ({"test": None}, "test=None: a path, an array of pixels or a PIL image"),
+        ({"test": shown(1, (32, 47, 3))}, "the size is 47x32, not 48x32: only pictures of the same size can be compared"),
+        ({"test": PICTURE / 255}, "test: expected samples of type uint8 or uint16, got float64"),
+        ({"test": PICTURE.astype(np.int64)}, "test: expected samples of type uint8 or uint16, got int64"),
+        ({"test": PICTURE > 3}, "test: expected samples of type uint8 or uint16, got bool"),
+        ({"test": [[1, 2], [3, 4]]}, "test: expected samples of type uint8 or uint16, got int64"),
+        ({"test": None}, "test=None: must be a path, an array of pixels or a PIL image"),
         ({"test": PICTURE[0, 0]}, r"test: shape \(3,\)"),
         ({"test": PICTURE[:, :, :, np.newaxis]}, "test: shape"),
         ({"test": PICTURE[:0]}, "test: shape"),
         ({"test": np.zeros((4, 4, 5), np.uint8)}, r"test: shape \(4, 4, 5\)"),
         ({"test": "/"}, "test: / is a folder"),
-        ({"rule": "alike"}, "rule 'alike': no rule has this name; there are same, near, other_driver"),
-        ({"rule": {"maxx": 3}}, "rule: no limit is called 'maxx'; there are like, max, pixels"),
+        ({"rule": "alike"}, "rule 'alike': unknown rule; known rules: same, near, other_driver"),
+        ({"rule": {"maxx": 3}}, "rule: unknown key 'maxx'; the keys are like, max, pixels"),
         ({"rule": {"max": 256}}, "rule: max '0-256': the end of the range must be a number from 0 to 255"),
         ({"rule": {"max": "2"}}, "rule: max '2': write 0-2"),
-        ({"rule": {"max": True}}, r"rule\['max'\]=True: a number"),
-        ({"rule": {"max": [2]}}, r"rule\['max'\]=\[2\]: a number"),
+        ({"rule": {"max": True}}, r"rule\['max'\]=True: must be a finite number"),
+        ({"rule": {"max": [2]}}, r"rule\['max'\]=\[2\]: must be a finite number"),
         ({"rule": {"max": 255, "pixels": "0-100%", "flip_mean": 1, "flip_max": 1}}, "rule: every picture would pass"),
-        ({"rule": 3}, "rule=3: a dictionary"),
-        ({"ignore": [(1, 2, 3)]}, "ignore=.*: a list of boxes"),
-        ({"ignore": np.array(3)}, "ignore=.*: a list of boxes"),
-        ({"ignore": [np.array(3)]}, "ignore=.*: a list of boxes"),
+        ({"rule": 3}, "rule=3: must be a dictionary"),
+        ({"ignore": [(1, 2, 3)]}, "ignore=.*: must be a list of boxes"),
+        ({"ignore": np.array(3)}, "ignore=.*: must be a list of boxes"),
+        ({"ignore": [np.array(3)]}, "ignore=.*: must be a list of boxes"),
         ({"test": np.ma.array(PICTURE, mask=PICTURE == PICTURE)}, "test: has masked values"),
         ({"ignore": [(100, 0, 1, 1)]}, r"ignore \[100, 0, 1, 1\]: outside of the picture"),
         ({"mask": np.ones((3, 3), bool)}, "mask: its size is 3x3; the picture's is 48x32"),
         ({"mask": np.ones((32, 48), bool)}, "nothing is left to compare"),
-        ({"pixels_per_degree": 0}, "pixels_per_degree=0: a number from 1 to 1000"),
-        ({"jobs": 0}, "jobs=0: from 1 to 1024"),
+        ({"pixels_per_degree": 0}, "pixels_per_degree=0: must be a number from 1 to 1000"),
+        ({"jobs": 0}, "jobs=0: must be 1 to 1024"),
         ({"limits": {"memry": 3}}, "memry"),
     ],
     ids=str,
 )
-def test_what_cannot_be_compared_is_refused(asked, message):
+def test_invalid_arguments_are_refused(asked, message):
     with pytest.raises(poinsot.UsageError, match=message):
         poinsot.diff(**{"reference": PICTURE, "test": PICTURE, **asked})
 
 
-def test_files_and_memory_that_there_are_not(tmp_path):
+def test_missing_files_and_memory_are_reported(tmp_path):
     with pytest.raises(poinsot.FileError, match="none.png"):
         poinsot.diff(PICTURE, tmp_path / "none.png")
     (tmp_path / "text.png").write_text("no picture")

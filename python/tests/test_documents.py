@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What docs/python.md and the examples show: it runs, and its numbers are right."""
+"""Tests the pages on Python and the examples: they run, and their numbers are right."""
 
 import subprocess
 import sys
@@ -12,7 +12,7 @@ from conftest import PAGES, ROOT, snippets
 import poinsot
 
 EXAMPLES = sorted((ROOT / "python/examples").glob("*.py"))
-SMALL = {"output.size": [160, 90], "time.fps": 2}  # so that pictures and films take no time
+SMALL = {"output.size": [160, 90], "time.fps": 2}  # so that pictures and films take little time
 
 
 def need(file, packages):
@@ -24,7 +24,7 @@ def need(file, packages):
 
 @pytest.fixture
 def small(monkeypatch, tmp_path):
-    """Makes scenes small, in a folder of its own; those of the gallery are found from there."""
+    """Makes all scenes small, and runs in a temporary folder, from which scenes of the gallery are found."""
     load, loads = poinsot.load, poinsot.loads
     monkeypatch.setattr(poinsot, "load", lambda path: load(ROOT / "scenes" / Path(path).name, SMALL))
     monkeypatch.setattr(poinsot, "loads", lambda tables: loads(tables, SMALL))
@@ -39,7 +39,7 @@ def test_snippets_run_in_the_order_of_their_page(page, small):
         exec(compile("\n" * (line - 1) + code, str(page), "exec"), names)
 
 
-def test_the_page_tells_the_error_of_its_integration(small):
+def test_the_page_states_the_error_of_its_integration(small):
     (code,) = (code for _, code in snippets(ROOT / "docs/python.md") if "spin.grade" in code)
     names = {"poinsot": poinsot}
     exec(code, names)

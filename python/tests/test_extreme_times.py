@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Times at the ends of the doubles in every kind of motion: a state, or an error that names the time; no abort."""
+"""Tests extreme times in every kind of motion: each gives a state, or an error that names the time; none aborts."""
 
 import json
 import re
@@ -31,7 +31,7 @@ DRIVEN = {
     "hanging": (TURNING, [0, 0, 1e-40], {"gravity": {"mgr_body": [0, 0, -1]}, "orientation": [1, 0, 0, 0]}),
 }
 
-# Prints for each kind and time, alone or in an array, what came of it.
+# Prints the outcome of each kind of motion at each time, given alone or in an array.
 PROGRAM = """
 import json, sys, warnings
 import numpy as np
@@ -58,14 +58,14 @@ for kind, (moments, omega, more) in json.loads(sys.argv[1]).items():
 def outcomes(kinds):
     words = [sys.executable, "-c", PROGRAM, json.dumps(kinds), json.dumps(TIMES)]
     done = subprocess.run(words, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr  # negative: a signal
+    assert done.returncode == 0, done.stderr  # a negative code means a signal
     rows = [json.loads(line) for line in done.stdout.splitlines()]
     assert len(rows) == len(kinds) * len(TIMES)
     return rows
 
 
 def named(text, index):
-    """The time that a message begins with."""
+    """Returns the time at the beginning of a message."""
     begin = rf"times{re.escape(index)}: t|times{re.escape(index)}" if index else "t|times"
     return re.match(rf"(?:{begin}) = (\S+?)(?: s)?: ", text)[1]
 
@@ -78,9 +78,9 @@ def test_a_time_has_a_finite_state_or_an_error_that_names_it(kinds):
         if t != t or abs(t) == float("inf"):
             assert said == "UsageError", where
         elif abs(t) <= max(TINY):
-            assert said == "finite" and detail < 1e-12, where  # 0: at 1e-300 s nothing has moved
+            assert said == "finite" and detail < 1e-12, where  # measured 0: at 1e-300 s nothing has moved
             continue
-        elif kinds is FREE and abs(t) > 1e290:  # the farthest phase of a motion, in rad (physics/motion.h)
+        elif kinds is FREE and abs(t) > 1e290:  # largest phase of a motion, in rad (physics/motion.h)
             assert said == "LimitError", where
         else:
             assert said in ("finite", "LimitError", "PhysicsError"), where

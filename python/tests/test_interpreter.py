@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The package in the interpreter: Ctrl-C, subinterpreters, reloading, the end of the process."""
+"""Tests the package in the interpreter: Ctrl-C, subinterpreters, reloading, the end of the process."""
 
 import signal
 import subprocess
@@ -25,7 +25,7 @@ def ready():
     print("ready", flush=True)
 """
 
-# Each would take 1 to 15 s. "motion of a thread" waits for a thread that integrates the same motion.
+# Calls that would take 1 to 15 s. "motion of a thread" waits for a thread that integrates the same motion.
 LONG = {
     "rows": "s = poinsot.loads(BODY); ready(); s.trajectory(np.arange(6e6))",
     "driven motion": "s = poinsot.loads(BODY, DRIVEN); ready(); s.trajectory(1000)",
@@ -40,7 +40,7 @@ time.sleep(0.05)
 ready()
 s.trajectory(300)
 """,
-    # A frame of 1600x900 that differs takes 0.4 s.
+    # Comparing a frame of 1600x900 that differs takes 0.4 s.
     "films": """
 s = poinsot.loads(BODY, {"output.size": [1600, 900], "time.duration": 0.2})
 names = [s.replace({"time.start": t}).film(f"{FOLDER}/{t}.mp4").path for t in (0, 1)]
@@ -60,7 +60,7 @@ def run(program, **options):
 
 
 @pytest.mark.parametrize("work", LONG)
-def test_ctrl_c_is_heard_in_half_a_second(work, tmp_path):
+def test_ctrl_c_interrupts_within_half_a_second(work, tmp_path):
     tried = textwrap.indent(LONG[work], "    ")
     program = f"{PRELUDE}\nFOLDER = {str(tmp_path)!r}\ntry:\n{tried}\nexcept KeyboardInterrupt:\n    print('heard', flush=True)\n"
     with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True) as process:
@@ -69,11 +69,11 @@ def test_ctrl_c_is_heard_in_half_a_second(work, tmp_path):
         sent = time.monotonic()
         process.send_signal(signal.SIGINT)
         assert process.stdout.readline() == "heard\n"
-        assert time.monotonic() - sent < 0.5  # 0.05
-    assert process.returncode == 0  # a picture is finished meanwhile
+        assert time.monotonic() - sent < 0.5  # measured 0.05
+    assert process.returncode == 0  # a picture in progress is finished first
 
 
-def test_an_interrupted_motion_can_be_asked_for_again():
+def test_an_interrupted_motion_can_be_computed_again():
     said = run(f"""{PRELUDE}
 import os, signal
 s = poinsot.loads(BODY, DRIVEN)
@@ -99,7 +99,7 @@ if (child := os.fork()) != 0:  # a fork has none of the threads
     assert os.waitpid(child, 0)[1] == 0
 print("end")
 """)
-    assert (said.stdout.splitlines()[0], said.stderr, said.returncode) == ("end", "", 0)  # used to be aborted
+    assert (said.stdout.splitlines()[0], said.stderr, said.returncode) == ("end", "", 0)  # the process used to abort
 
 
 def test_a_fork_integrates_what_a_thread_of_its_parent_was_integrating():
@@ -115,7 +115,7 @@ assert os.waitpid(child, 0)[1] == 0
     assert (said.stdout, said.stderr, said.returncode) == ("True\n", "", 0)
 
 
-def test_a_handler_may_ask_for_the_motion_that_it_interrupts():
+def test_a_signal_handler_may_use_the_motion_that_it_interrupts():
     said = run(f"""{PRELUDE}
 import signal
 s, heard = poinsot.loads(BODY, DRIVEN), []
@@ -129,7 +129,7 @@ print(heard == [own])
 
 @pytest.mark.parametrize("before", ["", "import poinsot"])
 def test_a_subinterpreter_gets_an_import_error(before):
-    pytest.importorskip("_xxsubinterpreters")  # until Python 3.12
+    pytest.importorskip("_xxsubinterpreters")  # exists until Python 3.12
     said = run(f"""{before}
 import sys, _xxsubinterpreters as interpreters
 other = interpreters.create()
@@ -140,7 +140,7 @@ except interpreters.RunFailedError as error:
 import poinsot
 print(poinsot.load("scenes/tennis_racket.toml").frame_count)
 """)
-    assert "ImportError" in said.stdout and "main interpreter only" in said.stdout, said
+    assert "ImportError" in said.stdout and "only in the main interpreter" in said.stdout, said
     assert said.stdout.endswith("\n420\n") and said.returncode == 0
 
 

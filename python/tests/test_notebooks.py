@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The notebooks run from top to bottom; their own assertions hold the motion against what the lecture says of it."""
+"""Tests that the notebooks run from top to bottom. Their own assertions compare the motion with the lecture."""
 
 from pathlib import Path
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures as arrays: they are the program's, from any thread and process."""
+"""Tests pictures as arrays: they equal the program's, in any thread and process."""
 
 import io
 import multiprocessing
@@ -16,7 +16,7 @@ def pixels(file):
     return np.asarray(Image.open(file))
 
 
-def test_pictures_are_those_of_the_program(tmp_path, program, racket):
+def test_pictures_equal_the_programs(tmp_path, program, racket):
     program("still", "scenes/tennis_racket.toml", "--size", "160x90", "--time", "2", "-o", tmp_path / "a.png")
     program("still", "scenes/tennis_racket.toml", "--size", "90x160", "--transparent", "-o", tmp_path / "b.png")
     one, other = racket.render(2), racket.render(size=(90, 160), transparent=True)
@@ -25,10 +25,10 @@ def test_pictures_are_those_of_the_program(tmp_path, program, racket):
     assert np.array_equal(other, pixels(tmp_path / "b.png"))
 
 
-def test_sixteen_bits_are_the_eight_and_more(racket):
+def test_pictures_of_16_bits_refine_those_of_8_bits(racket):
     deep = racket.render(1, bits=16)
     assert deep.dtype == np.uint16
-    assert np.abs(deep / 257.0 - racket.render(1)).max() < 1  # a step of 8 bits
+    assert np.abs(deep / 257.0 - racket.render(1)).max() < 1  # less than a step of 8 bits
     assert len(np.unique(deep)) > 300
 
 
@@ -41,10 +41,10 @@ def test_an_array_outlives_its_scene(racket):
     for _ in range(10):
         made()
     assert np.array_equal(first, kept)
-    first[:] = 0  # it is the caller's own
+    first[:] = 0  # the caller owns the array
 
 
-def test_threads_share_the_drawing(racket):
+def test_threads_draw_the_same_pictures(racket):
     times = [0.5 * i for i in range(16)]
     alone = [racket.render(t) for t in times]
     with ThreadPoolExecutor(8) as pool:
@@ -58,7 +58,7 @@ def _sum(t):
     ).sum())
 
 
-def test_another_process_draws_too(racket):
+def test_a_spawned_process_draws_the_same_pictures(racket):
     racket.render(0)
     with multiprocessing.get_context("spawn").Pool(2) as pool:
         assert pool.map(_sum, [0, 1, 2]) == [_sum(0), _sum(1), _sum(2)]
@@ -68,7 +68,7 @@ def _bytes(scene, t):
     return scene.render(t).tobytes()
 
 
-def test_a_scene_goes_to_another_process(racket):
+def test_a_scene_can_be_sent_to_another_process(racket):
     scene = racket.replace({"output.size": [96, 54], "style.theme": "dark"})
     times = [0.0, 2.5]
     with ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn")) as pool:
@@ -82,7 +82,7 @@ def _refused(t):
     return True
 
 
-def test_a_fork_of_one_that_has_drawn_is_refused(racket):
+def test_a_fork_of_a_process_that_has_drawn_is_refused(racket):
     racket.render(0)
     with multiprocessing.get_context("fork").Pool(1) as pool:
         assert pool.map(_refused, [0, 1]) == [True, True]
@@ -98,12 +98,12 @@ def test_a_notebook_shows_a_picture_of_the_scene():
 @pytest.mark.parametrize(
     "asked", [{"t": -1}, {"t": 14.1}, {"t": float("nan")}, {"size": (8, 90)}, {"bits": 12}]
 )
-def test_what_cannot_be_drawn_is_refused(racket, asked):
+def test_invalid_arguments_of_render_are_refused(racket, asked):
     with pytest.raises(poinsot.UsageError):
         racket.render(**asked)
 
 
-def test_memory_is_bounded():
+def test_more_memory_than_the_limit_is_refused():
     scene = poinsot.load("scenes/tennis_racket.toml", limits={"memory": "100 MiB"})
     with pytest.raises(poinsot.LimitError, match="MiB"):
         scene.render(size=(8000, 8000))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reading scenes: from files, texts and dictionaries, and what is wrong with them."""
+"""Tests reading scenes from files, texts and dictionaries, and the reports of their mistakes."""
 
 import copy
 import pickle
@@ -14,7 +14,7 @@ from poinsot import _toml
 OWN = {"body": {"principal_moments": [1, 2, 2.5]}, "motion": {"omega_body": [0.05, "20 rpm", 0]}}
 
 
-def test_a_dictionary_is_the_scene_that_its_text_is():
+def test_a_dictionary_gives_the_same_scene_as_its_text():
     text = '[body]\nprincipal_moments = [1, 2, 2.5]\n[motion]\nomega_body = [0.05, "20 rpm", 0]\n'
     assert poinsot.loads(OWN).info() == poinsot.loads(text).info()
 
@@ -23,11 +23,11 @@ def test_a_dictionary_is_the_scene_that_its_text_is():
     "it",
     [True, 3, -2.5, 1e300, 5e-324, float("inf"), "", 'q"uo\\te\n\t\x01\x7f ω', [1, [2.5, "x"]], {"a b": {"c": [False]}}],
 )
-def test_values_are_written_as_toml_reads_them(it):  # oracle: Python's own reader
+def test_values_are_written_as_toml_reads_them(it):  # oracle: Python's tomllib
     assert tomllib.loads(_toml.document({"key": it, "table": {"of": it}})) == {"key": it, "table": {"of": it}}
 
 
-def test_arrays_are_values():
+def test_arrays_and_numpy_numbers_are_written_as_toml():
     assert tomllib.loads(_toml.document({"m": np.eye(2), "n": np.int64(3), "b": np.bool_(True)})) == {
         "m": [[1.0, 0.0], [0.0, 1.0]],
         "n": 3,
@@ -35,13 +35,13 @@ def test_arrays_are_values():
     }
 
 
-def test_what_is_no_value_is_refused():
+def test_values_that_toml_lacks_are_refused():
     for it in (object(), None, 1j, {1: 2}):
         with pytest.raises(poinsot.UsageError):
             poinsot.loads({"body": {"mass": it}})
 
 
-def test_a_mistake_has_its_place(tmp_path):
+def test_a_mistake_has_file_line_and_column(tmp_path):
     file = tmp_path / "spin.toml"
     file.write_text("[body]\nprincipal_moments = [1, 2, 2.5]\n[motion]\nomega_bdoy = [1, 2, 3]\n")
     with pytest.raises(poinsot.SceneError, match="did you mean motion.omega_body") as caught:
@@ -51,7 +51,7 @@ def test_a_mistake_has_its_place(tmp_path):
     assert places == [(str(file), 4, 1)]
 
 
-def test_overrides_are_above_the_file_and_replace_is_above_them(racket):
+def test_overrides_win_over_the_file_and_replace_over_both(racket):
     assert racket.size == (160, 90)
     dark = racket.replace({"style.theme": "dark", "output.size": [64, 48]})
     assert dark.size == (64, 48)
@@ -68,7 +68,7 @@ def test_overrides_can_be_read_back():
     assert scene.overrides == plain
     later = scene.replace({"time.duration": 2, "output.size": [32, 32]})
     assert later.overrides == {**plain, "time.duration": 2, "output.size": [32, 32]}
-    assert list(later.overrides)[-2:] == ["time.duration", "output.size"]  # set last, so above the others
+    assert list(later.overrides)[-2:] == ["time.duration", "output.size"]  # set last, so that they win
     scene.overrides.clear()
     assert scene.overrides == plain
     assert poinsot.loads(OWN, later.overrides).info() == later.info()
@@ -86,13 +86,13 @@ def test_a_scene_can_be_pickled_and_copied(tmp_path, monkeypatch):
         asset_roots=["assets"],
     ).replace({"motion.omega_body": [3, 2, 1]})
     pickled = pickle.dumps(scene)
-    monkeypatch.chdir("/")  # as another process may be
+    monkeypatch.chdir("/")  # as in another process
     again = pickle.loads(pickled)
     for of in ("name", "text", "size", "duration", "overrides", "frame_count"):
         assert getattr(again, of) == getattr(scene, of)
     assert np.array_equal(again.trajectory([1, 2]).q_WB, scene.trajectory([1, 2]).q_WB)
     assert np.array_equal(again.render(1), scene.render(1))
-    assert copy.copy(scene) is scene and copy.deepcopy({"of": [scene]})["of"][0] is scene  # nothing of it changes
+    assert copy.copy(scene) is scene and copy.deepcopy({"of": [scene]})["of"][0] is scene  # a scene never changes
 
 
 def test_limits_hold_and_can_be_raised():
@@ -113,12 +113,12 @@ def test_files_that_a_scene_names_lie_in_its_folder_or_an_asset_root(tmp_path):
         poinsot.loads(styled, folder=tmp_path),
         poinsot.loads(styled, folder=tmp_path / "elsewhere", asset_roots=[tmp_path]),
     ):
-        assert scene.render(0, size=(32, 32)).mean() < 100  # dark paper
+        assert scene.render(0, size=(32, 32)).mean() < 100  # dark background
         scene.save(tmp_path / "still.png", 0, size=(32, 32))
         (tmp_path / "still.png").unlink()
 
 
-def test_what_a_scene_says_of_itself(racket):
+def test_a_scene_has_properties_and_descriptions(racket):
     assert (racket.name, racket.duration, racket.fps, racket.frame_count) == ("tennis_racket", 14, 30, 420)
     assert racket.motion_time(10.0) == pytest.approx(9.0)  # at speed 0.9
     assert racket.motion_time([[0, 1], [2, 3]]).shape == (2, 2)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A trajectory as pandas and SciPy know it, and trajectories of others graded.
+"""Tests trajectories as pandas and SciPy objects, and grades of trajectories of other programs.
 
 Oracles: the program's CSV and JSON, NumPy's indexing, SciPy's rotations.
 """
@@ -29,7 +29,7 @@ def rotations():
 
 
 @pytest.mark.parametrize("overrides", [{}, {"motion.dissipation.alpha": 0.5}])
-def test_a_frame_is_the_programs_table(pandas, program, overrides):
+def test_a_data_frame_equals_the_programs_table(pandas, program, overrides):
     words = [word for key, value in overrides.items() for word in ("-D", f"{key}={value}")]
     table = program("trajectory", RACKET, "--at=2.25,0,7.5", *words)
     frame = poinsot.load(RACKET, overrides).trajectory([2.25, 0, 7.5]).to_frame()
@@ -38,7 +38,7 @@ def test_a_frame_is_the_programs_table(pandas, program, overrides):
     pandas.testing.assert_frame_equal(frame, expected, check_exact=True)
 
 
-def test_a_frame_has_a_row_for_each_time_of_any_shape(pandas, racket):
+def test_a_data_frame_has_a_row_for_each_time_of_any_shape(pandas, racket):
     times = np.linspace(0, 5, 6).reshape(2, 3)
     grid = racket.trajectory(times)
     pandas.testing.assert_frame_equal(grid.to_frame(), racket.trajectory(times.ravel()).to_frame(), check_exact=True)
@@ -46,9 +46,9 @@ def test_a_frame_has_a_row_for_each_time_of_any_shape(pandas, racket):
     assert (len(racket.trajectory(1.5).to_frame()), len(racket.trajectory([]).to_frame())) == (1, 0)
 
 
-def test_a_rotation_takes_the_bodys_components_to_inertial_ones(rotations, racket):
+def test_a_rotation_takes_body_components_to_inertial_ones(rotations, racket):
     motion = racket.trajectory(np.linspace(0, 7, 50))
-    # measured 4.5e-16, and 1.8e-15 of 4.2 rad/s
+    # Measured 4.5e-16, and 1.8e-15 of 4.2 rad/s.
     assert np.abs(motion.rotation.as_matrix() - motion.R_WB).max() < 2e-15
     assert np.abs(motion.rotation.apply(motion.omega_B) - motion.omega_W).max() < 2e-14
     assert np.abs(rotations.from_quat(motion.q_WB_xyzw).as_matrix() - motion.R_WB).max() < 2e-15
@@ -81,7 +81,7 @@ def test_rows_are_selected_as_numpy_selects_times(racket, key):
     assert picked.R_WB.shape == (*picked.t.shape, 3, 3)
 
 
-def test_a_trajectory_is_gone_through_time_by_time(racket):
+def test_iterating_a_trajectory_yields_each_time(racket):
     motion = racket.trajectory([0.0, 1.5, 4.0])
     assert [float(one.t) for one in motion] == [0.0, 1.5, 4.0]
     with pytest.raises(IndexError):
@@ -109,7 +109,7 @@ def test_nothing_optional_is_imported_before_it_is_used():
 
 @pytest.fixture
 def engine(racket):
-    """A log with a slow drift of the attitude about z and a smaller one of omega, as arrays."""
+    """Returns arrays of a log with a slow drift of the attitude about z, and a smaller drift of omega."""
     t = np.linspace(0, 7, 40)
     motion = racket.trajectory(t)
     half = 0.5e-4 * t
@@ -120,7 +120,7 @@ def engine(racket):
 
 
 def columns_of(engine):
-    """The same, a column for each component, and one that means nothing."""
+    """Returns the log with a column for each component, and a column that grading ignores."""
     columns = {"t": engine["t"], "note": np.array(["x"] * len(engine["t"]))}
     columns |= {f"q_{part}": engine["q_WB"][:, i] for i, part in enumerate("wxyz")}
     return columns | {f"omega_B_{part}": engine["omega_B"][:, i] for i, part in enumerate("xyz")}
@@ -128,7 +128,7 @@ def columns_of(engine):
 
 @pytest.fixture
 def log(tmp_path, engine):
-    """Its CSV file."""
+    """Returns the CSV file of the log."""
     columns = columns_of(engine)
     rows = zip(*columns.values(), strict=True)
     lines = [columns, *([it if isinstance(it, str) else repr(float(it)) for it in row] for row in rows)]
@@ -136,10 +136,10 @@ def log(tmp_path, engine):
     return tmp_path / "log.csv"
 
 
-def test_the_drift_that_was_put_in_is_found(racket, engine):
+def test_grading_finds_a_known_drift(racket, engine):
     grade = racket.grade(engine)
     attitude, omega = grade["quantities"]["attitude"], grade["quantities"]["omega_B"]
-    assert attitude["largest"] == pytest.approx(7e-4, rel=1e-9)  # rad: 1e-4 t
+    assert attitude["largest"] == pytest.approx(7e-4, rel=1e-9)  # 1e-4 t, in rad
     assert attitude["rms"] == pytest.approx(1e-4 * np.sqrt(np.mean(engine["t"] ** 2)), rel=1e-9)
     size = np.linalg.norm(racket.trajectory(engine["t"]).omega_B, axis=1)
     assert omega["largest"] == pytest.approx((1e-6 * engine["t"] * size).max() / size.max(), rel=1e-8)
@@ -147,7 +147,7 @@ def test_the_drift_that_was_put_in_is_found(racket, engine):
     assert grade["passes"] is None
 
 
-def test_a_grade_is_the_programs(racket, program, log, engine):
+def test_a_grade_equals_the_programs(racket, program, log, engine):
     expected = json.loads(program("grade", RACKET, log, "--json"))
     grade = racket.grade(log)
     assert {**expected, "passes": None} == grade
@@ -163,13 +163,13 @@ def structured(engine):
     return table
 
 
-def test_frames_are_graded(pandas, racket, engine, log):
+def test_data_frames_are_graded(pandas, racket, engine, log):
     expected = {**racket.grade(log), "file": None}
     frame = pandas.DataFrame(columns_of(engine))
     assert racket.grade(frame) == expected
     assert racket.grade(frame.set_index("t")) == expected
     doubled = pandas.concat([frame, frame[["q_w"]]], axis=1)
-    with pytest.raises(poinsot.UsageError, match="column q_w is there twice"):
+    with pytest.raises(poinsot.UsageError, match="column q_w occurs twice"):
         racket.grade(doubled)
     own = racket.trajectory([0, 1, 2])
     assert racket.grade(own.to_frame())["quantities"] == racket.grade(own)["quantities"]
@@ -200,7 +200,7 @@ GOOD = {"t": [0.0, 1.0], "omega_B": np.ones((2, 3))}
         (3, "table: got int"),
         ([1, 2], "table: got list"),
         ({}, "no column t"),
-        ({"time": [1.0]}, "no column t; is it 'time'"),
+        ({"time": [1.0]}, "no column t; if 'time' is the time, name it t"),
         ({"t": [0, 1]}, r"table: no motion to grade; give q_WB, an array \(n, 4\), or omega_B, an array \(n, 3\)"),
         ({"t": [0, 1], "qx": [1, 1], "qy": [0, 0]}, "no motion to grade; .*; got 'qx', 'qy'$"),
         ({"t": [0, 1], "q_w": [1, 1]}, "column q_z is missing"),
@@ -208,16 +208,16 @@ GOOD = {"t": [0.0, 1.0], "omega_B": np.ones((2, 3))}
         ({**GOOD, "t": [0, np.nan]}, r"t\[1\] = nan: a time is a finite"),
         ({**GOOD, "t": [], "omega_B": np.ones((0, 3))}, "no rows"),
         ({**GOOD, "omega_B": np.ones((3, 2))}, r"omega_B: shape \(3, 2\); its last axis must have 3"),
-        ({**GOOD, "omega_B": np.ones((2, 3)) * 1j}, "omega_B: values of the type complex"),
-        ({**GOOD, "T": np.array(["a", "b"])}, "T: values of the type <U1"),
-        ({**GOOD, "T": np.array([1, "b"], object)}, "T: has values that are no real numbers$"),
+        ({**GOOD, "omega_B": np.ones((2, 3)) * 1j}, "omega_B: expected real numbers, got values of type complex"),
+        ({**GOOD, "T": np.array(["a", "b"])}, "T: expected real numbers, got values of type <U1"),
+        ({**GOOD, "T": np.array([1, "b"], object)}, "T: has values that are not real numbers$"),
         ({**GOOD, "omega_B": np.ma.array(np.ones((2, 3)), mask=np.eye(2, 3))}, r"omega_B: has masked .*\.any\(axis=-1\)$"),
         ({**GOOD, "t": np.ma.array([0, 1], mask=[0, 1])}, r"t\[1\] = masked"),
         ({**GOOD, "t": np.array(["2024-01-01", "2024-01-02"], "M8[D]")}, "t: a time is a number of seconds"),
     ],
     ids=lambda it: it if isinstance(it, str) else "",
 )
-def test_what_cannot_be_graded_is_refused(racket, table, message):
+def test_malformed_tables_are_refused(racket, table, message):
     with pytest.raises(poinsot.UsageError, match=message):
         racket.grade(table)
 
@@ -236,7 +236,7 @@ def test_bad_limits_files_and_times_are_refused(racket, tmp_path):
         racket.replace({"motion.torque.body": [1, 0, 0]}).grade({**GOOD, "t": [0, 1e300]})
 
 
-def test_rows_with_masked_values_are_left_out_as_the_message_says(racket):
+def test_the_advice_for_masked_values_works(racket):
     omega_B = np.ma.array(np.ones((3, 3)), mask=[[0, 0, 1], [0, 0, 0], [0, 0, 0]])
     t = np.array([0.0, 1.0, 2.0])
     with pytest.raises(poinsot.UsageError) as caught:

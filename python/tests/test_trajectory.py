@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The motion as arrays, against integrations and closed forms worked out here, and against the program's table."""
+"""Tests the motion as arrays against integrations and closed forms computed here, and against the program's table."""
 
 import re
 
@@ -17,11 +17,11 @@ def free(**motion):
 
 
 def euler(omega):
-    """Eq 24 to 26 without torque."""
+    """Returns the rate of omega by Euler's equations, eq 24 to 26, without torque."""
     return np.cross(MOMENTS * omega, omega) / MOMENTS
 
 
-def test_omega_is_what_eulers_equations_give():
+def test_omega_solves_eulers_equations():
     step, steps = 1e-3, 5000
     omega, all_omega = START, [START]
     for _ in range(steps):  # Runge-Kutta of fourth order
@@ -32,7 +32,7 @@ def test_omega_is_what_eulers_equations_give():
         omega = omega + step / 6 * (a + 2 * b + 2 * c + d)
         all_omega.append(omega)
     motion = free().trajectory(np.arange(steps + 1) * step)
-    assert np.abs(motion.omega_B - all_omega).max() < 1e-10  # 6e-12, the integration's own error
+    assert np.abs(motion.omega_B - all_omega).max() < 1e-10  # measured 6e-12, the error of the integration
 
 
 def test_the_attitude_follows_omega():
@@ -41,16 +41,16 @@ def test_the_attitude_follows_omega():
     before, now, after = (scene.trajectory(t + shift) for shift in (-h, 0, h))
     rate_W = (after.R_WB - before.R_WB) / (2 * h) @ np.swapaxes(now.R_WB, -1, -2)
     omega_W = np.stack([rate_W[:, 2, 1], rate_W[:, 0, 2], rate_W[:, 1, 0]], axis=-1)
-    assert np.abs(omega_W - now.omega_W).max() < 1e-8  # 5e-10: differences of second order
+    assert np.abs(omega_W - now.omega_W).max() < 1e-8  # measured 5e-10, the error of differences of second order
 
 
-def test_the_attitude_of_a_dissipating_body_turns_at_the_rate():
+def test_the_attitude_of_a_dissipating_body_turns_at_rate_w():
     t, h = np.linspace(1, 19, 20), 1e-4
     scene = free(dissipation={"alpha": 0.005})
     before, now, after = (scene.trajectory(t + shift) for shift in (-h, 0, h))
     turning_W = (after.R_WB - before.R_WB) / (2 * h) @ np.swapaxes(now.R_WB, -1, -2)
     rate_W = np.stack([turning_W[:, 2, 1], turning_W[:, 0, 2], turning_W[:, 1, 0]], axis=-1)
-    assert np.abs(rate_W - now.rate_W).max() < 1e-7  # differences of second order
+    assert np.abs(rate_W - now.rate_W).max() < 1e-7  # error of differences of second order
     assert np.abs(rate_W - now.omega_W).max() > 1e-2
     L_B = MOMENTS * now.omega_B
     assert np.abs(now.rate_B - now.omega_B - 0.005 * np.cross(L_B, now.omega_B)).max() < 1e-14
@@ -58,7 +58,7 @@ def test_the_attitude_of_a_dissipating_body_turns_at_the_rate():
     assert np.array_equal(plain.rate_B, plain.omega_B) and np.array_equal(plain.rate_W, plain.omega_W)
 
 
-def test_what_is_kept_is_kept():
+def test_conserved_quantities_and_orthogonality_are_kept():
     motion = free().trajectory(np.linspace(-1e6, 1e6, 1001))
     assert np.abs(motion.L_W - motion.L_W[0]).max() < 1e-13
     assert np.ptp(motion.T) < 1e-13
@@ -80,7 +80,7 @@ def test_a_symmetric_top_precesses_at_L_over_I1():  # eq 20
     assert np.abs(turned - k[1]).max() < 1e-14
 
 
-def test_the_rows_are_those_of_the_programs_table(tmp_path, program, racket):
+def test_rows_equal_the_programs_table(tmp_path, program, racket):
     times = [0.0, -3.5, 1e6]
     table = program("trajectory", "scenes/tennis_racket.toml", "--at=0,-3.5,1e6").decode().splitlines()
     rows = np.array([[float(word) for word in line.split(",")] for line in table[1:]])
@@ -97,7 +97,7 @@ def test_arrays_have_the_shape_of_the_times():
     assert (none.T.shape, none.omega_B.shape, len(none)) == ((0,), (0, 3), 0)
 
 
-def test_bad_and_far_times():
+def test_bad_times_are_refused_and_far_times_warned_about():
     with pytest.raises(poinsot.UsageError):
         free().trajectory([0, np.nan])
     for t, words in ((1e14, "no longer exact"), (1e18, "meaningless")):
@@ -115,7 +115,7 @@ def test_bad_and_far_times():
         ).trajectory(1e3)
 
 
-def test_a_trajectory_shows_its_times_on_a_line():
+def test_repr_shows_the_number_and_range_of_times():
     scene = free()
     assert repr(scene.trajectory([[0, 1.5], [3, -1]])) == "<poinsot trajectory: 4 times, from -1 s to 3 s>"
     assert repr(scene.trajectory(2)) == "<poinsot trajectory: 1 time, from 2 s to 2 s>"

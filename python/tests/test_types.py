@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The types: strict within, complete for users, and the stubs of the module name what it has."""
+"""Tests types and docstrings: mypy accepts the package and its users, and the stubs match the extension module."""
 
 import ast
 import os
@@ -23,7 +23,7 @@ def mypy(*words, cwd):
     return subprocess.run(command, cwd=cwd, env=environment, capture_output=True, text=True)
 
 
-def test_the_package_its_users_and_the_snippets_of_its_pages_are_checked(tmp_path):
+def test_mypy_checks_the_package_a_user_and_the_snippets(tmp_path):
     (tmp_path / "user.py").write_text(
         "import datetime, poinsot\n"
         "import numpy as np\n"
@@ -47,8 +47,8 @@ def test_the_package_its_users_and_the_snippets_of_its_pages_are_checked(tmp_pat
         code = "\n".join(code for _, code in snippets(page))
         (tmp_path / f"{page.stem}.py").write_text(code)
     said = mypy("user.py", *(f"{page.stem}.py" for page in PAGES), cwd=tmp_path)
-    assert re.findall(r"([0-9]+): error", said.stdout) == ["11", "16"], said.stdout  # and none of the pages' snippets
-    # Which of the comments "type: ignore" are needed depends on the versions of mypy and NumPy.
+    assert re.findall(r"([0-9]+): error", said.stdout) == ["11", "16"], said.stdout  # none in the snippets
+    # The versions of mypy and NumPy decide which comments "type: ignore" are needed.
     within = mypy("--no-warn-unused-ignores", "-p", "poinsot", cwd=tmp_path)
     assert within.returncode == 0, within.stdout
 
@@ -57,7 +57,7 @@ def names(of):
     return {name for name in vars(of) if not name.startswith("_")}
 
 
-def test_the_stubs_name_what_the_module_has():
+def test_the_stubs_match_the_module():
     stub = ast.parse((PACKAGE / "_core.pyi").read_text())
     classes = {node.name: node for node in stub.body if isinstance(node, ast.ClassDef)}
     values = {node.target.id for node in stub.body if isinstance(node, ast.AnnAssign)}
@@ -67,7 +67,7 @@ def test_the_stubs_name_what_the_module_has():
         assert {part.name for part in node.body} == names(getattr(_core, name)), name
 
 
-def test_what_is_public_has_a_docstring():
+def test_everything_public_has_a_docstring():
     for name in set(poinsot.__all__) - {"__version__"}:
         thing = getattr(poinsot, name)
         assert thing.__doc__, name

@@ -17,7 +17,7 @@ namespace {
 
 using scene::Limit;
 
-/// Calls `set`, and adds the option's name to an error.
+/// Calls `set`. If `set` throws an error, adds the option's name to the message.
 template <class Set>
 void setBy(const std::string& option, Set set) {
   try {
@@ -27,11 +27,11 @@ void setBy(const std::string& option, Set set) {
   }
 }
 
-/// Rejects a path that exists but is no folder. A missing folder is allowed, because it holds no files.
+/// Rejects a path that exists but is not a folder. Allows a missing folder, which contains no files.
 void expectFolder(const std::string& word) {
   std::error_code ignored;
   if (std::filesystem::is_directory(word, ignored) || !std::filesystem::exists(word, ignored)) return;
-  throw core::usageError(fmt::format("--asset-root {}: it is no folder", core::printable(word)));
+  throw core::usageError(fmt::format("--asset-root {}: not a folder", core::printable(word)));
 }
 
 }  // namespace
@@ -42,20 +42,20 @@ void addLimitOptions(const Command& command, AllowanceOptions& options) {
       .repeats();
   command
       .option("--max-memory", options.memory,
-              "refuse what is estimated to take more in one process (default: 2GiB)")
+              "refuse a run if one of its processes is estimated to need more memory (default: 2GiB)")
       .type("SIZE")
       .notEmpty();
-  command.option("--max-seconds", options.seconds, "end after so long, with exit code 2")
+  command.option("--max-seconds", options.seconds, "stop after N seconds, with exit code 2")
       .type("N")
       .range(std::int64_t{1}, scene::rowOf(Limit::kSeconds).highest);
   command.flag("--untrusted", options.untrusted,
-               "of a stranger's files: in a sandbox that reads nothing but them, writes nothing but the output, "
-               "and has no network and no other programs (Linux)");
+               "for files from strangers: run in a sandbox that can read only these files, write only the output, "
+               "and use no network and no other programs (Linux)");
 }
 
 void addAllowance(const Command& command, AllowanceOptions& options) {
   addLimitOptions(command, options);
-  command.option("--asset-root", options.assetRoots, "another folder in which files that a scene names may lie")
+  command.option("--asset-root", options.assetRoots, "additional folder from which a scene may load files")
       .type("FOLDER")
       .repeats()
       .notEmpty();

@@ -15,10 +15,13 @@ namespace {
 }  // namespace
 
 void expectMayApprove(const AllowanceOptions& options) {
-  if (options.untrusted) refuse("--update: nothing that is not trusted is approved");
+  if (options.untrusted)
+    refuse("--update: not possible with --untrusted, because untrusted pictures are never approved");
   const char* ci = std::getenv("CI");
   if (ci && *ci && std::string_view(ci) != "0" && std::string_view(ci) != "false")
-    refuse("--update: nothing is approved where the environment says CI; look at the pictures first");
+    refuse(
+        "--update: not possible while the environment variable CI is set; look at the pictures first, then "
+        "approve them outside CI");
 }
 
 std::filesystem::path attachmentRoot() {

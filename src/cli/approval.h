@@ -7,12 +7,12 @@
 
 namespace poinsot::cli {
 
-/// Checks that pictures may be approved. A CI job must not approve any, because nobody looks at them.
+/// Checks that the user may approve pictures. A CI job may not, because nobody looks at its pictures.
 /// @throws core::Error(kUsage) if the environment variable CI is set, or with --untrusted
 void expectMayApprove(const AllowanceOptions& options);
 
-/// Returns the folder from which a CI server resolves paths of attachments: GitLab's CI_PROJECT_DIR. Empty if the
-/// variable is not set, as on Jenkins, which takes absolute paths.
+/// Returns the folder to which paths of attachments in JUnit reports are relative: CI_PROJECT_DIR on GitLab. Empty
+/// if the variable is not set, for example on Jenkins, which accepts absolute paths.
 std::filesystem::path attachmentRoot();
 
 }  // namespace poinsot::cli

@@ -26,10 +26,11 @@ request::OutputTarget filmTarget(const AssembleOptions& options, const request::
   if (options.film.empty()) return output;
   const auto film = request::parseTarget(options.film);
   if (film.kind != output.kind || output.kind != request::OutputKind::kFilm)
-    throw core::usageError("-o names another place for a film; frames stay where they are");
+    throw core::usageError("-o: possible only for a film; numbered frames stay where they are");
   if (film.path.extension() != output.path.extension())
-    throw core::usageError(fmt::format("-o {}: the segments are those of a {}", core::printable(options.film),
-                                       core::printable(output.path.extension().string())));
+    throw core::usageError(
+        fmt::format("-o {}: the segments belong to a {} film; choose a name with the same extension",
+                    core::printable(options.film), core::printable(output.path.extension().string())));
   return film;
 }
 
@@ -47,7 +48,7 @@ int assemble(const AssembleOptions& options) {
   const auto folder = job::workFolderOf(output.path);
   const auto job = job::readJobRecord(folder, output);
   if (!job)
-    throw core::ioError(fmt::format("{}: there are no segments of it here; {}", core::printable(options.output),
+    throw core::ioError(fmt::format("{}: no segments found; {}", core::printable(options.output),
                                     job::nothingUnderWayText(output, folder)));
   if (film.kind == request::OutputKind::kFilm) enterFiles(options, folder, *job, film);
   job::WorkFolder work(output.path, job::WorkFolderUse::kResumed);
@@ -65,16 +66,17 @@ int assemble(const AssembleOptions& options) {
 
 void addAssemble(const Command& program) {
   auto options = std::make_shared<AssembleOptions>();
-  const Command command = program.command("assemble", "join the segments that shards have made; refuses gaps");
-  command.option("OUTPUT", options->output, "what the shards were told with -o").required();
+  const Command command =
+      program.command("assemble", "join the segments that shards have made; fails if frames are missing");
+  command.option("OUTPUT", options->output, "the output that the shards were given with -o").required();
   command.option("-o,--output", options->film, "another name for the film").type("FILE");
   command.flag("--force", options->force, "replace a file that this program did not write");
   command.flag("--keep", options->keep, "keep the segments");
-  command.flag("--quiet", options->quiet, "say nothing but errors");
+  command.flag("--quiet", options->quiet, "print only errors");
   command.footer(
       "Examples:\n"
       "  poinsot render scenes/football.toml -o out/football.mp4 --shard 1/2\n"
-      "  poinsot render scenes/football.toml -o out/football.mp4 --shard 2/2    # on another machine, say\n"
+      "  poinsot render scenes/football.toml -o out/football.mp4 --shard 2/2    # for example on another machine\n"
       "  poinsot assemble out/football.mp4");
   command.does({[options] { return assemble(*options); }});
 }

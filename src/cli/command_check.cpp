@@ -22,7 +22,7 @@ struct CheckOptions : SceneOptions {
   std::vector<std::string> scenes;
 };
 
-/// Checks a scene without drawing; the stage finds what the motion lacks. Returns notes on likely mistakes.
+/// Checks a scene and its motion without drawing. Returns notes on likely mistakes.
 std::string checkScene(const std::string& fileName, const CheckOptions& options,
                        const scene::Allowance& allowance) {
   const scene::Scene scene =
@@ -57,7 +57,7 @@ int check(const CheckOptions& options) {
 
 void addCheck(const Command& program) {
   auto options = std::make_shared<CheckOptions>();
-  const Command command = program.command("check", "say what is wrong with scene files, all of it at once");
+  const Command command = program.command("check", "check scene files and report all errors at once");
   command.option("SCENE", options->scenes, "scene files (TOML)").required();
   addOverrides(command, *options);
   command.footer(

@@ -40,7 +40,7 @@ using core::ErrorKind;
 struct DiffOptions : AllowanceOptions {
   std::string reference, test, rule, mask, map, difference, curve, report, junit, markdown;
   std::vector<std::string> limits =
-      std::vector<std::string>(compare::ruleLimits().size());  ///< values as typed; empty if not given
+      std::vector<std::string>(compare::ruleLimits().size());  ///< as typed; empty if not given
   std::vector<std::string> ignore, update;
   double pixelsPerDegree = compare::kFlipPixelsPerDegree;
   int jobs = 0;
@@ -49,7 +49,8 @@ struct DiffOptions : AllowanceOptions {
 
 enum class Kind { kPicture, kFolder, kFilm };
 
-/// Returns the kind of a path by its content. @throws Error(kIo) if nothing is there.
+/// Returns whether a path is a folder, a film or a picture, judged by its content. @throws Error(kIo) if the path
+/// does not exist.
 Kind kindOf(const fs::path& path) {
   std::error_code failure;
   const fs::file_status status = fs::status(path, failure);
@@ -62,13 +63,13 @@ Kind kindOf(const fs::path& path) {
   return output::isFilm(path) ? Kind::kFilm : Kind::kPicture;
 }
 
-/// Returns how to compare the two paths. A film and a picture count as different; a folder and a file are an
-/// error.
+/// Returns how to compare the two paths. A film and a picture are compared as pictures, which differ. A folder and
+/// a file are an error.
 Kind commonKind(const DiffOptions& options) {
   const Kind reference = kindOf(options.reference), test = kindOf(options.test);
   if (reference == test) return reference;
   if (reference != Kind::kFolder && test != Kind::kFolder) return Kind::kPicture;
-  throw core::usageError("both must be files, or both folders");
+  throw core::usageError("REFERENCE and TEST must both be files or both be folders");
 }
 
 compare::PictureRule ruleOf(const DiffOptions& options) {
@@ -110,11 +111,11 @@ void enterMaps(output::RunFiles& files, const compare::DiffRequest& request, con
 void expectNamesOfReports(const DiffOptions& options, Kind kind) {
   if (!options.curve.empty() && kind != Kind::kFilm) throw core::usageError("--curve: needs two films");
   if (!options.report.empty() && !fs::path(options.report).extension().native().starts_with(".htm"))
-    throw core::usageError(fmt::format("report '{}': works: NAME.html{}", core::printable(options.report),
+    throw core::usageError(fmt::format("report '{}': must be named NAME.html{}", core::printable(options.report),
                                        core::smallLettersHint(options.report, {".html", ".htm"})));
 }
 
-/// Registers all files before anything is compared. @param names  names in two folders; null for other kinds
+/// Registers the files of a run. @param names  file names in the two folders; null for other kinds
 void enterFiles(const DiffOptions& options, const compare::DiffRequest& request,
                 const compare::FolderNames* names) {
   output::RunFiles files(options.force);
@@ -134,7 +135,7 @@ void enterFiles(const DiffOptions& options, const compare::DiffRequest& request,
   files.addsTo(options.markdown, "--markdown", compare::markdownKind());
 }
 
-/// Compares pictures, folders or films, and writes the reports.
+/// Comparison of pictures, folders or films, with its reports.
 class Diff {
  public:
   explicit Diff(const DiffOptions& options)
@@ -208,7 +209,7 @@ class Diff {
                              : unreadable  ? ""
                                            : compare::diffText(compared.diff, request_);
     const int code = finish({outcome}, text);
-    if (unreadable) throw *unreadable;  // after the reports are written
+    if (unreadable) throw *unreadable;  // thrown after the reports are written
     return code;
   }
 
@@ -222,7 +223,7 @@ class Diff {
     addReport([&] { return compare::outcomePage(outcomes, headOf(diff.verdict()), jobs()); });
     const int code = finish(outcomes, options_.json ? compare::diffJson(outcomes, names(), request_)
                                                     : compare::diffText(outcomes, diff.names.linkedFolders));
-    if (diff.firstError) throw *diff.firstError;  // after the reports are written
+    if (diff.firstError) throw *diff.firstError;  // thrown after the reports are written
     return code;
   }
 
@@ -251,7 +252,8 @@ class Diff {
     say(text);
     const bool passes = compare::countFailures(outcomes, options_.exact) == 0;
     if (!passes && !options_.quiet && !options_.json && compare::countFailures(outcomes, false) == 0)
-      writeErr("poinsot: not all pixels and not all ways of storing them are identical, as --exact asks\n");
+      writeErr(
+          "poinsot: the pixels or the ways of storing them differ, but --exact requires both to be identical\n");
     return passes ? kDone : kNo;
   }
 
@@ -299,12 +301,13 @@ int diff(const DiffOptions& options) {
 }
 
 void addLimits(const Command& command, DiffOptions& options) {
-  constexpr const char* kGroup = "What is \"near\"";
+  constexpr const char* kGroup = "Limits of \"near\"";
   const auto add = [&](const char* name, auto& value, const char* form, const std::string& help) {
     return command.option(name, value, help).type(form).notEmpty().group(kGroup);
   };
   add("--rule", options.rule, "NAME",
-      fmt::format("limits by name: {} (default: near); those below change it", compare::ruleNames()));
+      fmt::format("named set of limits: {} (default: near); the options below override single limits",
+                  compare::ruleNames()));
   for (std::size_t i = 0; i < options.limits.size(); ++i) {
     const compare::RuleLimit& limit = compare::ruleLimits()[i];
     add(limit.option, options.limits[i], limit.form, limit.help);
@@ -319,20 +322,22 @@ void addDiff(const Command& program) {
   auto options = std::make_shared<DiffOptions>();
   const Command command = program.command("diff", "compare two pictures, folders of them, or films");
   command.option("REFERENCE", options->reference, "PNG file, folder or film").required().notEmpty();
-  command.option("TEST", options->test, "what is compared with it").required().notEmpty();
+  command.option("TEST", options->test, "PNG file, folder or film to compare with REFERENCE")
+      .required()
+      .notEmpty();
   command.flag("--exact", options->exact, "exit 0 only for identical pictures that are stored alike");
-  command.flag("--json", options->json, "the figures as a JSON object");
-  command.flag("--quiet", options->quiet, "only the exit code");
+  command.flag("--json", options->json, "print the figures as a JSON object");
+  command.flag("--quiet", options->quiet, "print nothing; only set the exit code");
   command
       .option("--map", options->map,
-              "write what FLIP has of each pixel, in the colours of magma: PNG; of folders a folder; of films "
-              "that of the worst frame")
+              "write the FLIP error of each pixel as a PNG in the colours of magma; for folders, a folder of "
+              "maps; for films, the map of the worst frame")
       .type("FILE")
       .notEmpty();
-  command.option("--diff-image", options->difference, "likewise the difference, 16 times amplified")
+  command.option("--diff-image", options->difference, "like --map, but write the difference, amplified 16 times")
       .type("FILE")
       .notEmpty();
-  command.option("--curve", options->curve, "write the figures of two films over time: CSV, or SVG as a picture")
+  command.option("--curve", options->curve, "write the figures of two films over time, as CSV or as a plot in SVG")
       .type("FILE")
       .notEmpty();
   command.option("--report", options->report, "write a page of HTML that shows what changed")
@@ -344,8 +349,9 @@ void addDiff(const Command& program) {
       .type("FILE")
       .notEmpty();
   command
-      .option("--update", options->update,
-              "approve: copy the pictures of these names, * for any characters, over the reference; not in CI")
+      .option(
+          "--update", options->update,
+          "approve: copy the pictures with these names (* matches any characters) over the reference; not in CI")
       .type("NAME")
       .notEmpty();
   command.option("--ppd", options->pixelsPerDegree, "pixels per degree of view, for FLIP (default: 67.02)")
@@ -358,9 +364,9 @@ void addDiff(const Command& program) {
   addLimits(command, *options);
   addLimitOptions(command, *options);
   command.footer(
-      "Identical pictures exit 0; near ones, within all the limits, exit 0, with --exact 1; different ones 1.\n"
-      "Pictures of another size are different: nothing is resized. How pixels are stored (grey, palette,\n"
-      "16 bits, opaque alpha) is no difference, except with --exact.\n"
+      "Exit code 0 if the pictures are identical or near, that is, within all limits; 1 if they are different,\n"
+      "or near with --exact. Pictures of different size are different: nothing is resized. How pixels are stored\n"
+      "(grey, palette, 16 bits, opaque alpha) counts as a difference only with --exact.\n"
       "Examples:\n"
       "  poinsot diff approved.png new.png --map flip.png\n"
       "  poinsot diff approved/ new/ --report out/diff.html\n"

@@ -10,7 +10,7 @@
 namespace poinsot::cli {
 namespace {
 
-constexpr std::size_t kText = 24;  // column where a finding's text begins
+constexpr std::size_t kText = 24;  // column where the text of a finding begins
 
 const char* wordFor(job::Finding::State state) {
   switch (state) {
@@ -41,7 +41,7 @@ int doctor() {
 void addDoctor(const Command& program) {
   const Command command = program.command(
       "doctor",
-      "say what of this machine works: OpenGL, encoders, memory, a film of a second; and what to install");
+      "check what works on this machine (OpenGL, encoders, memory, a one-second film), and what to install");
   command.footer(
       "Example:\n"
       "  poinsot doctor\n"

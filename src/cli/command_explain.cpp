@@ -30,8 +30,8 @@ std::string explanationText(const scene::Explanation& explanation) {
   return text;
 }
 
-/// Returns the explanations of a name in scenes, in a golden.toml, or in both. @throws core::Error(kUsage) for any
-/// other word
+/// Returns the explanations of a name as a key of scenes, of golden.toml, or of both. @throws core::Error(kUsage)
+/// if neither has the name
 std::vector<scene::Explanation> explanationsOf(const std::string& word) {
   std::vector<scene::Explanation> golden = suite::explainGolden(word);
   if (golden.empty()) return scene::explain(word, suite::goldenWords());
@@ -54,12 +54,11 @@ int explain(const std::vector<std::string>& words) {
 void addExplain(const Command& program) {
   auto words = std::make_shared<std::vector<std::string>>();
   const Command command = program.command(
-      "explain", "say what a key of a scene or of a golden.toml means: unit, range, default, an example");
-  command.option(
-      "NAME", *words,
-      "a key (camera.fov, or fov), a table (camera), a shape, a body of the catalogue, a quantity or a unit; "
-      "units for the list of all units; golden for a golden.toml, and its keys (golden.rule.max, or max); all "
-      "tables where none is named");
+      "explain", "explain a key of a scene or of a golden.toml: meaning, unit, range, default, example");
+  command.option("NAME", *words,
+                 "a key (camera.fov, or fov), a table (camera), a shape, a body of the catalogue, a quantity or a "
+                 "unit; units for the list of all units; golden for a golden.toml, or one of its keys "
+                 "(golden.rule.max, or max); without NAME, all tables");
   command.footer(
       "Examples:\n"
       "  poinsot explain camera\n"

@@ -47,7 +47,7 @@ struct Item {
 
 std::vector<fs::path> sceneFiles(const GalleryOptions& options) {
   std::vector<fs::path> files;
-  std::error_code ignored;  // anything but a folder is read as a scene, which reports errors
+  std::error_code ignored;  // if the path is not a folder, it is read as a scene, which reports errors
   const auto places = options.places.empty() ? std::vector{scenesPlace()} : options.places;
   for (const fs::path place : places)
     if (fs::is_directory(place, ignored))
@@ -68,7 +68,7 @@ void checkOnly(const std::vector<std::string>& only, const std::vector<fs::path>
   }
 }
 
-/// Rejects two scenes with the same name, or a scene with the sheet's name, because their pictures would collide.
+/// Rejects scenes whose pictures would have the same name as another scene's picture, or as the contact sheet.
 void checkNames(const std::vector<fs::path>& files) {
   std::set<std::string> seen{kSheetName};
   for (const fs::path& file : files)
@@ -89,10 +89,10 @@ std::vector<fs::path> chosenFiles(const GalleryOptions& options) {
   return files;
 }
 
-/// Returns the folder of the pictures, and makes it if it is missing; for the default also its parent.
+/// Returns the folder of the pictures. Creates it if missing, together with the parent of the default folder.
 fs::path preparedFolder(const GalleryOptions& options) {
   fs::path folder = options.output.empty() ? fs::path("out") / "gallery" : fs::path(options.output);
-  std::error_code ignored;  // checking the targets reports a missing folder
+  std::error_code ignored;  // ignored: a later check of the targets reports a missing folder
   if (options.dryRun) return folder;
   if (options.output.empty()) fs::create_directory("out", ignored);
   fs::create_directory(folder, ignored);
@@ -110,7 +110,7 @@ Item itemOf(const GalleryOptions& options, const scene::Allowance& allowance, co
   one.scene = file;
   auto requested = requestedScene(one, allowance);
   const scene::Scene& scene = requested.scene;
-  const stage::Stage stage(scene);  // throws if the motion lacks something
+  const stage::Stage stage(scene);  // throws if the scene shows something that its motion lacks
   const fs::path target = folder / (scene.name + ".png");
   enterInputs(files, one, scene);
   enterTarget(files, options, target);
@@ -127,7 +127,7 @@ void say(const GalleryOptions& options, const std::string& line) {
   if (!options.quiet) writeErr(fmt::format("poinsot: {}\n", line));
 }
 
-/// Makes the pictures of all scenes. Reports the error of a scene, and goes on with the others.
+/// Gallery of pictures of several scenes. After an error in one scene, continues with the others.
 class Gallery {
  public:
   explicit Gallery(const GalleryOptions& options)
@@ -190,7 +190,7 @@ class Gallery {
     if (!options_.quiet) writeErr(rendererNotes(renderers));
   }
 
-  /// Returns how many workers fit into memory if each makes the largest picture.
+  /// Returns the number of workers that fit into memory if each draws the largest picture.
   int workersOf() const {
     const auto bytes = [](const Item& item) { return item.request.worker_bytes; };
     const auto largest = std::ranges::max_element(items_, {}, bytes);
@@ -198,7 +198,7 @@ class Gallery {
     return workerCount(options_, static_cast<int>(items_.size()), largest->request);
   }
 
-  /// Makes the sheet from the pictures of this run; no sheet without pictures.
+  /// Writes the contact sheet of this run's pictures. Writes nothing if there are no pictures.
   void makeSheet() const {
     std::vector<SheetEntry> entries;
     for (std::size_t i = 0; i < items_.size(); ++i)
@@ -230,18 +230,21 @@ FileAccess accessOf(const GalleryOptions& options) {
 
 void addGallery(const Command& program) {
   auto options = std::make_shared<GalleryOptions>();
-  const Command command = program.command("gallery", "make a picture of every scene, and a sheet of them all");
-  command.option("SCENE", options->places, "scene files, or folders of them (default: the scenes of poinsot)")
+  const Command command = program.command("gallery", "make a picture of every scene, and a contact sheet");
+  command
+      .option("SCENE", options->places,
+              "scene files, or folders of scene files (default: the scenes that come with poinsot)")
       .notEmpty();
   addOverrides(command, *options);
   addPictureOptions(command, *options);
   command.option("-o,--output", options->output, "folder of the pictures (default: out/gallery)")
       .type("FOLDER")
       .notEmpty();
-  command.option("--only", options->only, "only the scenes of these names").type("NAME").notEmpty();
-  command.flag("!--no-sheet", options->sheet, "leave out the sheet of them all");
+  command.option("--only", options->only, "only the scenes with these names").type("NAME").notEmpty();
+  command.flag("!--no-sheet", options->sheet, "do not make the contact sheet");
   command.footer(
-      "Each picture is taken at the scene's time.still. A scene that fails is named; the others are made.\n"
+      "Each picture is taken at the scene's time.still. If a scene fails, its error is reported and the others\n"
+      "are still made.\n"
       "Examples:\n"
       "  poinsot gallery\n"
       "  poinsot gallery lectures/ -q preview -o out/lectures\n"

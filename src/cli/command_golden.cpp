@@ -63,20 +63,21 @@ std::string lineOf(const Outcome& outcome, const std::string& message) {
                      message.empty() ? "" : ": ", message);
 }
 
-/// Returns the reason of an outcome's status; for a near picture only the reason of its rule.
+/// Returns why an outcome has its status. For a picture within tolerance (kNear), returns only the reason of its
+/// rule.
 std::string lineReason(const Outcome& outcome) {
   return outcome.status == OutcomeStatus::kNear ? outcome.message : compare::reasonOf(outcome);
 }
 
-/// Returns a line for each outcome that `wanted` accepts. Pictures of one scene share its error, which is written
-/// once.
+/// Returns a line for each outcome that `wanted` selects. If several pictures of one scene have the same error,
+/// prints the error once.
 template <typename Wanted>
 std::string linesOf(const std::vector<Outcome>& outcomes, Wanted wanted) {
   std::string lines, lastError;
   for (const Outcome& outcome : outcomes) {
     if (!wanted(outcome)) continue;
     const bool again = outcome.status == OutcomeStatus::kError && outcome.message == lastError;
-    lines += lineOf(outcome, again ? "the same" : lineReason(outcome));
+    lines += lineOf(outcome, again ? "same error as above" : lineReason(outcome));
     if (outcome.status == OutcomeStatus::kError) lastError = outcome.message;
   }
   return lines;
@@ -84,7 +85,7 @@ std::string linesOf(const std::vector<Outcome>& outcomes, Wanted wanted) {
 
 void enterReports(output::RunFiles& files, const GoldenOptions& options) {
   if (!options.outcome.empty() && fs::path(options.outcome).extension() != ".js")
-    throw core::usageError(fmt::format("outcome '{}': works: NAME.js{}", core::printable(options.outcome),
+    throw core::usageError(fmt::format("outcome '{}': must be named NAME.js{}", core::printable(options.outcome),
                                        core::smallLettersHint(options.outcome, {".js"})));
   files.writes(options.report, "--report", compare::reportKind());
   files.writes(options.junit, "--junit", compare::junitKind());
@@ -124,7 +125,7 @@ class Golden {
     return suite::casesOf(manifest_, all);
   }
 
-  /// Returns the renderers that drew the scenes. The renderers of other programs' pictures are unknown.
+  /// Returns the renderers that drew the scenes. Omits pictures from other programs, whose renderers are unknown.
   std::set<std::string> renderers() const {
     std::set<std::string> all;
     for (const Outcome& outcome : outcomes_)
@@ -142,7 +143,7 @@ class Golden {
 
   void checkOptions() const {
     if (options_.update) expectMayApprove(options_);
-    if (options_.beside && !options_.update) throw core::usageError("--beside: goes with --update");
+    if (options_.beside && !options_.update) throw core::usageError("--beside: needs --update");
     if (options_.unused && (options_.update || !options_.only.empty()))
       throw core::usageError("--unused: looks at all tests and approves nothing; leave out --only and --update");
     if (!options_.update && !options_.unused)
@@ -151,8 +152,7 @@ class Golden {
     if (options_.beside && !namesVariants()) expectOnlyScenes();
   }
 
-  /// Returns whether any image of the manifest has a variant. Images without a named variant then share an unnamed
-  /// one.
+  /// Returns whether images belong to named variants. If any do, images without a name share one unnamed variant.
   bool namesVariants() const {
     return !options_.variant.empty() || std::ranges::any_of(manifest_.tests, [](const suite::GoldenTest& test) {
       return test.scene.empty() && !test.variant.empty();
@@ -162,13 +162,13 @@ class Golden {
   void expectOnlyScenes() const {
     for (const suite::GoldenCase& one : suite::casesOf(manifest_, request_))
       if (one.test.scene.empty())
-        throw core::usageError(fmt::format(
-            "--beside: {}: of a picture that another program made, the renderer is not known: name it by "
-            "--variant, or choose tests with --only",
-            core::printable(one.name)));
+        throw core::usageError(
+            fmt::format("--beside: {}: another program made this picture, so its renderer is unknown; name the "
+                        "renderer with --variant, or choose other tests with --only",
+                        core::printable(one.name)));
   }
 
-  /// Checks that all outputs can be written, and that none replaces a file of another program.
+  /// Checks that all outputs can be written, and that no output replaces a file of another program.
   void checkPlaces() {
     enterFiles(suite::casesOf(manifest_, request_));
     if (options_.unused) return;
@@ -197,7 +197,7 @@ class Golden {
       if (options_.update && !one.test.isUnmatched) suite::enterApproval(files_, usual);
       folders.insert(usual.parent_path());
     }
-    if (options_.update) return;  // no reports are written, and expectFilesApart() checks the rest
+    if (options_.update) return;  // an update writes no reports; expectFilesApart() checks the other files
     for (const fs::path& folder : folders)
       for (const fs::path& file : core::filesIn(folder)) files_.reads(file, "the reference");
   }
@@ -208,7 +208,7 @@ class Golden {
 
   std::ptrdiff_t failures() const { return compare::countFailures(outcomes_, options_.exact); }
 
-  /// Returns whether the run fails only because of --exact.
+  /// Returns whether the run would pass without --exact.
   bool onlyNear() const {
     return options_.exact && failures() > 0 &&
            std::ranges::all_of(outcomes_, [](const Outcome& o) { return o.passes(false); });
@@ -219,8 +219,8 @@ class Golden {
     say(linesOf(outcomes_, [&](const Outcome& o) {
       return o.status != OutcomeStatus::kIdentical || !o.passes(options_.exact);
     }));
-    say(fmt::format("{}{}\n", outcomes_.empty() ? "nothing approved is unused" : compare::countsText(outcomes_),
-                    onlyNear() ? ": not all identical, as --exact asks" : ""));
+    say(fmt::format("{}{}\n", outcomes_.empty() ? "no unused references" : compare::countsText(outcomes_),
+                    onlyNear() ? ": not all identical, as --exact requires" : ""));
     if (failures() == 0) return;
     if (!options_.unused) say(fmt::format("new pictures and maps: {}\n", core::printable(options_.output)));
     if (!options_.report.empty()) say(fmt::format("page: {}\n", core::printable(options_.report)));
@@ -237,7 +237,8 @@ class Golden {
     return {suite(), options_.exact, options_.report, approveCommand(), options_.approveBy, attachmentRoot()};
   }
 
-  /// Returns the command that approves tests, drawn and compared as in this run; the names of tests must be added.
+  /// Returns a command that approves tests under the conditions of this run. The caller appends the names of the
+  /// tests.
   std::string approveCommand() const {
     std::vector<std::string> words{"poinsot", "golden", options_.manifest};
     const std::vector<std::string> allowance = allowanceWords(options_);
@@ -253,7 +254,7 @@ class Golden {
     return core::shellWords(words);
   }
 
-  /// Returns whether an image with a variant can be approved, so that references of its other variants must stay.
+  /// Returns whether an image to approve has a variant. The references of its other variants must then stay.
   bool failsForAVariant() const {
     std::set<std::string> ofVariants;
     for (const suite::GoldenCase& one : suite::casesOf(manifest_, request_))
@@ -285,8 +286,8 @@ class Golden {
     return head;
   }
 
-  /// Approves all changed pictures, or none if one could not be made or read.
-  /// @returns kNo if a picture was in error or missing, or if a reference is unused
+  /// Approves all changed pictures. Approves nothing if any picture could not be drawn or read.
+  /// @returns kNo if a picture had an error or is missing, or if a reference is unused
   int update() const {
     const auto isThere = [](const Outcome& o) {
       return o.status != OutcomeStatus::kError && o.status != OutcomeStatus::kUnused &&
@@ -295,12 +296,12 @@ class Golden {
     const bool allMade = std::ranges::count(outcomes_, OutcomeStatus::kError, &Outcome::status) == 0;
     if (allMade) say(approve());
     say(linesOf(outcomes_, std::not_fn(isThere)));
-    if (!allMade) say("nothing was approved: mend what is in error, or choose the other tests with --only\n");
+    if (!allMade) say("nothing was approved: fix the errors, or choose the other tests with --only\n");
     return std::ranges::all_of(outcomes_, isThere) ? kDone : kNo;
   }
 
-  /// Returns whether a picture that equals a reference still needs its own: the reference has no description, or
-  /// belongs to another variant. Scenes share references of equal pixels.
+  /// Returns whether a picture needs its own reference although it equals an existing one. Reasons are: the
+  /// existing reference has no description, or belongs to another variant.
   bool lacksOwn(const Outcome& outcome) const {
     const bool isImage = outcome.origin.scene.empty();
     return !hasOrigin(outcome) || (options_.beside && isImage && !isOfOwnRenderer(outcome));
@@ -345,7 +346,7 @@ class Golden {
   std::vector<Outcome> outcomes_;
 };
 
-/// Rejects reports with --update, because only a comparison has reports.
+/// Rejects options for reports together with --update, because an update writes no reports.
 void expectNoReports(const GoldenOptions& options) {
   const auto expectNone = [](const char* option, bool given) {
     if (given)
@@ -358,7 +359,7 @@ void expectNoReports(const GoldenOptions& options) {
   expectNone("--json", options.json);
 }
 
-/// Removes the reports of an earlier run, because this run may end before it writes its own.
+/// Removes the reports of an earlier run, because this run may stop before it writes its own.
 void removeReports(const GoldenOptions& options) {
   const auto remove = [](const std::string& file, const output::FileKind& kind) {
     std::error_code ignored;
@@ -368,15 +369,15 @@ void removeReports(const GoldenOptions& options) {
   remove(options.junit, compare::junitKind());
 }
 
-/// Returns whether the outcome file can be written before all files of the run are known. With --force an existing
-/// file may be foreign, such as a scene.
+/// Returns whether the outcome file is missing or was written by poinsot, so that it may be replaced at once. With
+/// --force, the name may belong to a file of another kind, such as a scene.
 bool isOurs(const std::string& outcome) {
   std::error_code ignored;
   return !outcome.empty() && (!fs::exists(outcome, ignored) || compare::outcomeScriptKind().isOwn(outcome));
 }
 
-/// Runs the suite. First replaces the outcome file of an earlier run: an index page shows the last outcome that it
-/// finds, and this run may end without one.
+/// Runs the suite. First marks the outcome file as unfinished. Without the mark, an index page would show the
+/// outcome of an earlier run if this run stops early.
 int runGolden(const GoldenOptions& options) {
   if (options.list) return Golden(options).run();
   if (options.update) expectNoReports(options);
@@ -394,7 +395,7 @@ int runGolden(const GoldenOptions& options) {
   } catch (const Error& error) {
     try {
       write(error.what());
-    } catch (const Error&) {  // the file still says that the run did not finish, which is true
+    } catch (const Error&) {  // the file keeps the text "did not finish"
     }
     throw;
   }
@@ -414,11 +415,12 @@ FileAccess accessOf(const GoldenOptions& options) {
 
 void addGolden(const Command& program) {
   auto options = std::make_shared<GoldenOptions>();
-  const Command command = program.command("golden", "make the pictures of a golden.toml and compare them");
+  const Command command =
+      program.command("golden", "make the pictures of a golden.toml and compare them with the approved ones");
   addGoldenOptions(command, *options);
   command.footer(
-      "Exit code 0 if all are identical or near; 1 if a picture is different, missing, new, cannot be made\n"
-      "or read, or is approved and made by no test.\n"
+      "Exit code 0 if all pictures are identical or near; 1 if a picture is different, missing, new, or cannot\n"
+      "be made or read, or if no test makes an approved picture.\n"
       "Examples:\n"
       "  poinsot golden tests/golden.toml --report out/golden.html --junit out/golden.xml\n"
       "  poinsot golden tests/golden.toml --update --only racket");

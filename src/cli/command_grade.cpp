@@ -21,12 +21,13 @@ struct GradeOptions : SceneOptions {
   bool json = false;
 };
 
-/// Returns whether the attitude stays within the limit. If not, prints the error and its time on stderr.
+/// Checks that the attitude error stays within the limit. If not, prints the error and its time on stderr, and
+/// returns false.
 /// @throws core::Error(kIo) if the file has no attitude.
 bool within(const reference::Grade& grade, double limit_rad, const std::string& fileName) {
   const auto& errors = grade.quantity("attitude").errors;
   if (!errors)
-    throw core::Error(core::ErrorKind::kIo, "no columns q_w, q_x, q_y, q_z for --max-attitude-error to judge",
+    throw core::Error(core::ErrorKind::kIo, "--max-attitude-error needs the columns q_w, q_x, q_y, q_z",
                       core::SourceLocation{core::printable(fileName), 0, 0});
   if (errors->largest <= limit_rad) return true;
   writeErr(
@@ -50,21 +51,22 @@ int gradeTheirs(const GradeOptions& options) {
 void addGrade(const Command& program) {
   auto options = std::make_shared<GradeOptions>();
   const Command command =
-      program.command("grade", "say how far another engine's trajectory is off, and from when on");
+      program.command("grade", "measure how far another engine's trajectory is off, and since when");
   addSceneOptions(command, *options);
   command
       .option("THEIRS", options->theirs,
-              "CSV with the columns of `poinsot trajectory`, any order; t and q or omega_B at least")
+              "CSV with the columns of `poinsot trajectory` in any order: at least t, and q or omega_B")
       .required();
   command
-      .option("--max-attitude-error", options->limit, "exit 1 if the attitude is off by more, rad or with a unit")
+      .option("--max-attitude-error", options->limit,
+              "exit with 1 if the attitude is off by more than ANGLE, in rad or with a unit")
       .type("ANGLE")
       .notEmpty();
-  command.flag("--json", options->json, "as a JSON object");
+  command.flag("--json", options->json, "print the grade as a JSON object");
   command.footer(
       "Example:\n"
       "  poinsot grade scenes/football.toml mine.csv --max-attitude-error '0.1 deg'\n"
-      "Exit code 0 when graded, however bad; 1 only beyond --max-attitude-error.");
+      "Exit code 0 if the trajectory was graded, even if it is bad; 1 only if it exceeds --max-attitude-error.");
   command.does({[options] { return gradeTheirs(*options); }, options.get(),
                 [options] {
                   FileAccess access{{options->scene}, options->assetRoots};

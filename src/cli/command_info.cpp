@@ -41,13 +41,13 @@ void addInfo(const Command& program) {
   const Command command =
       program.command("info", "print what one would work out by hand: moments, periods, cones, rates");
   addSceneOptions(command, *options);
-  const Option json = command.flag("--json", options->json,
-                                   "as a JSON object, SI units, full precision; infinite numbers are null");
-  command.flag("--alt", options->alt, "as a paragraph in words, for readers who do not see the picture")
+  const Option json = command.flag(
+      "--json", options->json, "print a JSON object, in SI units with full precision; infinite numbers are null");
+  command.flag("--alt", options->alt, "print a paragraph in words, for readers who do not see the picture")
       .excludes(json);
   command
       .option("--digits", options->digits,
-              fmt::format("how many digits numbers have; {} tell any from any other", describe::kAllDigits))
+              fmt::format("significant digits of a number; {} distinguish any two numbers", describe::kAllDigits))
       .range(1, describe::kAllDigits)
       .showDefault()
       .excludes(json);
@@ -55,7 +55,7 @@ void addInfo(const Command& program) {
       "Examples:\n"
       "  poinsot info scenes/football.toml\n"
       "  poinsot info scenes/football.toml --alt\n"
-      "Equation numbers are those of the lecture that docs/physics.md follows.");
+      "Equation numbers refer to the lecture that docs/physics.md follows.");
   command.does({[options] { return info(*options); }, options.get(),
                 [options] {
                   return FileAccess{{options->scene}, options->assetRoots};

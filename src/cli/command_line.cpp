@@ -50,7 +50,7 @@ constexpr std::array kCommands{
     Entry{"self-describe", addSelfDescribe},
 };
 
-/// Stops later versions of CLI11 from filling paragraphs, which would join the lines of an example.
+/// Turns off the paragraph formatting of newer versions of CLI11, which would join the lines of examples.
 template <class Formatter>
 void keepLines(Formatter& formatter) {
   if constexpr (requires { formatter.enable_footer_formatting(false); }) {
@@ -59,8 +59,8 @@ void keepLines(Formatter& formatter) {
   }
 }
 
-/// Declares only the command that is named, because parsing needs no other. Declares all of them for the help, for
-/// suggestions after an unknown name, and for the hidden command, which describes them.
+/// Declares the command `word`, because parsing needs no other. If there is no such command, declares all, for the
+/// help and for suggestions. The hidden command self-describe needs all commands, too, because it describes them.
 void declare(CLI::App& program, std::string_view word, Action& chosen) {
   keepLines(*program.get_formatter());
   program.description("Films and stills of rotating rigid bodies, from scene files.");
@@ -91,7 +91,7 @@ std::string didYouMean(std::string_view word, const std::vector<std::string>& ca
   return near ? fmt::format("; did you mean '{}'?", *near) : "";
 }
 
-/// Turns "help" into "--help", and "help render" into "render --help".
+/// Converts "help" to "--help", and "help render" to "render --help".
 std::vector<std::string> withoutHelpWord(std::vector<std::string> words) {
   if (words.empty()) return {"--help"};
   if (words[0] != "help") return words;
@@ -124,25 +124,25 @@ std::vector<std::string> optionNames(const CLI::App& command) {
                                      didYouMean(word.substr(0, word.find('=')), optionNames(command)), help));
 }
 
-/// Rewords CLI11's "--size: 1 required WxH missing".
+/// Converts a message of CLI11, such as "--size: 1 required WxH missing", to a clearer one.
 std::string withoutValue(const std::string& text) {
   constexpr std::string_view kOne = ": 1 required ", kMissing = " missing";
   const std::size_t at = text.find(kOne);
   if (at == std::string::npos || !text.ends_with(kMissing)) return text;
   const std::size_t begin = at + kOne.size();
-  return fmt::format("{}: its value is missing, {}", text.substr(0, at),
+  return fmt::format("{}: the value is missing; expected {}", text.substr(0, at),
                      text.substr(begin, text.size() - kMissing.size() - begin));
 }
 
 void parse(CLI::App& program, std::vector<std::string> words) {
   checkCommandWord(program, words.front());
-  std::reverse(words.begin(), words.end());  // CLI11 takes words from the back
+  std::reverse(words.begin(), words.end());  // CLI11 expects the words in reverse order
   try {
     program.parse(std::move(words));
   } catch (const CLI::ExtrasError&) {
     refuseExtra(program);
   } catch (const CLI::Success&) {
-    throw;  // help and version
+    throw;  // CLI11 throws for --help and --version, too
   } catch (const CLI::ArgumentMismatch& error) {
     throw core::usageError(core::printable(withoutValue(error.what())));
   } catch (const CLI::ParseError& error) {

@@ -18,11 +18,12 @@ class CommandLine {
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
 
-  /// Runs the command, with --untrusted in a sandbox. @returns the exit code. @throws what the command throws
+  /// Runs the command, in a sandbox if --untrusted is given.
+  /// @returns the exit code. @throws the command's exception
   int run() const;
 
  private:
-  std::unique_ptr<CLI::App> program_;  ///< parser, which actions may refer to
+  std::unique_ptr<CLI::App> program_;  ///< the parser; kept because actions may refer to it
   Action chosen_;
 };
 

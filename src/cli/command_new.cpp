@@ -52,8 +52,8 @@ std::string galleryText(const fs::path& file) {
   return core::readRegularFile(file, scene::Limits().bytes(scene::Limit::kSceneBytes), ErrorKind::kIo);
 }
 
-/// Registers the files that are read and written. An existing scene never counts as an earlier output, because
-/// users edit their scenes.
+/// Registers the files that are read and written. An existing scene is never replaced without --force, not even if
+/// poinsot wrote it, because users edit their scenes.
 void enterFiles(const NewOptions& options, const fs::path& from, const fs::path& file, const fs::path& schema) {
   output::RunFiles files(options.force);
   files.reads(from, "--from");
@@ -74,12 +74,12 @@ int makeNew(const NewOptions& options) {
                                                  : galleryScene(galleryText(from), defaults);
   core::FileBatch results;
   results.write(schema, scene::schemaJson());
-  // The first line names the schema for editors with Taplo (VS Code with Even Better TOML, Helix, Neovim).
+  // The first line names the schema. Editors with Taplo read it (VS Code with Even Better TOML, Helix, Neovim).
   results.write(file, fmt::format("#:schema ./{}\n{}", kSchemaName, scene));
   results.commit();
   const std::string word = core::shellWord(file.string());
   writeOut(
-      fmt::format("{0} is ready to change; {1} beside it is for your editor, which completes keys.\n"
+      fmt::format("{0} is ready to edit; {1} beside the scene lets your editor complete keys.\n"
                   "  poinsot preview {2}      shows it in a browser while you write\n"
                   "  poinsot check {2}\n"
                   "  poinsot still {2}\n"
@@ -92,17 +92,17 @@ int makeNew(const NewOptions& options) {
 
 void addNew(const Command& program) {
   auto options = std::make_shared<NewOptions>();
-  const Command command = program.command("new", "write a scene to begin with, with comments");
-  command.option("NAME", options->name, "file to write; .toml is added").required().notEmpty();
-  command.option("--from", options->from, "begin with a scene of the gallery: football, tennis_racket, ...")
+  const Command command = program.command("new", "write a scene with comments to start from");
+  command.option("NAME", options->name, "file to write; .toml is added if it is missing").required().notEmpty();
+  command.option("--from", options->from, "start from a scene of the gallery: football, tennis_racket, ...")
       .type("SCENE")
       .notEmpty();
-  command.flag("--force", options->force, "replace a scene that is there");
+  command.flag("--force", options->force, "replace an existing scene");
   command.footer(
       "Examples:\n"
       "  poinsot new book\n"
       "  poinsot new throw --from football\n"
-      "~/.config/poinsot/defaults.toml says what every new scene has (docs/defaults.md).");
+      "~/.config/poinsot/defaults.toml sets the defaults of new scenes (docs/defaults.md).");
   command.does({[options] { return makeNew(*options); }});
 }
 

@@ -42,10 +42,12 @@ class StopOnSignal {
   std::jthread waiting_;
 };
 
-/// Returns "USER@ADDRESS" of this machine, as an ssh client reached it; "THIS_MACHINE" without ssh.
+/// Returns "USER@ADDRESS" of this machine, with the address that the ssh client connected to. Returns
+/// "THIS_MACHINE" without ssh.
 std::string thisMachine() {
   const char* const user = std::getenv("USER");
-  const char* const connection = std::getenv("SSH_CONNECTION");  // client address, client port, server address
+  // The value consists of client address, client port, server address and server port.
+  const char* const connection = std::getenv("SSH_CONNECTION");
   if (!user || !connection) return "THIS_MACHINE";
   std::istringstream words(connection);
   std::string theirs, theirPort, ours;
@@ -53,21 +55,23 @@ std::string thisMachine() {
   return ours.empty() ? "THIS_MACHINE" : core::shellWord(fmt::format("{}@{}", user, ours));
 }
 
-/// Prints the mistakes in a scene; the preview starts nevertheless. A file that cannot be read is an error.
+/// Prints mistakes in a scene, but lets the preview start. Throws if the file cannot be read.
 void tellMistakes(const PreviewOptions& options) {
   auto request = request::readSceneRequest(options.scene, options.overrides, granted(options));
   request::askForSweep(request);
   try {
     request::loadRequested(request);
   } catch (const scene::SceneErrors& errors) {
-    writeErr(fmt::format("{}\npoinsot: the page tells this too, and shows the scene when it is mended\n",
-                         errors.what()));
+    writeErr(
+        fmt::format("{}\n"
+                    "poinsot: the page shows these errors too, and the scene as soon as they are fixed\n",
+                    errors.what()));
   }
 }
 
 int preview(const PreviewOptions& options) {
-  if (options.untrusted)  // the sandbox has no network
-    throw core::usageError("--untrusted: a preview cannot be held to it; check and still can");
+  if (options.untrusted)  // because the sandbox has no network
+    throw core::usageError("--untrusted: not possible with preview, which needs the network; use check or still");
   process::watchInterrupts();
   gl::pinEnvironment(false, job::availableCpus());
   tellMistakes(options);
@@ -80,9 +84,9 @@ int preview(const PreviewOptions& options) {
                                  .port = options.port});
   writeOut(
       fmt::format("{0}\n"
-                  "Open this address in a browser on this machine. From another one, first\n"
+                  "Open this address in a browser on this machine. On another machine, first run\n"
                   "  ssh -L {1}:127.0.0.1:{1} {2}\n"
-                  "there; --port {1} keeps the number. Ctrl-C ends the preview.\n",
+                  "there. --port {1} keeps the port number. Ctrl-C ends the preview.\n",
                   server.address(), server.port(), thisMachine()));
   {
     const StopOnSignal stopping(server);
@@ -96,9 +100,9 @@ int preview(const PreviewOptions& options) {
 void addPreview(const Command& program) {
   auto options = std::make_shared<PreviewOptions>();
   const Command command =
-      program.command("preview", "show a scene in the browser while you write it, drawn as the film is");
+      program.command("preview", "show a scene in the browser while you edit it, drawn like the film");
   addSceneOptions(command, *options);
-  command.option("--port", options->port, "to listen on; any that is free if not said").type("N").range(1, 65535);
+  command.option("--port", options->port, "port to listen on (default: any free port)").type("N").range(1, 65535);
   command.footer(
       "Keys in the page: space plays, arrows step (with Shift a second), Home, End.\n"
       "Example:\n"

@@ -17,12 +17,12 @@ namespace {
 namespace fs = std::filesystem;
 
 void put(const fs::path& file, const std::string& text) {
-  std::error_code ignored;  // writing the file reports a missing folder
+  std::error_code ignored;  // ignored: writing the file reports a missing folder
   fs::create_directories(file.parent_path(), ignored);
   core::writeFileAtomically(file, std::string_view(text));
 }
 
-/// Writes man pages and completions to the places below share/ where man and the shells look.
+/// Writes man pages and shell completions to their usual folders below `share`.
 int selfDescribe(const Command& program, const fs::path& share) {
   const ProgramText text = textOf(program.parser());
   const fs::path manuals = share / "man" / "man1";
@@ -39,8 +39,8 @@ int selfDescribe(const Command& program, const fs::path& share) {
 void addSelfDescribe(const Command& program) {
   auto share = std::make_shared<std::string>();
   const Command command = program.command("self-describe", "write man pages and completions into a folder");
-  command.hide();  // only the build runs the command
-  command.option("FOLDER", *share, "laid out as share/ of an installed program").required();
+  command.hide();  // for use by the build only
+  command.option("FOLDER", *share, "folder to write to, laid out like share/ of an installed program").required();
   command.does({[share, program] { return selfDescribe(program, *share); }});
 }
 

@@ -28,7 +28,7 @@ struct StatusOptions {
   bool json = false, shards = false;
 };
 
-/// A state and its name in the output.
+/// State of a segment, and its name in the output.
 struct StateWord {
   SegmentState state;
   const char* word;
@@ -47,9 +47,9 @@ struct Standing {
 using Json = nlohmann::ordered_json;
 using Frames = std::vector<request::FrameRange>;
 
-/// Returns the JSON object for an output without segments: all keys, with null or empty values where segments
-/// would be needed.
-/// @param whole  null for a sequence, which keeps no record of the frames that belong to it
+/// Returns the JSON object for an output without segment records. It has all keys, but keys about segments are
+/// null or empty.
+/// @param whole  whether the film is complete; null for a sequence, because the number of its frames is unknown
 Json jsonOfOutput(const StatusOptions& options, const Json& whole) {
   Json json{{"output", core::utf8FromBytes(options.output)},
             {"complete", whole},
@@ -78,11 +78,12 @@ Json jsonOf(const StatusOptions& options, const Standing& standing) {
 
 void print(const Json& json) { writeOut(json.dump(1, ' ', true, Json::error_handler_t::replace) + "\n"); }
 
-/// Returns the line that says what to run next; empty if that is the render itself, or nothing.
+/// Returns a line with the next step for the user, such as `assemble`. Empty if the render itself is next, or if
+/// nothing is left to do.
 std::string leftText(const StatusOptions& options, const Standing& standing) {
   const auto& [job, status, left] = standing;
   if (status.complete() && left.joining)
-    return fmt::format("made, not joined: poinsot assemble {}\n", core::shellWord(options.output));
+    return fmt::format("not joined yet; run: poinsot assemble {}\n", core::shellWord(options.output));
   if (left.shards.empty() || job.shards == 1) return "";
   return fmt::format("shards to run: {} of {}\n", job::shardsText(left.shards), job.shards);
 }
@@ -103,14 +104,15 @@ std::string plainText(const StatusOptions& options, const Standing& standing) {
                      leftText(options, standing));
 }
 
-/// Prints the status of a film whose segments are gone. Returns the exit code.
+/// Prints the status of a film that has no segments left. Returns the exit code.
 int statusOfFilm(const StatusOptions& options, const std::filesystem::path& film) {
   const bool whole = output::isWholeFilm(film);
   if (options.json)
     print(jsonOfOutput(options, whole));
   else if (!options.shards)
-    writeOut(fmt::format("{}: {}\n", core::printable(options.output),
-                         whole ? "complete" : "not as it was written; render with --resume makes it again"));
+    writeOut(fmt::format(
+        "{}: {}\n", core::printable(options.output),
+        whole ? "complete" : "damaged or changed after it was written; render with --resume makes it again"));
   return whole ? kDone : kNo;
 }
 
@@ -132,8 +134,8 @@ Json jsonOfFrames(const StatusOptions& options, const Frames& there, const Frame
   return json;
 }
 
-/// Prints which frames of a sequence without a work folder exist. The total number is not known then. Returns the
-/// exit code.
+/// Prints which frames of a sequence exist if there is no work folder. The total number of frames is then unknown.
+/// Returns the exit code.
 int statusOfFrames(const StatusOptions& options, const Frames& there) {
   Frames gaps;
   for (std::size_t i = 1; i < there.size(); ++i) gaps.push_back({there[i - 1].last + 1, there[i].first - 1});
@@ -142,11 +144,12 @@ int statusOfFrames(const StatusOptions& options, const Frames& there) {
   else if (options.shards)
     writeOut("\n");
   else
-    writeOut(fmt::format(
-        "{}: frames {} are there\n{}for what a scene has besides: poinsot render SCENE -o {} --resume\n",
-        core::printable(options.output), job::framesText(there, 20),
-        gaps.empty() ? "" : fmt::format("missing: frames {}\n", job::framesText(gaps, 20)),
-        core::printable(core::shellWord(options.output))));
+    writeOut(
+        fmt::format("{}: frames {} exist\n"
+                    "{}to make more frames of the scene: poinsot render SCENE -o {} --resume\n",
+                    core::printable(options.output), job::framesText(there, 20),
+                    gaps.empty() ? "" : fmt::format("missing: frames {}\n", job::framesText(gaps, 20)),
+                    core::printable(core::shellWord(options.output))));
   return gaps.empty() ? kDone : kNo;
 }
 
@@ -165,10 +168,10 @@ int status(const StatusOptions& options) {
   if (!job && target.kind == request::OutputKind::kFilm && output::isOwnFilm(target.path))
     return statusOfFilm(options, target.path);
   if (!job)
-    throw core::ioError(fmt::format("{}: no render of it is under way here; {}", core::printable(options.output),
+    throw core::ioError(fmt::format("{}: no render in progress here; {}", core::printable(options.output),
                                     job::nothingUnderWayText(target, folder)));
   const job::JobStatus state = job::statusOf(folder, *job, target);
-  // A run that was killed while cleaning up leaves some segments of a finished film.
+  // A finished film may still have some segments, if the run was killed during cleanup.
   if (!state.complete() && job::isFinished(*job, target.path)) return statusOfFilm(options, target.path);
   const Standing standing{*job, state, job::workLeft(*job, state, job->shards, target)};
   if (options.shards)
@@ -185,15 +188,15 @@ int status(const StatusOptions& options) {
 void addStatus(const Command& program) {
   auto options = std::make_shared<StatusOptions>();
   const Command command =
-      program.command("status", "say how far a film is: which frames are done, missing, stale, corrupt");
-  command.option("OUTPUT", options->output, "what the render was told with -o").required();
-  command.flag("--json", options->json, "the same for a program");
+      program.command("status", "show how far a film is: which frames are done, missing, stale, corrupt");
+  command.option("OUTPUT", options->output, "the output that the render was given with -o").required();
+  command.flag("--json", options->json, "print the status as a JSON object");
   command.flag("--shards", options->shards,
-               "only the shards that have segments to make, such as 2,7-9: for a job array");
+               "print only the shards that have segments to make, such as 2,7-9, for a job array");
   command.footer(
-      "Exit code 1 where something is left to do, be it only the joining; 4 where nothing of it is there.\n"
-      "A numbered sequence that has no work folder keeps no record of its length: 0 if frames are there without\n"
-      "a gap. If the scene has more, render --resume makes those, and none again.\n"
+      "Exit code 1 if something is left to do, even only the joining; 4 if no part of the output exists.\n"
+      "The length of a numbered sequence without a work folder is unknown, so the exit code is 0 if its frames\n"
+      "have no gap. If the scene has more frames, render --resume makes only the missing ones.\n"
       "Example:\n"
       "  poinsot status out/film.mp4");
   command.does({[options] { return status(*options); }});

@@ -34,7 +34,7 @@ void addStill(const Command& program) {
       .type("FILE")
       .notEmpty();
   addStillOptions(command, options->still);
-  command.flag("--transparent", options->transparent, "no paper behind the picture");
+  command.flag("--transparent", options->transparent, "transparent background instead of paper");
   addBitsOption(command, options->bits);
   command.footer(
       "Examples:\n"

@@ -66,7 +66,7 @@ Words assembleWords(const SubmitOptions& options, const request::OutputTarget& t
 }
 
 void checkKind(const request::OutputTarget& target) {
-  if (target.stream) throw core::usageError("-o -: tasks on several machines write files");
+  if (target.stream) throw core::usageError("-o -: not possible, because tasks on several machines write files");
   if (target.kind == request::OutputKind::kPicture)
     throw core::usageError(fmt::format("{}: one picture is made by one process; submit is for films and sequences",
                                        core::printable(target.path.string())));
@@ -93,9 +93,10 @@ std::string scriptOf(const std::string& engine, const cluster::Submission& submi
 }
 
 void checkGrid(const SubmitOptions& options) {
-  if (options.sweep && options.loop) throw core::usageError("--loop changes one motion, and a sweep has several");
+  if (options.sweep && options.loop)
+    throw core::usageError("--loop: not possible in a sweep, because each of its motions would change");
   if (!options.sweep && (options.grid.columns > 0 || !options.grid.labels.empty()))
-    throw core::usageError("--columns and --label are for a grid: -D with a range");
+    throw core::usageError("--columns and --label: need a grid, that is, -D with a range");
 }
 
 int submit(SubmitOptions options) {
@@ -106,7 +107,8 @@ int submit(SubmitOptions options) {
   const scene::Scene& scene = requested.scene;
   checkKind(target);
   checkMakeable(options, film, pictureOptions(options));
-  if (!options.sweep) const stage::Stage stage(scene);  // rejects an incomplete motion here, not in a queue
+  // Throws here, instead of later in the queue, if the scene shows something that its motion lacks.
+  if (!options.sweep) const stage::Stage stage(scene);
   const auto render = job::renderRequest(requested, target, frames, {.form = pictureOptions(options)});
   job::expectWithinMemory(render);
   const auto segments = request::segmentsOf(frames, options.parts.segmentFrames);
@@ -131,21 +133,22 @@ void addDivisionOptions(const Command& command, SubmitOptions& options) {
   command.option("--engine", options.engine, "slurm, parallel (GNU parallel) or make (default: slurm)")
       .type("NAME")
       .among({"slurm", "parallel", "make"});
-  command.option("--shards", options.shards, "how many tasks (default: of so many minutes)")
+  command.option("--shards", options.shards, "number of tasks (default: as many as --task-minutes gives)")
       .type("N")
       .range(1, 100'000);
-  command.option("--task-minutes", options.task_min, "how long a task should be (default: 10)")
+  command.option("--task-minutes", options.task_min, "minutes that a task should take (default: 10)")
       .type("M")
       .range(0.1, 1e5);
   command
       .option("--frame-seconds", options.frame_s,
-              "CPU time of a frame, as --stats of a short render tells (default: guessed from the size)")
+              "CPU time of a frame in seconds, as printed by --stats of a short render (default: estimated from "
+              "the size)")
       .type("S")
       .range(1e-3, 1e5);
   command.option("-j,--jobs", options.jobs, "CPUs of a task (default: 1)").type("N").range(1, 1024);
   command
       .option("--retries", options.retries,
-              "how often a task that fails is tried again, in Slurm at one segment (default: 3)")
+              "how often a failed task is tried again, in Slurm counted per segment (default: 3)")
       .type("N")
       .range(0, 100);
   command.flag("--keep", options.keep, "keep the segments when the film is ready");
@@ -164,9 +167,10 @@ void addSubmit(const Command& program) {
   addGridOptions(command, options->grid);
   addDivisionOptions(command, *options);
   command.footer(
-      "Nothing is started: the script is text to read, change and run. The film has the bytes that render\n"
-      "--reproducible gives on one machine; -D with a range is that of a sweep. Where a task or the joining has\n"
-      "failed, running the same script again submits what is left, and nothing if the film is there.\n"
+      "submit starts nothing: it prints a script to read, change and run. The film has the same bytes as one\n"
+      "from render --reproducible on one machine; with a range in -D, as one from sweep. If a task or the\n"
+      "joining fails, run the same script again: it submits only the remaining work, or nothing if the film "
+      "exists.\n"
       "Examples:\n"
       "  poinsot submit scenes/football.toml -o out/football.mp4 > football.sh && bash football.sh\n"
       "  poinsot submit scenes/football.toml -q 4k --engine make --shards 8 > football.mk && make -f football.mk "

@@ -19,7 +19,7 @@ struct SweepOptions : FilmOptions {
   request::SweepRequest asked;
 };
 
-/// Returns whether the output is a film or sequence, by its name; without a name it is a picture.
+/// Returns whether the name of the output is a film or sequence. Without a name, the output is a picture.
 bool isFilm(const SweepOptions& options) {
   return options.output == "-" || output::filmContainer(options.output).has_value() ||
          output::FramePattern::isPattern(options.output);
@@ -34,7 +34,8 @@ void checkWords(const SweepOptions& options) {
   const PartsOptions& parts = options.parts;
   if (isFilm(options)) {
     if (options.asked.map)
-      throw core::usageError("--map: a map stands still; -o NAME.png, NAME.pdf, NAME.svg or NAME.tex");
+      throw core::usageError(
+          "--map: a map is one picture, not a film; use -o NAME.png, NAME.pdf, NAME.svg or NAME.tex");
     if (options.still.any())
       throw core::usageError("--time, --width and --dpi are for one picture, not for a film");
     return;
@@ -42,7 +43,7 @@ void checkWords(const SweepOptions& options) {
   if (!options.frames.empty() || !options.format.empty() || parts.resume || parts.keep || !parts.shard.empty() ||
       parts.shardsLeft > 0 || !parts.manifest.empty())
     throw core::usageError(
-        "--frames, --format, --resume, --keep, --shard and --manifest are for films; one picture has --time");
+        "--frames, --format, --resume, --keep, --shard and --manifest are for films; for one picture, use --time");
   if (options.asked.map && (options.asked.columns > 0 || !options.asked.labels.empty()))
     throw core::usageError("--columns and --label are for a grid, not for --map");
 }
@@ -78,19 +79,19 @@ void addSweep(const Command& program) {
   addFilmOptions(command, *options);
   command.declared("--output")
       .help(output::filmFormatsText() +
-            ", NAME_{frame:05}.png, or - for all cells on one clock; NAME.png, NAME.pdf, NAME.svg or NAME.tex "
-            "for a sheet or a map (default: out/SCENE_sweep.png, out/SCENE_map.png)");
-  command.remove("--loop");  // --loop would change each motion separately
+            ", NAME_{frame:05}.png, or - for a film of all cells on one clock; NAME.png, NAME.pdf, NAME.svg or "
+            "NAME.tex for a sheet or a map (default: out/SCENE_sweep.png, out/SCENE_map.png)");
+  command.remove("--loop");  // removed, because --loop would change each motion separately
   addPartsOptions(command, options->parts);
   addStillOptions(command, options->still);
   command.flag("--map", options->asked.map,
-               "in place of the grid: the sphere of directions of L in the body, coloured by the time from flip "
-               "to flip, with the separatrix");
+               "instead of the grid, draw the sphere of directions of L in the body, coloured by the time from "
+               "flip to flip, with the separatrix");
   addGridOptions(command, options->asked);
   command.footer(
-      "A range is FROM..TO:COUNT, both ends included, with a unit where the key has one; :log after it makes the "
-      "ratios equal; 1|2|5 are these. One range fills rows; of two, the first runs from left to right, the second "
-      "from top to bottom.\n"
+      "A range is FROM..TO:COUNT, both ends included, with a unit if the key has one; append :log for equal "
+      "ratios. 1|2|5 is a list of single values. One range fills rows; with two ranges, the first runs from left "
+      "to right and the second from top to bottom.\n"
       "Examples:\n"
       "  poinsot sweep scenes/tennis_racket.toml -D 'motion.omega_body=[0.01..0.41:9, 4.2, 0]' -o out/grid.mp4\n"
       "  poinsot sweep scenes/football.toml -D 'time.start=0..2 s:6' -o out/sheet.pdf\n"

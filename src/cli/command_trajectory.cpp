@@ -40,10 +40,10 @@ reference::TrajectoryTimes listedTimes(const std::vector<std::string>& words) {
 core::Rational parsedRate(const std::string& word) {
   const auto rate_hz = core::parseRational(word);
   if (!rate_hz)
-    throw core::usageError(fmt::format(
-        "--rate '{}': rows per second of motion: a plain number above 0, or a fraction, such as 100, 0.5 or "
-        "30000/1001",
-        core::printable(word)));
+    throw core::usageError(
+        fmt::format("--rate '{}': must be the rows per second of motion, a plain number above 0 or a fraction, "
+                    "such as 100, 0.5 or 30000/1001",
+                    core::printable(word)));
   return *rate_hz;
 }
 
@@ -66,7 +66,7 @@ void writeToFile(const reference::TrajectoryTarget& target,
 
 void checkTimesGiven(const TrajectoryOptions& options) {
   if (options.at.empty() == options.rate.empty())
-    throw core::usageError("say at which times: --at T1,T2,... or --rate HZ, one of them");
+    throw core::usageError("give either --at T1,T2,... or --rate HZ");
 }
 
 void noteFarTimes(const scene::Scene& scene, const reference::TrajectoryTimes& times) {
@@ -74,8 +74,8 @@ void noteFarTimes(const scene::Scene& scene, const reference::TrajectoryTimes& t
     writeErr("poinsot: note: " + note + "\n");
 }
 
-/// Checks the estimated size of the output. A number has about 18 characters: rows of 15 numbers in the gallery
-/// have 271 to 303 bytes.
+/// Checks the estimated size of the output. The estimate is 18 bytes per number: for the scenes of the gallery,
+/// rows of 15 numbers have 271 to 303 bytes.
 void checkOutput(const reference::TrajectoryTimes& times, const scene::Scene& scene, const scene::Limits& limits) {
   constexpr double kNumber_bytes = 290. / 15;
   const auto columns = reference::trajectoryColumns(scene.motion.forcing.dissipation);
@@ -113,7 +113,8 @@ int trajectory(const TrajectoryOptions& options) {
 
 void addTrajectory(const Command& program) {
   auto options = std::make_shared<TrajectoryOptions>();
-  const Command command = program.command("trajectory", "write the motion as numbers, to test an engine against");
+  const Command command =
+      program.command("trajectory", "write the motion as numbers, as a reference to test an engine");
   addSceneOptions(command, *options);
   command.option("--at", options->at, "motion times in s, any order, such as 0,-3.5,1e9")
       .type("T1,T2,...")

@@ -7,7 +7,7 @@
 
 namespace poinsot::cli {
 
-/// Functions that declare one command each, with its options.
+/// Declarations of the commands, each with its options.
 void addRender(const Command& program);
 void addStill(const Command& program);
 void addSweep(const Command& program);
@@ -26,10 +26,10 @@ void addPreview(const Command& program);
 void addExplain(const Command& program);
 void addSchema(const Command& program);
 void addDoctor(const Command& program);
-/// Declares a hidden command, with which the build makes man pages and completions.
+/// Declares a hidden command that writes man pages and shell completions, for the build.
 void addSelfDescribe(const Command& program);
 
-/// Returns the text of --version: versions of the program and its libraries, and the licences of the binaries.
+/// Returns the text of --version: the versions of poinsot and its libraries, and the licences of the binaries.
 std::string versionText();
 
 }  // namespace poinsot::cli

@@ -5,8 +5,8 @@
 
 #include "cli/program_text.h"
 
-/// Completion scripts for shells. They complete commands, options, values, scene keys after -D, and files of the
-/// right kind.
+/// Completion scripts for shells. The scripts complete commands, options, values, scene keys after -D, and file
+/// names of the right kind.
 namespace poinsot::cli {
 
 std::string bashCompletion(const ProgramText& text);

@@ -7,8 +7,8 @@
 namespace poinsot::cli {
 namespace {
 
-/// Helper functions in bash, which splits words at "=", so that "-D key=v" is four words. The script calls no
-/// function of bash-completion, so it works when sourced alone.
+/// Helper functions for bash. Bash splits words at "=", so "-D key=v" is four words. The functions do not need the
+/// package bash-completion.
 constexpr const char* kHelpers = R"(
 _poinsot_words() { mapfile -t COMPREPLY < <(compgen -W "$*" -- "$word"); }
 

@@ -7,7 +7,7 @@
 namespace poinsot::cli {
 namespace {
 
-/// Puts a word in single quotes, in which fish needs escapes for two characters only.
+/// Quotes a word for fish. In single quotes, only two characters need a backslash.
 std::string fishWord(const std::string& text) {
   std::string word = "'";
   for (const char c : text) {
@@ -22,8 +22,7 @@ std::string complete(const std::string& command, const std::string& rest) {
   return fmt::format("complete -c poinsot -n {} {}\n", fishWord(when), rest);
 }
 
-/// Returns the options of `complete` that offer the values of an option, including whether files are offered
-/// besides.
+/// Returns the arguments of fish's `complete` that offer the values of an option, or files if the value is a file.
 std::string fishOffer(const OptionText& option) {
   if (!option.words.empty()) return "-x -a " + fishWord(core::joined(option.words, " "));
   switch (option.kind) {
@@ -51,7 +50,7 @@ std::string optionLine(const CommandText& command, const OptionText& option) {
   return complete(command.name, rest + "-d " + fishWord(option.help));
 }
 
-/// Offers files for any operand of a command, because fish does not distinguish operands by position.
+/// Returns the line that completes an operand. fish treats all operands of a command alike.
 std::string operandLine(const CommandText& command, const OptionText& operand) {
   const bool any = operand.kind == WordKind::kFile;
   return complete(command.name, any ? "-F" : fishOffer(operand));
@@ -86,7 +85,7 @@ std::string functions(const ProgramText& text) {
 std::string fishCompletion(const ProgramText& text) {
   std::string script =
       fmt::format("# Completion of poinsot {} for fish; written by the program itself.\n\n", text.version) +
-      functions(text) + "complete -c poinsot -f\n" + complete("", "-a help -d 'say more of a command'");
+      functions(text) + "complete -c poinsot -f\n" + complete("", "-a help -d 'show the help of a command'");
   for (const OptionText& option : text.program.options) script += optionLine(text.program, option);
   std::string names;
   for (const CommandText& command : text.commands) {

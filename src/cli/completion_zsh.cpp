@@ -8,7 +8,7 @@
 namespace poinsot::cli {
 namespace {
 
-/// Escapes the separators of a spec for _arguments or _describe.
+/// Escapes text for the zsh functions _arguments and _describe, which use : and [ ] as separators.
 std::string specText(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
@@ -34,11 +34,11 @@ std::string zshOffer(const OptionText& option) {
     case WordKind::kOther:
       break;
   }
-  return " ";  // shows the name of the value, and offers nothing
+  return " ";  // zsh shows the name of the value and offers no words
 }
 
-/// Returns "+" for "-o", whose value is in the same word or the next, and "=" for "--output", whose value follows
-/// "=" or is in the next word.
+/// Returns zsh's mark for how an option takes its value. "+" (-o): in the same word or the next. "=" (--output):
+/// after an equals sign or in the next word.
 std::string valueSign(const std::string& name) { return name.starts_with("--") ? "=" : "+"; }
 
 std::vector<std::string> optionSpecs(const OptionText& option) {
@@ -90,7 +90,7 @@ std::string zshKeyFunction(const std::vector<KeyText>& keys) {
 }
 
 std::string zshCommandList(const ProgramText& text) {
-  std::string list = "    " + core::shellWord("help:say more of a command") + "\n";
+  std::string list = "    " + core::shellWord("help:show the help of a command") + "\n";
   for (const CommandText& command : text.commands)
     list += "    " + core::shellWord(command.name + ":" + specText(command.summary)) + "\n";
   return list;

@@ -26,8 +26,8 @@ bool isSet(const char* variable) {
 }  // namespace
 
 void openStandardStreams() {
-  // open() takes the lowest free number. Opened for reading only, so that writing to a closed stream stays an
-  // error.
+  // Opens /dev/null for all closed descriptors, because open() returns the lowest free number. Opens it for
+  // reading only, so that writing to a closed stream is still an error.
   int fd = 0;
   do fd = open("/dev/null", O_RDONLY);
   while (fd >= 0 && fd <= STDERR_FILENO);
@@ -73,7 +73,7 @@ std::size_t length(std::string_view word) {
 
 std::string wrapped(std::string_view paragraph, std::size_t width, std::size_t indent, std::size_t column) {
   std::string text;
-  bool begun = false;  // whether the line has a word
+  bool begun = false;  // whether the current line has a word
   for (std::size_t from = 0; from < paragraph.size();) {
     const std::size_t to = std::min(paragraph.find_first_of(" \n", from), paragraph.size());
     const std::string_view word = paragraph.substr(from, to - from);

@@ -15,12 +15,12 @@ namespace poinsot::cli {
 namespace {
 
 constexpr image::PixelSize kCell{480, 270};
-constexpr int kCellMargin = 40, kName = 60;    // pixels: around each picture; height of the band with its name
-constexpr float kType = 24, kBaseline = 0.48;  // type size in pixels; fraction of the band above the baseline
-constexpr double kPaperTint = 0.06;            // fraction of ink in the paper, so that white pictures have edges
+constexpr int kCellMargin = 40, kName = 60;    // px: margin around each picture; height of the name's band
+constexpr float kType = 24, kBaseline = 0.48;  // text size in px; baseline as a fraction of the band
+constexpr double kPaperTint = 0.06;            // part of ink in the paper, which makes white pictures visible
 constexpr std::size_t kMostColumns = 5;
 
-/// Fraction of a source pixel in the mean that gives a pixel of the smaller picture.
+/// Weight of a source pixel in a pixel of the smaller picture.
 struct Share {
   int from;
   double weight;

@@ -8,18 +8,18 @@
 
 namespace poinsot::cli {
 
-/// Shrinks a picture to fit into `most`, without distorting or enlarging it. Each pixel is the mean of the light
-/// that falls on it. Returns RGB; a fourth channel is laid over white.
+/// Shrinks a picture to fit into `most`. Keeps the proportions, and never enlarges. Each pixel is the mean of the
+/// linear light of the pixels that it covers. Returns RGB; transparent pixels are drawn over white.
 image::Image shrunk(const image::Image& picture, image::PixelSize most);
 
-/// Picture of a sheet, with the name below it as plain text without TeX.
+/// Picture of a contact sheet. Its name is printed below as plain text, not as TeX.
 struct SheetEntry {
   std::string name;
   image::Image picture;
 };
 
-/// Returns a sheet of pictures with their names below, on light paper with even margins, in reading order. The
-/// number of columns makes the sheet about as wide as it is high, and is at most five.
+/// Returns a contact sheet: pictures in reading order, with their names below, on light paper. The sheet has at
+/// most five columns, and is otherwise about as wide as it is high.
 /// @pre there is one at least.
 image::Image contactSheet(const std::vector<SheetEntry>& entries);
 

@@ -38,14 +38,14 @@ std::int64_t framesThere(const job::RenderRequest& request, const Segments& segm
 
 std::string thereText(const job::RenderRequest& request, const Segments& segments) {
   const bool goesOn = request.record && (request.shard || request.resume);
-  return goesOn ? fmt::format(", {} frames are there already", framesThere(request, segments)) : "";
+  return goesOn ? fmt::format(", {} frames already exist", framesThere(request, segments)) : "";
 }
 
 }  // namespace
 
 int describe(const job::RenderRequest& request) {
   const scene::Scene& scene = request.scene.scene;
-  request::composerOf(request.scene);  // throws if the motion lacks something
+  request::composerOf(request.scene);  // throws if the scene shows something that its motion lacks
   if (request.form.print) return describePrinted(request, scene.output);
   const Segments segments = request.segments();
   const std::int64_t own = request::framesIn(segments), all = request.frames.count();
@@ -76,8 +76,8 @@ bool isShardOfFinishedFilm(const job::RenderRequest& request) {
 
 std::string shaderCacheNote(const job::RenderRequest& request) {
   if (!request.shard || gl::isShaderCacheOff() || !gl::shaderCacheFolder(request.reproducible).empty()) return "";
-  return "poinsot: note: each shard compiles its shaders anew, which takes up to 3 s, because there is no folder "
-         "to keep them in; set HOME or POINSOT_CACHE to a folder of yours\n";
+  return "poinsot: note: each shard compiles its shaders again, which takes up to 3 s, because there is no folder "
+         "for a shader cache; set HOME or POINSOT_CACHE to a folder of your own\n";
 }
 
 }  // namespace poinsot::cli

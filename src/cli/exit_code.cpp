@@ -12,7 +12,7 @@
 namespace poinsot::cli {
 namespace {
 
-/// @throws std::bad_alloc
+/// Calls `action` and prints any error except lack of memory. @throws std::bad_alloc
 int tellingErrors(const std::function<int()>& action) {
   try {
     return action();
@@ -21,7 +21,7 @@ int tellingErrors(const std::function<int()>& action) {
   } catch (const process::Interrupted& interrupted) {
     return 128 + interrupted.signal();
   } catch (const scene::SceneErrors& errors) {
-    writeErr(fmt::format("{}\n", errors.what()));  // already has "file:line:column: error:"
+    writeErr(fmt::format("{}\n", errors.what()));  // the text already begins with "file:line:column: error:"
     return exitCodeOf(errors.kind());
   } catch (const core::Error& error) {
     writeError(error.what());
@@ -55,7 +55,7 @@ ExitCode exitCodeOf(core::ErrorKind kind) {
 int translatingErrors(const std::function<int()>& action) {
   try {
     return tellingErrors(action);
-  } catch (const std::bad_alloc&) {  // perhaps while reporting another error
+  } catch (const std::bad_alloc&) {  // memory may have run out while another error was printed
     writeOutOfMemory();
     return kFailed;
   }

@@ -7,13 +7,13 @@
 
 namespace poinsot::cli {
 
-/// Exit code of the program. After signal n the code is 128 + n.
+/// Exit code of the program. If signal n ends the program, the code is 128 + n.
 enum ExitCode : int {
   kDone = 0,
-  kNo = 1,        ///< no error, but the answer is no
-  kBadInput = 2,  ///< error in the arguments, in the scene or a file that it names, or a limit is exceeded
-  kFailed = 3,    ///< error in rendering, encoding or the back end, or memory ran out
-  kBadFile = 4,   ///< error with an output, or with a file named on the command line
+  kNo = 1,        ///< no error, but the answer is no: for example, pictures differ
+  kBadInput = 2,  ///< error in the command line, the scene or its files; exceeded limit
+  kFailed = 3,    ///< error in rendering, encoding or OpenGL; lack of memory
+  kBadFile = 4,   ///< error with an output or with a file on the command line
   kBrokenPipe = 141,
 };
 
@@ -21,10 +21,10 @@ constexpr const char* kExitCodesText =
     "0 done, 1 the answer is no, 2 usage, scene or limit, 3 rendering or encoding,\n"
     "  4 files, 129/130/143 signals, 141 broken pipe.";
 
-/// Returns the exit code of an error. No other function assigns exit codes to kinds of errors.
+/// Returns the exit code for a kind of error. Every error gets its exit code here.
 ExitCode exitCodeOf(core::ErrorKind kind);
 
-/// Calls `action`, and prints its exception on stderr. @returns the exit status of the action or of the exception
+/// Calls `action`. If it throws, prints the error on stderr. @returns the exit code of the action or of the error
 int translatingErrors(const std::function<int()>& action);
 
 }  // namespace poinsot::cli

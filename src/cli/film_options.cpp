@@ -17,27 +17,30 @@ void addFilmOptions(const Command& command, FilmOptions& options) {
               output::filmFormatsText() + ", NAME.png, NAME_{frame:05}.png, or - (default: out/SCENE.mp4)")
       .type("FILE")
       .notEmpty();
-  command.option("--format", options.format, "what -o - writes to standard output")
+  command.option("--format", options.format, "format that -o - writes to standard output")
       .type("NAME")
       .notEmpty({"png", "mp4"});
   command.option("--frames", options.frames, "only these frames, both ends included").type("A-B").notEmpty();
   command.option("--fps", options.fps, "frames per second, such as 30 or 30000/1001").type("RATE").notEmpty();
-  command.flag("--transparent", options.transparent, "no paper behind the pictures: .webm, .mov, .apng and PNG");
+  command.flag("--transparent", options.transparent,
+               "transparent background instead of paper, in .webm, .mov, .apng and PNG");
   addBitsOption(command, options.bits);
   command.flag("--loop", options.loop,
-               "a film that repeats without a jump: changes the start and the speed least, and says by how much");
-  command.option("--segment", options.parts.segmentFrames, "frames of a segment (default: 30)")
+               "make a film that repeats without a jump: changes the start and the speed as little as possible, "
+               "and prints by how much");
+  command.option("--segment", options.parts.segmentFrames, "frames per segment (default: 30)")
       .type("N")
       .range(1, 10'000);
 }
 
 void addGridOptions(const Command& command, request::SweepRequest& grid) {
-  command.option("--columns", grid.columns, "of the grid of one range (default: as the picture has room)")
+  command
+      .option("--columns", grid.columns, "columns of the grid of one range (default: as many as fit the picture)")
       .type("N")
       .range(1, scene::kMostCells);
   command
       .option("--label", grid.labels,
-              "what a range's key is called in the picture, in TeX: the first for the first range")
+              "label of a range's key in the picture, in TeX; the first label is for the first range")
       .type("TEX")
       .repeats()
       .notEmpty();
@@ -45,15 +48,16 @@ void addGridOptions(const Command& command, request::SweepRequest& grid) {
 
 void addPartsOptions(const Command& command, PartsOptions& parts) {
   command.flag("--resume", parts.resume,
-               "go on where a render of this output stopped; what has changed is made again");
+               "continue a render of this output that stopped; frames that have changed are made again");
   command.flag("--keep", parts.keep, "keep the segments when the film is ready, for a later --resume");
   command
       .option("--manifest", parts.manifest,
-              "besides, a JSON file of all inputs, settings, digests of frames and files, and costs")
+              "also write a JSON file of all inputs, settings, digests of frames and files, and costs")
       .type("FILE")
       .notEmpty();
   command
-      .option("--shard", parts.shard, "only the segments of the k-th of n processes; then join them with assemble")
+      .option("--shard", parts.shard,
+              "make only the segments of the k-th of n processes; join all segments with assemble")
       .type("k/n")
       .notEmpty();
   command
@@ -68,20 +72,21 @@ void checkParts(const PartsOptions& parts, const request::OutputTarget& target) 
   if (!parts.shard.empty()) request::parseShard(parts.shard);
   const bool shards = !parts.shard.empty() || parts.shardsLeft > 0;
   if (!parts.shard.empty() && parts.shardsLeft > 0)
-    throw core::usageError("--shards-left: is of all shards; give no --shard");
+    throw core::usageError("--shards-left: covers all shards; leave out --shard");
   if (shards && !parts.manifest.empty())
-    throw core::usageError("--manifest: tells of a whole film, and a shard makes a part of one");
+    throw core::usageError("--manifest: describes a whole film, but a shard makes only a part of one");
   if (target.stream && (shards || !parts.manifest.empty() || parts.resume || parts.keep))
     throw core::usageError(
-        "-o -: what went to standard output is gone; --resume, --keep, --shard and --manifest are for files");
+        "-o -: standard output cannot be read again; --resume, --keep, --shard and --manifest need a file");
   if (target.kind != request::OutputKind::kPicture) return;
   if (shards) throw core::usageError("--shard: one picture is made by one process");
-  if (!parts.manifest.empty()) throw core::usageError("--manifest: is of a film or a sequence");
+  if (!parts.manifest.empty()) throw core::usageError("--manifest: possible only for a film or a sequence");
 }
 
 std::optional<request::OutputTarget> namedTarget(const FilmOptions& options) {
   if (options.output == "-") return request::streamTarget(options.format);
-  if (!options.format.empty()) throw core::usageError("--format goes with -o -; a file's name says what it is");
+  if (!options.format.empty())
+    throw core::usageError("--format: possible only with -o -; the extension of a file gives its format");
   return options.output.empty() ? std::nullopt : std::optional(request::parseTarget(options.output));
 }
 
@@ -93,7 +98,7 @@ RequestedFilm requestedFilm(const FilmOptions& options) {
   const auto asked =
       options.frames.empty() ? std::nullopt : std::optional(request::parseFrameRange(options.frames));
   const auto named = namedTarget(options);
-  checkBits(options.bits, named.value_or(request::OutputTarget{}));  // without a name, the output is a film
+  checkBits(options.bits, named.value_or(request::OutputTarget{}));  // if no output is named, the output is a film
   auto requested = requestedScene(options);
   const scene::Scene& scene = requested.scene;
   const auto target = named ? *named : request::parseTarget("out/" + scene.name + ".mp4");

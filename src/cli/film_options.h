@@ -7,7 +7,7 @@
 
 namespace poinsot::cli {
 
-/// Options of the commands that make films, as typed.
+/// Options of the commands that make films, as the user typed them.
 struct FilmOptions : RenderOptions {
   std::string frames, format;
   bool transparent = false;
@@ -23,16 +23,17 @@ void addPartsOptions(const Command& command, PartsOptions& parts);
 
 void addGridOptions(const Command& command, request::SweepRequest& grid);
 
-/// Rejects options that do not fit the target. @throws core::Error(kUsage)
+/// Rejects options that are not allowed for the target. @throws core::Error(kUsage)
 void checkParts(const PartsOptions& parts, const request::OutputTarget& target);
 
-/// Returns the target if the options name one, so that a wrong name is reported before the scene is read.
+/// Returns the target if the user named one. Call before the scene is read, so that a wrong name is reported
+/// first.
 /// @throws core::Error(kUsage)
 std::optional<request::OutputTarget> namedTarget(const FilmOptions& options);
 
 request::PictureOptions pictureOptions(const FilmOptions& options);
 
-/// Reads the scene, and selects the target and the frames. @throws scene::SceneErrors, core::Error
+/// Reads the scene, and determines the target and the frames. @throws scene::SceneErrors, core::Error
 RequestedFilm requestedFilm(const FilmOptions& options);
 
 }  // namespace poinsot::cli

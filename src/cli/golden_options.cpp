@@ -7,24 +7,30 @@
 namespace poinsot::cli {
 
 void addGoldenOptions(const Command& command, GoldenOptions& options) {
-  command.option("MANIFEST", options.manifest, "what to make and compare (default: golden.toml)").notEmpty();
   command
-      .option("--only", options.only,
-              "only the tests of these names, * for any characters, or of a file as the manifest has it")
+      .option("MANIFEST", options.manifest,
+              "file that lists the pictures to make and compare (default: golden.toml)")
+      .notEmpty();
+  command
+      .option(
+          "--only", options.only,
+          "only the tests with these names (* matches any characters), or of a file as written in the manifest")
       .type("NAME")
       .notEmpty();
   command.flag("--update", options.update,
-               "approve the new pictures, and say how far each is from the one before; not in CI");
+               "approve the new pictures, and print how far each is from the previous one; not in CI");
   command.flag("--beside", options.beside,
-               "with --update: keep what was approved of other renderers, and add this one's");
+               "with --update: keep the references of other renderers, and add those of this renderer");
   command
-      .option("--variant", options.variant,
-              "what made the images of other programs, where references differ by it")
+      .option(
+          "--variant", options.variant,
+          "name of the driver or machine that drew the images of other programs; compares with its own references")
       .type("NAME")
       .notEmpty();
   command
-      .option("--images", options.images,
-              "folder from which paths of images are, such as a build folder (default: the manifest's)")
+      .option(
+          "--images", options.images,
+          "folder that the paths of images start from, such as a build folder (default: the manifest's folder)")
       .type("FOLDER")
       .notEmpty();
   command.flag("--exact", options.exact, "only identical pictures that are stored alike pass");
@@ -33,8 +39,8 @@ void addGoldenOptions(const Command& command, GoldenOptions& options) {
       .option("--markdown", options.markdown, "add a table in Markdown to a NAME.md, or to $GITHUB_STEP_SUMMARY")
       .type("FILE")
       .notEmpty();
-  command.flag("--json", options.json, "the outcome as a JSON object, with the figures that diff has");
-  command.option("--approve-by", options.approveBy, "command that reports name as the one that approves")
+  command.flag("--json", options.json, "print the outcome as a JSON object, with the figures of diff");
+  command.option("--approve-by", options.approveBy, "command that the reports show for approving pictures")
       .type("COMMAND")
       .notEmpty();
   command.option("--report", options.report, "write a page of HTML that shows what changed")
@@ -51,12 +57,13 @@ void addGoldenOptions(const Command& command, GoldenOptions& options) {
   command.option("-j,--jobs", options.jobs, "pictures at a time (default: one for each CPU)")
       .type("N")
       .range(1, 1024);
-  command.option("--backend", options.backend, "what draws: auto, osmesa or egl").among({"auto", "osmesa", "egl"});
-  command.flag("--native", options.native, "draw as fast as this CPU can, not the same on each");
+  command.option("--backend", options.backend, "OpenGL back end: auto, osmesa or egl")
+      .among({"auto", "osmesa", "egl"});
+  command.flag("--native", options.native, "draw as fast as this CPU can; pixels may then differ between CPUs");
   command.flag("--force", options.force, "replace reports that poinsot did not write");
   command.flag("--list", options.list, "only list the tests; with --json, with their files");
-  command.flag("--unused", options.unused, "make nothing, only look for what is approved and made by no test");
-  command.flag("--quiet", options.quiet, "only the exit code, and tests that could not be run");
+  command.flag("--unused", options.unused, "make nothing; only list approved pictures that no test makes");
+  command.flag("--quiet", options.quiet, "print only the tests that could not be run");
   addAllowance(command, options);
 }
 

@@ -10,7 +10,7 @@ namespace poinsot::cli {
 
 class Command;
 
-/// Options of `poinsot golden`, as typed.
+/// Options of `poinsot golden`, as the user typed them.
 struct GoldenOptions : AllowanceOptions {
   std::string manifest = "golden.toml", output = "out/golden", images, junit, report, markdown, outcome, variant,
               approveBy, backend = "auto";

@@ -13,7 +13,7 @@
 namespace poinsot::cli {
 namespace {
 
-/// Escapes characters that roff, or the hyphenation on a terminal, would replace.
+/// Escapes characters that roff would interpret or replace.
 std::string escaped(const std::string& text) {
   std::string roff;
   for (const char c : text) switch (c) {
@@ -72,7 +72,7 @@ std::string entry(const std::string& what, const std::string& text) {
   return fmt::format(".TP\n{}\n{}\n", what, text);
 }
 
-/// Returns the allowed values in parentheses, unless the help already names them.
+/// Returns the allowed values in parentheses. Returns an empty text if the help already names them.
 std::string allowed(const OptionText& option) {
   const auto told = [&](const std::string& word) { return option.help.find(word) != std::string::npos; };
   if (!option.range.empty()) return fmt::format(" ({})", option.range);
@@ -113,7 +113,7 @@ std::string variableList() {
 }
 
 std::string notes(const CommandText& command) {
-  if (command.name.empty() || command.notes.empty()) return "";  // the program's notes are the exit codes
+  if (command.name.empty() || command.notes.empty()) return "";  // exitStatus() prints the program's notes
   std::string text = ".SH NOTES\n";
   for (const std::string& line : command.notes) text += escaped(line) + "\n";
   return text;
@@ -132,7 +132,7 @@ std::string seeAlso(const ProgramText& text, const CommandText& command) {
   return ".SH SEE ALSO\n" + list + "\n";
 }
 
-/// Returns the section on exit codes. The lines of the help lose their indent, because roff fills them.
+/// Returns the section on exit codes. Removes the indentation of the help's lines, because roff formats them anew.
 std::string exitStatus() {
   std::string text = kExitCodesText;
   for (auto at = text.find("\n "); at != std::string::npos; at = text.find("\n ")) text.erase(at + 1, 1);

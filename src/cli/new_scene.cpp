@@ -13,7 +13,7 @@
 #include "request/scene_request.h"
 #include "scene/document/problem.h"
 
-// Content of new_scene.toml.
+// Embedded content of the file new_scene.toml.
 extern "C" const char poinsot_new_scene[], poinsot_new_scene_end[];
 
 namespace poinsot::cli {
@@ -25,7 +25,8 @@ bool isPlain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ' ' || c == '-';
 }
 
-/// Returns "My book" for "my_book". A title may hold TeX, so a name with other characters gives a default title.
+/// Returns a title for a scene's name, such as "My book" for "my_book". A name with special characters gives a
+/// default title, because a title may contain TeX.
 std::string titleOf(std::string name) {
   std::ranges::replace(name, '_', ' ');
   if (name.empty() || !std::ranges::all_of(name, isPlain)) return "A new scene";
@@ -38,7 +39,8 @@ void replaceAll(std::string& text, std::string_view what, std::string_view with)
     text.replace(at, what.size(), with);
 }
 
-/// Returns a quantity of the template as a TOML value. A value in another unit is rounded to three digits.
+/// Returns a quantity of the template as a TOML value. If the user prefers another unit, converts and rounds the
+/// value to three digits.
 std::string inUnit(const std::string& quantity, scene::Dimension dimension, const request::UnitChoice& units) {
   const bool bare = quantity.find(' ') == quantity.npos;
   const auto choice = units.find(dimension);
@@ -50,7 +52,7 @@ std::string inUnit(const std::string& quantity, scene::Dimension dimension, cons
   return fmt::format("\"{} {}\"", rounded, choice->second);
 }
 
-/// Replaces marks such as "@length:24 cm@" by quantities in the user's units.
+/// Replaces marks in the template, such as "@length:24 cm@", with quantities in the user's units.
 void setQuantities(std::string& text, const request::UnitChoice& units) {
   for (const scene::Dimension dimension : scene::dimensions()) {
     const std::string mark = "@" + request::dimensionWord(dimension) + ":";
@@ -70,7 +72,7 @@ Lines linesOf(std::string_view text) {
   return lines;
 }
 
-/// Aligns the comments again, which quantities in the user's units have moved.
+/// Aligns the comments of the template. Quantities in the user's units may have changed the length of lines.
 void alignComments(std::string& text) {
   constexpr std::size_t kColumn = 38;
   Lines lines = linesOf(text);
@@ -82,13 +84,14 @@ void alignComments(std::string& text) {
   text = fmt::format("{}\n", core::joined(lines, "\n"));
 }
 
-/// Returns "show.body" for the line "[show.body]", with or without a comment; nullopt for another line.
+/// Returns "show.body" for the line "[show.body]", with or without a comment. Returns nullopt for other lines.
 std::optional<std::string> headerOf(const std::string& line) {
   if (!line.starts_with('[') || line.starts_with("[[")) return std::nullopt;
   return line.substr(1, line.find(']') - 1);
 }
 
-/// Returns the index of the line that opens the deepest table with the key; the number of lines if there is none.
+/// Returns the index of the line that opens the deepest table for the key, or the number of lines if no table
+/// fits.
 std::size_t tableLine(const Lines& lines, const std::string& path) {
   std::size_t deepest = lines.size(), depth = 0;
   for (std::size_t i = 0; i < lines.size(); ++i)

@@ -8,15 +8,16 @@
 
 namespace poinsot::cli {
 
-/// Returns a commented template of a scene, in the user's units and with the keys of the user's defaults.
-/// @param name  name of the scene, from which its title is made
+/// Returns a scene template with comments, in the user's units and with the keys of the user's defaults.
+/// @param name  name of the scene, from which the title is derived
 std::string blankScene(const std::string& name, const request::UserDefaults& defaults);
 
-/// Returns a gallery scene with the default keys that the scene lacks, except for keys that make it invalid.
+/// Returns a gallery scene with the user's default keys added. Omits keys that the scene already has, and keys
+/// that would make it invalid.
 std::string galleryScene(std::string text, const request::UserDefaults& defaults);
 
-/// Sets a key in the text of a scene. The new line replaces a line that has the key, or a comment that offers the
-/// key; otherwise it becomes the first of its table, which is added if it is missing.
+/// Sets a key in the text of a scene. Replaces the line of the key, or a comment with the key. If there is
+/// neither, adds the key as the first line of its table, and adds the table if it is missing.
 std::string withKey(std::string_view text, const request::DefaultKey& key);
 
 }  // namespace poinsot::cli

@@ -24,7 +24,7 @@ constexpr double kPointsPerInch = 72;
 
 std::string line(const std::string& text) { return "poinsot: " + text + "\n"; }
 
-/// Returns the film time of a nutation; empty if the motion is no heavy top, or has no finite nutation period.
+/// Returns the film time of one nutation as text. Empty unless the motion is a heavy top with a finite period.
 std::string nutationText(const scene::Scene& scene, double pace) {
   const auto top = scene::heavyTopStart(scene);
   const double period_s = top ? top->nutation().period_s / pace : 0;
@@ -32,42 +32,42 @@ std::string nutationText(const scene::Scene& scene, double pace) {
   return fmt::format(" a nutation takes {:.3g} s of film;", period_s);
 }
 
-/// Returns a note on a speed that the program chose so that the eye can follow. Such a film can be mistaken for
-/// real time, and may be too slow to show much of the motion.
+/// Returns a note that the program has chosen a playback speed at which the motion can be followed. Otherwise,
+/// users may think that the film is in real time.
 std::string paceNote(const scene::Scene& scene) {
   const double pace = scene::chosenSpeed(scene);
   if (scene.time.speed || std::abs(pace - 1) < 0.05) return "";
   return line(
-      fmt::format("a second of film is {:.3g} s of the motion, the whole film {:.3g} s;{} time.speed = 1 is as "
-                  "fast as it is",
+      fmt::format("a second of film is {:.3g} s of the motion, the whole film {:.3g} s;{} time.speed = 1 shows "
+                  "the motion in real time",
                   pace, pace * scene.time.duration_s, nutationText(scene, pace)));
 }
 
-/// Returns a note if the path of a flight was shrunk so that the body can be seen, because it looks true to scale.
+/// Returns a note if the path of a flight is drawn at a smaller scale than the body.
 std::string flightNote(const scene::Scene& scene) {
   if (!scene.motion.flight || scene.show.figures.flight.scale) return "";
   const double scale = stage::Stage(scene).flightScale();
   if (scale >= 1) return "";
-  return line(
-      fmt::format("beside the body the path of its flight is drawn {:.3g} times smaller, or the body would be too "
-                  "small to see; a shorter film needs less of it, show.flight.scale = 1 none",
-                  1 / scale));
+  return line(fmt::format(
+      "the flight path is drawn {:.3g} times smaller than the body, because the body would otherwise be too small "
+      "to see; a shorter film needs a smaller factor, and show.flight.scale = 1 draws the path to scale",
+      1 / scale));
 }
 
 std::string torqueNote(const scene::Scene& scene) {
   const auto asks = [](const scene::View& view) { return view.show.figures.torque.visible; };
   if (!scene.motion.forcing.none() || std::ranges::none_of(scene.views, asks)) return "";
-  return line("show.torque asks for a torque, and nothing acts on the body");
+  return line("show.torque has no effect, because no torque acts on the body");
 }
 
 std::string faintTypeNote(const scene::Scene& scene) {
-  constexpr double kLegible = 3;  // contrast of large type (WCAG 2)
+  constexpr double kLegible = 3;  // minimum contrast of large text (WCAG 2)
   const stage::Palette colors = stage::palette(scene.style);
   const double contrast = stage::contrastRatio(colors.ink, colors.paper);
   if (contrast >= kLegible) return "";
   return line(
-      fmt::format("titles hardly stand out from the paper (contrast {:.2g} : 1); give style.colors.ink, or a "
-                  "style.theme whose paper is like yours",
+      fmt::format("titles hardly stand out from the paper (contrast {:.2g} : 1); set style.colors.ink, or a "
+                  "style.theme with a similar paper colour",
                   contrast));
 }
 
@@ -97,8 +97,8 @@ std::string choiceNotes(const scene::Scene& scene, bool film) {
 }
 
 std::string smallTypeNote(const job::RenderRequest& render) {
-  constexpr double kLegible_px = 7;  // the letter x is then 3 pixels high
-  constexpr double kLegible_pt = 5;  // least size that publishers accept
+  constexpr double kLegible_px = 7;  // text size at which the letter x is 3 pixels high
+  constexpr double kLegible_pt = 5;  // minimum text size that publishers accept
   const auto& [sweep, print] = std::tie(render.scene.request.sweep, render.form.print);
   if (!sweep && !print) return "";
   const scene::Scene& scene = render.scene.scene;
@@ -108,9 +108,10 @@ std::string smallTypeNote(const job::RenderRequest& render) {
       request::composerOf(render.scene)->compose(moment, size_px, request::sizingOf(render.form, size_px)));
   const double smallest = print ? smallest_px * kPointsPerInch / print->dpi : smallest_px;
   if (smallest >= (print ? kLegible_pt : kLegible_px)) return "";
-  return line(fmt::format("the smallest type is {:.2g} {}; a larger {} or fewer {} make it larger", smallest,
-                          print ? "pt high, which is hard to read on paper" : "px high, which nobody can read",
-                          print ? "--width" : "--size", sweep ? "cells" : "panels"));
+  return line(
+      fmt::format("the smallest text is {:.2g} {}; a larger {} or fewer {} make it larger", smallest,
+                  print ? "pt high, which is hard to read on paper" : "px high, which is too small to read",
+                  print ? "--width" : "--size", sweep ? "cells" : "panels"));
 }
 
 std::string rendererNotes(const std::set<std::string>& renderers) {

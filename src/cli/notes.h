@@ -9,18 +9,17 @@
 
 namespace poinsot::cli {
 
-/// Returns notes on likely mistakes in the scene file, one per line: "file:line:column: note: ...".
+/// Returns notes on likely mistakes in the scene file, one per line: "file:line:column: note: TEXT".
 std::string doubtNotes(const scene::Scene& scene);
 
-/// Returns doubtNotes(), and notes on choices of the program and on results that the author hardly wants; one per
-/// line.
-/// @param film  whether more than one frame is made
+/// Returns doubtNotes(), and notes on choices of the program and on results that users rarely want, one per line.
+/// @param film  whether the output has more than one frame
 std::string choiceNotes(const scene::Scene& scene, bool film);
 
-/// Returns a note if type is too small to read, in a sweep or in a picture on paper; else an empty string.
+/// Returns a note if text is too small to read, in a sweep or on paper. Otherwise, the text is empty.
 std::string smallTypeNote(const job::RenderRequest& render);
 
-/// Returns a note for each renderer that is slow and whose pictures differ from those of other machines.
+/// Returns a note for each slow renderer whose pictures differ from those of other machines.
 /// @param renderers  GL_RENDERER of the processes that drew; empty texts are ignored
 std::string rendererNotes(const std::set<std::string>& renderers);
 

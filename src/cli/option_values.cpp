@@ -46,7 +46,7 @@ struct PaperUnit {
 
 constexpr PaperUnit kUnits[] = {{"mm", 1}, {"cm", 10}, {"in", 25.4}, {"pt", 25.4 / 72.27}};
 
-constexpr double kLeastWidth_mm = 15;  // type in its printed size needs this width
+constexpr double kLeastWidth_mm = 15;  // minimum for text in its printed size
 
 struct Sides {
   double width, height;
@@ -62,13 +62,13 @@ bool fits(const Sides& sides, double most) {
   return within(sides.width) && within(sides.height);
 }
 
-/// Returns advice with the nearest whole --dpi that fits; empty if none fits.
+/// Returns advice to use the nearest whole --dpi that is allowed. Empty if no --dpi is allowed.
 std::string advice(request::PrintSize print, image::PixelSize proportion, double longest) {
   const Sides asked = sidesOf(print, proportion);
   const auto [least, most] = std::minmax(asked.width, asked.height);
   const double shrink = longest / most;
   print.dpi = shrink < 1 ? std::floor(print.dpi * shrink) : std::ceil(print.dpi * scene::kLeastSide / least);
-  return fits(sidesOf(print, proportion), longest) ? fmt::format("; --dpi {:.0f} would do", print.dpi) : "";
+  return fits(sidesOf(print, proportion), longest) ? fmt::format("; use --dpi {:.0f}", print.dpi) : "";
 }
 
 }  // namespace
@@ -82,11 +82,11 @@ double parseWidth_mm(const std::string& word) {
     if (!value || !(*value > 0) || !std::isfinite(*value)) break;
     if (*value * unit.unit_mm >= kLeastWidth_mm) return *value * unit.unit_mm;
     throw core::usageError(
-        fmt::format("--width '{}': must be at least {} mm, because type does not shrink below its size in points",
+        fmt::format("--width '{}': must be at least {} mm, because text does not shrink below its size in points",
                     core::printable(word), kLeastWidth_mm));
   }
   throw core::usageError(
-      fmt::format("--width '{}': a width on paper is a number above 0 and mm, cm, in or pt, such as 86mm",
+      fmt::format("--width '{}': must be a number above 0 with the unit mm, cm, in or pt, such as 86mm",
                   core::printable(word)));
 }
 
@@ -96,12 +96,13 @@ image::PixelSize printedPixels(const request::PrintSize& print, image::PixelSize
   const Sides sides = sidesOf(print, proportion);
   if (fits(sides, longest)) return {static_cast<int>(sides.width), static_cast<int>(sides.height)};
   throw core::limitError(fmt::format(
-      "{:.4g} mm at {:.4g} dpi are {:.0f}x{:.0f} pixels: sides are from {} to {} pixels{}", print.width_mm,
+      "{:.4g} mm at {:.4g} dpi are {:.0f}x{:.0f} pixels; sides must be from {} to {} pixels{}", print.width_mm,
       print.dpi, sides.width, sides.height, scene::kLeastSide, longest, advice(print, proportion, longest)));
 }
 
 void addBitsOption(const Command& command, int& bits) {
-  command.option("--bits", bits, "of a sample in a PNG: 8, or 16 for gradients to work on (default: 8)")
+  command
+      .option("--bits", bits, "bits per sample in a PNG: 8, or 16 for gradients that you edit later (default: 8)")
       .type("N")
       .amongNumbers({8, 16});
 }

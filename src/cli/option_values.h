@@ -14,8 +14,8 @@ namespace poinsot::cli {
 
 class Command;
 
-/// Parses a time: a number of seconds, or a number with a unit of time as in scene files. The result may be
-/// infinite or NaN.
+/// Parses a time: a number of seconds, or a number with a unit of time as in scene files. Infinity and NaN are
+/// possible results.
 /// @throws core::Error(kUsage) naming the option
 double parseTime_s(std::string_view option, const std::string& word);
 
@@ -23,19 +23,19 @@ double parseTime_s(std::string_view option, const std::string& word);
 /// @throws core::Error(kUsage) naming the option
 std::vector<double> parseTimes_s(std::string_view option, std::string_view words);
 
-/// Parses a width on paper: a number with mm, cm, in or pt, such as "86mm" or "3.4 in". A point is TeX's, 1/72.27
-/// inch, as \the\columnwidth prints it.
+/// Parses a width on paper: a number with mm, cm, in or pt, such as "86mm" or "3.4 in". A point is 1/72.27 inch as
+/// in TeX, so users can copy the value of \the\columnwidth.
 /// @throws core::Error(kUsage) if the text is malformed, or the width is less than 15 mm
 double parseWidth_mm(const std::string& word);
 
-/// Returns the pixels of a picture on paper, with the ratio of sides of `proportion`.
-/// @throws core::Error(kLimit) beyond the limits of a picture, naming a --dpi that fits
+/// Returns the size in pixels of a picture on paper, with the aspect ratio of `proportion`.
+/// @throws core::Error(kLimit) if a side is too small or too large, naming an allowed --dpi
 image::PixelSize printedPixels(const request::PrintSize& print, image::PixelSize proportion,
                                const scene::Limits& limits);
 
 void addBitsOption(const Command& command, int& bits);
 
-/// @throws core::Error(kUsage) if the target takes no pictures of that many bits, naming targets that do
+/// @throws core::Error(kUsage) if pictures of the target cannot have that many bits, naming targets that can
 void checkBits(int bits, const request::OutputTarget& target);
 
 }  // namespace poinsot::cli

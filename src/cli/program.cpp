@@ -16,13 +16,13 @@
 namespace poinsot::cli {
 namespace {
 
-/// Refuses a small stack, because an overflow ends the process by a signal. The gallery needs 96 KiB; nested
-/// scenes need more.
+/// Checks that the stack is large enough, because a stack overflow kills the process. The gallery needs 96 KiB;
+/// nested scenes need more.
 void requireStack() {
   constexpr rlim_t kLeast = 1 << 20;
   rlimit stack{};
   if (getrlimit(RLIMIT_STACK, &stack) == 0 && stack.rlim_cur < kLeast)
-    throw std::runtime_error(fmt::format("the stack may take {} KiB, poinsot needs {}: ulimit -s {}",
+    throw std::runtime_error(fmt::format("the stack limit is {} KiB, but poinsot needs {} KiB; run: ulimit -s {}",
                                          stack.rlim_cur >> 10, kLeast >> 10, kLeast >> 10));
 }
 
@@ -30,8 +30,8 @@ void requireStack() {
 
 int runProgram(int argc, char** argv) {
   openStandardStreams();
-  std::signal(SIGPIPE, SIG_IGN);  // a write fails with EPIPE instead
-  std::signal(SIGXFSZ, SIG_IGN);  // a write fails with EFBIG instead
+  std::signal(SIGPIPE, SIG_IGN);  // makes a failed write return EPIPE instead
+  std::signal(SIGXFSZ, SIG_IGN);  // makes a failed write return EFBIG instead
   return translatingErrors([&] {
     requireStack();
     clearOtherVariables();

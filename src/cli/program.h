@@ -3,8 +3,7 @@
 
 namespace poinsot::cli {
 
-/// Runs the program: parses the arguments, runs the command, and turns every failure into a message and an exit
-/// code.
+/// Runs the program. Parses the arguments, runs the command, and converts failures to messages and exit codes.
 int runProgram(int argc, char** argv);
 
 }  // namespace poinsot::cli

@@ -22,8 +22,8 @@ constexpr KindOfWord kKinds[] = {
     {"THEIRS", WordKind::kTable}, {"OUTPUT", WordKind::kFile},   {"KEY=VALUE", WordKind::kKey},
 };
 
-/// Returns the kind of a value by its name. Operands with other names are files, because a shell can offer nothing
-/// else.
+/// Returns the kind of a value, judged by the name of the value. An operand with another name counts as a file,
+/// because files are all that a shell can offer.
 WordKind kindOf(const OptionText& option) {
   const auto* known = std::ranges::find(kKinds, option.value, &KindOfWord::value);
   if (known != std::end(kKinds)) return known->kind;
@@ -45,7 +45,7 @@ std::string within(const std::string& text, char open, char close) {
   return from == std::string::npos || to == std::string::npos ? "" : text.substr(from + 1, to - from - 1);
 }
 
-/// Reads CLI11's description of a value, such as "NAME:{auto,osmesa,egl}" or "N:INT in [1 - 1024]".
+/// Parses CLI11's description of a value, such as "NAME:{auto,osmesa,egl}" or "N:INT in [1 - 1024]".
 void readValue(const std::string& typeName, OptionText& option) {
   const auto colon = typeName.find(':');
   option.value = typeName.substr(0, colon);
@@ -70,7 +70,8 @@ OptionText optionText(const CLI::Option& declared) {
   return option;
 }
 
-/// Splits a footer into notes and examples. Examples are the indented lines after "Example:" or "Examples:".
+/// Splits the text at the end of the help into notes and examples. Examples are the indented lines after
+/// "Example:" or "Examples:".
 void readFooter(const std::string& footer, CommandText& command) {
   bool inExamples = false;
   for (const std::string& line : split(footer, '\n')) {
@@ -106,7 +107,7 @@ CommandText commandText(const CLI::App& declared) {
   return command;
 }
 
-/// Returns the keys with a single value. Elements of arrays can only be set in the file.
+/// Returns all keys of scenes except those in arrays, which can only be set in the file.
 std::vector<KeyText> keyTexts() {
   std::vector<KeyText> texts;
   for (const scene::Key& key : scene::keys()) {

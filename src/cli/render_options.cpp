@@ -19,7 +19,7 @@ std::vector<std::string> qualityNames() {
   return names;
 }
 
-/// Returns the overrides for -q. The size and rate factor are included, because they must override the file's own.
+/// Returns the overrides for -q. They include size and CRF, to replace those of the file.
 std::vector<std::string> qualityOverrides(const std::string& quality) {
   if (quality.empty()) return {};
   std::vector<std::string> overrides{"output.quality=" + quality};
@@ -31,8 +31,8 @@ std::vector<std::string> qualityOverrides(const std::string& quality) {
 }
 
 struct Override {
-  std::string text;   ///< "time.fps=0"
-  std::string typed;  ///< "--fps 0"
+  std::string text;   ///< override, such as "time.fps=0"
+  std::string typed;  ///< option as typed, such as "--fps 0"
 };
 
 std::vector<Override> overridesOf(const RenderOptions& options) {
@@ -45,7 +45,7 @@ std::vector<Override> overridesOf(const RenderOptions& options) {
   return overrides;
 }
 
-/// Throws the errors with the options that the user typed. The scene layer names every override as a -D.
+/// Throws the errors again, with options as the user typed them. In the original errors, all options look like -D.
 [[noreturn]] void throwAsTyped(const scene::SceneErrors& errors, const std::vector<Override>& overrides) {
   std::vector<scene::Problem> problems = errors.problems();
   for (scene::Problem& problem : problems)
@@ -61,18 +61,20 @@ void addLookOptions(const Command& command, RenderOptions& options) {
   command.option("--size", options.size, "size of the picture in pixels").type("WxH").notEmpty();
   command.option("-q,--quality", options.quality, "size and quality").type("NAME").notEmpty(qualityNames());
   command.flag("--force", options.force, "replace a file that this program did not write");
-  command.option("--backend", options.backend, "OpenGL through osmesa, egl, or auto: the first that works")
+  command.option("--backend", options.backend, "OpenGL back end: osmesa, egl, or auto for the first that works")
       .type("NAME")
       .among({"auto", "osmesa", "egl"});
 }
 
 void addPictureOptions(const Command& command, RenderOptions& options) {
   addLookOptions(command, options);
-  command.option("-j,--jobs", options.jobs, "worker processes (default: one per CPU); never changes a byte")
+  command
+      .option("-j,--jobs", options.jobs,
+              "number of worker processes (default: one per CPU); the output does not depend on it")
       .type("N")
       .range(1, 1024);
-  command.flag("--quiet", options.quiet, "say nothing but errors");
-  command.flag("--reproducible", options.reproducible, "the same pixels on every x86-64 CPU");
+  command.flag("--quiet", options.quiet, "print only errors");
+  command.flag("--reproducible", options.reproducible, "draw the same pixels on every x86-64 CPU");
   command.flag("--dry-run", options.dryRun, "check everything, print what would be made, make nothing");
 }
 
@@ -86,13 +88,13 @@ void addRenderOptions(const Command& command, RenderOptions& options) {
   addSceneOptions(command, options);
   addViewOption(command, options);
   addPictureOptions(command, options);
-  command.option("--progress", options.progress, "auto, plain, json (an object a line on stderr) or none")
+  command.option("--progress", options.progress, "auto, plain, json (one object per line on stderr) or none")
       .type("STYLE")
       .among({"auto", "plain", "json", "none"});
-  command.flag("--stats", options.stats, "afterwards: CPU time per frame by step, peak memory");
+  command.flag("--stats", options.stats, "at the end, print the CPU time per frame by step, and the peak memory");
   command
       .option("--trace", options.trace,
-              "besides, a JSON file of what each worker did when, for chrome://tracing or ui.perfetto.dev")
+              "also write a JSON timeline of all workers, for chrome://tracing or ui.perfetto.dev")
       .type("FILE")
       .notEmpty();
 }
@@ -105,11 +107,11 @@ image::PixelSize parseSize(const std::string& text, const scene::Limits& limits)
                           : core::parseInteger<int>(std::string_view(text).substr(cross + 1));
   if (!width || !height)
     throw core::usageError(
-        fmt::format("--size '{}': a size is WIDTHxHEIGHT, such as 1280x720", core::printable(text)));
+        fmt::format("--size '{}': must be WIDTHxHEIGHT, such as 1280x720", core::printable(text)));
   const std::int64_t most = limits[scene::Limit::kSide];
   const auto fits = [&](int side) { return side >= scene::kLeastSide && side <= most; };
   if (!fits(*width) || !fits(*height))
-    throw core::limitError(fmt::format("--size {}x{}: sides are from {} to {} pixels; {}", *width, *height,
+    throw core::limitError(fmt::format("--size {}x{}: sides must be from {} to {} pixels; {}", *width, *height,
                                        scene::kLeastSide, most, howToRaise(scene::Limit::kSide)));
   return {*width, *height};
 }

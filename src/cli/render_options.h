@@ -13,36 +13,37 @@
 
 namespace poinsot::cli {
 
-/// Options of the commands that render, as typed.
+/// Options of the commands that render, as the user typed them.
 struct RenderOptions : SceneOptions {
   std::string output, size, quality, fps, trace;
   int jobs = 0;
-  int view = 0;  ///< number of the only view, from 1; 0 draws all views
+  int view = 0;  ///< number of the view to draw, from 1; 0 draws all
   bool force = false, quiet = false, reproducible = false, stats = false, dryRun = false, loop = false;
   std::string progress = "auto", backend = "auto";
   std::optional<request::SweepRequest> sweep;
 };
 
-/// Declares the options that every process of a render needs: size, quality, back end, --force.
+/// Declares the options for size, quality, back end and --force, which every process of a render needs.
 void addLookOptions(const Command& command, RenderOptions& options);
 
-/// Declares the options of addLookOptions(), -j, --quiet, --reproducible and --dry-run.
+/// Declares the options of addLookOptions(), and -j, --quiet, --reproducible and --dry-run.
 void addPictureOptions(const Command& command, RenderOptions& options);
 
 void addViewOption(const Command& command, RenderOptions& options);
 
-/// Declares all options except -o, --fps and --loop.
+/// Declares all options of a render except -o, --fps and --loop.
 void addRenderOptions(const Command& command, RenderOptions& options);
 
-/// Parses a size such as "640x360".
-/// @throws core::Error(kUsage) if the text is malformed; core::Error(kLimit) beyond the limits of a picture
+/// Parses a picture size such as "640x360".
+/// @throws core::Error(kUsage) if the text is malformed; core::Error(kLimit) if a side is too small or too large
 image::PixelSize parseSize(const std::string& text, const scene::Limits& limits);
 
-/// Reads and checks the scene file. The options -q, -D, --fps and --loop override the file, later options in this
-/// list the earlier ones.
+/// Reads and checks the scene file. The options -q, -D, --fps and --loop override keys of the file. If two of them
+/// set the same key, the later one in this list wins.
 /// @throws scene::SceneErrors naming options as typed; core::Error(kScene, kUsage, kLimit)
 request::RequestedScene requestedScene(const RenderOptions& options);
-/// Reads a scene with limits that were granted before, for commands that read several scenes.
+/// Reads a scene with the given limits, for commands that read several scenes. @param allowance  result of
+/// granted()
 request::RequestedScene requestedScene(const RenderOptions& options, const scene::Allowance& allowance);
 
 gl::Backend requestedBackend(const RenderOptions& options);

@@ -41,27 +41,27 @@ void checkStandardOutput() {
     throw core::usageError("-o -: standard output is a terminal; send it to a program or a file");
 }
 
-/// Makes the default folder, out/, even if the user named it. Returns false if the folder is missing in a dry run.
+/// Creates the default folder, out/, if the output is there. Returns false if the folder is missing in a dry run.
 bool prepareDefaultFolder(const RenderOptions& options, const request::OutputTarget& target) {
   const auto folder = target.path.parent_path();
   const bool results = options.output.empty() || folder == "out";
-  std::error_code ignored;  // checking the target reports a missing folder
+  std::error_code ignored;  // ignored: a later check of the target reports a missing folder
   if (results && !options.dryRun) std::filesystem::create_directory(folder, ignored);
   return !results || std::filesystem::exists(folder, ignored);
 }
 
-/// Makes the folder of a sequence. The folders of other targets were checked before.
+/// Creates the folder of a sequence. The folders of other targets have already been checked.
 void prepareFolder(const request::OutputTarget& target) {
   if (target.kind == OutputKind::kSequence) output::PngSequence(output::FramePattern(target.path.string()));
 }
 
 job::ProgressStyle styleOf(const RenderOptions& options, std::int64_t frames) {
-  // A single frame is ready before a bar is useful.
+  // "auto" shows no bar for a single frame, which takes too little time.
   const bool silent = options.quiet || (frames == 1 && options.progress == "auto");
   return job::progressStyle(silent ? "none" : options.progress, errIsTerminal());
 }
 
-/// Ends an open bar at the end of the scope, so that a message starts on its own line.
+/// Scope that ends the progress bar, so that the next message starts on its own line.
 class LineEnd {
  public:
   explicit LineEnd(job::Progress& progress) : progress_(progress) {}
@@ -73,7 +73,7 @@ class LineEnd {
 };
 
 void sayHowToGoOn(std::int64_t kept, std::int64_t total, bool shard) {
-  writeErr(fmt::format("poinsot: {} of {} frames are kept; the same command{} goes on from there\n", kept, total,
+  writeErr(fmt::format("poinsot: {} of {} frames are kept; to continue, run the same command{}\n", kept, total,
                        shard ? "" : " with --resume"));
 }
 
@@ -94,21 +94,21 @@ job::RenderSummary runWithProgress(const RenderOptions& options, job::RenderRequ
   }
 }
 
-/// Returns the number of workers. Throws before anything is made if memory does not suffice.
+/// Returns the number of workers. Throws if memory does not suffice, before any file is created.
 int workersOf(const RenderOptions& options, const job::RenderRequest& request) {
-  // With more shards than segments, some shards are empty.
+  // If there are more shards than segments, some shards have no segments.
   return workerCount(options, std::max(1, static_cast<int>(request.segments().size())), request);
 }
 
-/// Returns the subtitles that are written as files; standard output and pictures have none.
+/// Returns the subtitles to write as files. Empty for standard output and for pictures.
 std::vector<request::Subtitle> subtitlesBeside(const request::OutputTarget& target, const scene::Scene& scene,
                                                const request::FrameRange& frames) {
   if (target.kind != OutputKind::kFilm || target.stream) return {};
   return request::subtitlesOf(scene, frames);
 }
 
-/// Returns a note on what happens to subtitles if another film of this name exists: NAME.srt changes and may no
-/// longer fit that film, or stays although this film has no captions.
+/// Returns a note if another film has the same name except for its ending, because both share NAME.srt. The
+/// subtitles are either replaced and may not fit the other film, or kept although this film has no captions.
 std::string sharedSubtitlesNote(const request::OutputTarget& target, const scene::Scene& scene,
                                 const request::FrameRange& frames) {
   if (target.kind != OutputKind::kFilm || target.stream) return "";
@@ -119,19 +119,20 @@ std::string sharedSubtitlesNote(const request::OutputTarget& target, const scene
   std::string notes;
   if (subtitles.empty() && !others.empty())
     for (const auto& file : request::ownSubtitleFiles(target.path))
-      notes += fmt::format("poinsot: note: {} stays: it may belong to {}\n", name(file), name(others.front()));
+      notes += fmt::format("poinsot: note: {} is kept, because it may belong to {}\n", name(file),
+                           name(others.front()));
   if (subtitles.empty() || !request::replacesOthers(subtitles, target.path)) return notes;
   for (const auto& other : others)
     notes += fmt::format(
-        "poinsot: note: {} and {} get the captions of {}, which differ from those that they have; if these "
-        "belong to {}, give one of the two films another name\n",
+        "poinsot: note: {} and {} are replaced by the captions of {}, which differ; if the old captions belong to "
+        "{}, give one of the two films another name\n",
         name(files[0]), name(files[1]), name(target.path), name(other));
   return notes;
 }
 
 std::string damageNote(const request::OutputTarget& target, const job::RenderSummary& summary) {
   if (!summary.replacedDamaged) return "";
-  return fmt::format("poinsot: note: {} was there, but not as it was written; it was made again\n",
+  return fmt::format("poinsot: note: {} was damaged or changed after it was written, so it was made again\n",
                      core::printable(target.path.string()));
 }
 
@@ -140,16 +141,15 @@ std::string completeText(const PartsOptions& parts, const request::OutputTarget&
                      parts.shard);
 }
 
-/// Returns "out/film.mp4 is ready (420 frames, 60 of them were there already, 31.2 s)".
+/// Returns "out/film.mp4 is ready (420 frames, 60 of them already existed, 31.2 s)".
 std::string readyText(const PartsOptions& parts, const request::OutputTarget& target,
                       const request::FrameRange& frames, const job::RenderSummary& summary) {
   const std::string what = target.stream ? "standard output" : core::printable(target.path.string());
-  const std::string reused =
-      summary.reused > 0 ? fmt::format(", {} of them were there already", summary.reused) : "";
+  const std::string reused = summary.reused > 0 ? fmt::format(", {} of them already existed", summary.reused) : "";
   if (!parts.shard.empty())
     return fmt::format("shard {} of {} is done ({:.1f} s{}); `poinsot assemble` joins the shards", parts.shard,
                        what, summary.wall_s,
-                       reused.empty() ? "" : fmt::format(", {} frames were there already", summary.reused));
+                       reused.empty() ? "" : fmt::format(", {} frames already existed", summary.reused));
   return fmt::format("{} is ready ({} frame{}{}, {:.1f} s)", what, frames.count(), frames.count() == 1 ? "" : "s",
                      reused, summary.wall_s);
 }
@@ -167,7 +167,7 @@ job::RenderChoices completed(job::RenderChoices choices, const RenderOptions& op
   return choices;
 }
 
-/// Calls `action`. With JSON progress, reports the file that caused a failure, and its errno.
+/// Calls `action`. After a failure, reports the file and the errno as JSON if progress is reported as JSON.
 template <class Action>
 int reportingFailures(const RenderOptions& options, const Action& action) {
   try {
@@ -181,7 +181,7 @@ int reportingFailures(const RenderOptions& options, const Action& action) {
 int make(const RenderOptions& options, job::RenderRequest render, const PartsOptions& parts) {
   const request::OutputTarget target = render.target;
   const request::FrameRange frames = render.frames;
-  std::optional<core::TemporaryFolder> parked;  // segments that wait to be sent
+  std::optional<core::TemporaryFolder> parked;  // folder of segments that are not yet written to standard output
   if (target.stream) render.target.path = parked.emplace().path() / target.path;
   prepareFolder(render.target);
   process::watchInterrupts();
@@ -198,7 +198,7 @@ int make(const RenderOptions& options, job::RenderRequest render, const PartsOpt
 FileAccess accessOf(const RenderOptions& options, const std::optional<request::OutputTarget>& target) {
   FileAccess access{{options.scene}, options.assetRoots};
   access.reproducible = options.reproducible;
-  if (!options.dryRun) {  // the sandbox cannot make missing folders
+  if (!options.dryRun) {  // creates folders now, because the sandbox cannot
     if (options.output.empty() || !target)
       access.made.emplace_back("out");
     else if (target->kind == OutputKind::kSequence && !target->stream)
@@ -235,7 +235,7 @@ int renderTo(const RenderOptions& options, RequestedFilm film, job::RenderChoice
     files.writes(options.trace, "--trace", job::traceKind());
     job::RenderRequest render = job::renderRequest(std::move(film.scene), film.target, film.frames,
                                                    completed(std::move(choices), options, parts));
-    if (parts.shardsLeft > 0) return listShardsLeft(render);  // draws nothing, so needs no memory for workers
+    if (parts.shardsLeft > 0) return listShardsLeft(render);  // needs no workers, so no check of memory
     if (!options.dryRun && isShardOfFinishedFilm(render)) {
       if (!options.quiet) writeErr("poinsot: " + completeText(parts, render.target) + "\n");
       return kDone;

@@ -10,15 +10,16 @@
 
 namespace poinsot::cli {
 
-/// Options for making a film or sequence in parts, as typed.
+/// Options for making a film or sequence in parts, as the user typed them.
 struct PartsOptions {
   bool resume = false, keep = false;
   std::int64_t segmentFrames = request::kSegmentFrames;
   std::string shard, manifest;
-  int shardsLeft = 0;  ///< if not 0, only prints which of so many shards have work left
+  int shardsLeft = 0;  ///< if not 0, only lists the unfinished of this many shards
 };
 
-/// Returns the files that a render reads and writes. @param target  output that was named; else `out` is made
+/// Returns the files that a render reads and writes. @param target  the named output; nullopt for a default in
+/// out/
 FileAccess accessOf(const RenderOptions& options, const std::optional<request::OutputTarget>& target);
 
 struct RequestedFilm {
@@ -27,16 +28,16 @@ struct RequestedFilm {
   request::FrameRange frames;
 };
 
-/// Checks everything that can fail before drawing, such as the film's format and files that must not be replaced.
-/// Makes the folder of an output that was not named, except in a dry run.
+/// Checks everything that can fail before drawing, such as the film's format. Creates the default folder of the
+/// output, except in a dry run.
 /// @returns the files of the run so far: inputs, the output and its subtitles.
 /// @throws core::Error
 output::RunFiles checkMakeable(const RenderOptions& options, const RequestedFilm& film,
                                const request::PictureOptions& form);
 
-/// Checks the target, renders and shows progress; the last part of `render`, `still` and `sweep`. With --dry-run
-/// only prints what would be made.
-/// @param choices  choices of the command besides the options
+/// Checks the target, renders and shows progress: the last part of `render`, `still` and `sweep`. With --dry-run,
+/// only prints what the render would make.
+/// @param choices  settings that the command makes in addition to the options
 /// @throws core::Error, process::Interrupted
 int renderTo(const RenderOptions& options, RequestedFilm film, job::RenderChoices choices,
              const PartsOptions& parts = {});

@@ -7,7 +7,7 @@
 namespace poinsot::cli {
 
 void addOverrides(const Command& command, SceneOptions& options) {
-  command.option("-D", options.overrides, "set a key of the scene, above what the file says")
+  command.option("-D", options.overrides, "set a key of the scene; overrides the file")
       .type("KEY=VALUE")
       .repeats();
   addAllowance(command, options);

@@ -10,7 +10,7 @@
 
 namespace poinsot::cli {
 
-/// Options of the commands that read one scene, as typed.
+/// Options of the commands that read one scene, as the user typed them.
 struct SceneOptions : AllowanceOptions {
   std::string scene;
   std::vector<std::string> overrides;
@@ -27,12 +27,12 @@ void addSceneOptions(const Command& command, SceneOptions& options);
 scene::Scene loadScene(const SceneOptions& options, const scene::Allowance& allowance);
 scene::Scene loadScene(const SceneOptions& options);
 
-/// Adds the inputs of a run: the scene and the files that it names.
+/// Registers the inputs of a run: the scene and the files that it names.
 /// @throws core::Error(kUsage) if an output is one of these files.
 void enterInputs(output::RunFiles& files, const SceneOptions& options, const scene::Scene& scene);
 
-/// Returns the files of a run with the inputs of enterInputs().
-/// @param force  whether the run may replace files that this program did not write
+/// Returns a register of the files of a run, with the inputs of enterInputs().
+/// @param force  whether the run may replace files of other programs
 output::RunFiles enteredInputs(const SceneOptions& options, const scene::Scene& scene, bool force);
 
 }  // namespace poinsot::cli

@@ -34,7 +34,7 @@ std::vector<fs::path> scenesIn(const fs::path& folder) {
         core::ErrorKind::kIo,
         fmt::format("{}: {}; POINSOT_SCENES names the folder of the scenes", shown, failure.message()), folder,
         failure.value());
-  if (found.empty()) throw core::usageError(fmt::format("{}: no scene (NAME.toml) is there", shown));
+  if (found.empty()) throw core::usageError(fmt::format("{}: contains no scene (NAME.toml)", shown));
   std::ranges::sort(found);
   return found;
 }

@@ -11,18 +11,17 @@
 namespace poinsot::cli {
 namespace {
 
-/// Sets the size on paper, which a figure always has, and a picture only on request.
+/// Sets the size on paper. A figure always has a size on paper, and a picture only if the options give one.
 request::PictureOptions printed(request::PictureOptions form, const StillOptions& options,
                                 request::OutputKind kind) {
   if (kind == request::OutputKind::kFigure || !options.width.empty()) form.print.emplace();
   if (!options.width.empty()) form.print->width_mm = parseWidth_mm(options.width);
-  if (options.dpi && !form.print)
-    throw core::usageError("--dpi needs --width: pixels to the inch of a picture that has a width");
+  if (options.dpi && !form.print) throw core::usageError("--dpi needs --width, the width on paper");
   if (options.dpi) form.print->dpi = *options.dpi;
   return form;
 }
 
-/// Computes the pixels of a picture on paper, whose size in the scene gives only the proportion.
+/// Computes the size in pixels of a picture on paper. The size in the scene gives only the aspect ratio.
 void setPixels(const request::PictureOptions& form, request::RequestedScene& requested) {
   if (!form.print) return;
   requested.resize(printedPixels(*form.print, requested.size(), requested.request.allowance.limits));
@@ -41,20 +40,20 @@ void addStillOptions(const Command& command, StillOptions& options) {
       .type("T");
   command
       .option("--width", options.width,
-              "width on paper, in mm, cm, in or pt: then type and lines have a size in points, and --size is "
-              "only the proportion (default of a PDF, SVG or TeX: 86mm)")
+              "width on paper in mm, cm, in or pt; text and lines then have sizes in points, and --size gives "
+              "only the aspect ratio (default for PDF, SVG and TeX: 86mm)")
       .type("LENGTH")
       .notEmpty();
-  command.option("--dpi", options.dpi, "pixels to the inch on paper (default: 600)").type("N").range(1.0, 10000.0);
+  command.option("--dpi", options.dpi, "pixels per inch on paper (default: 600)").type("N").range(1.0, 10000.0);
 }
 
 int makeStill(const RenderOptions& options, const StillOptions& still, request::PictureOptions form,
               const StillTarget& targetOf) {
-  const auto named = targetOf("SCENE");  // reports a wrong name before the scene is read
+  const auto named = targetOf("SCENE");  // checked now, to report a wrong name before the scene is read
   checkBits(form.bits, named);
   form = printed(form, still, named.kind);
   if (form.print && !options.quality.empty())
-    throw core::usageError("-q: how many pixels a picture on paper has, --width and --dpi say");
+    throw core::usageError("-q: not possible for a picture on paper; set its pixels with --width and --dpi");
   const auto asked_s = askedTime_s(still);
   request::RequestedScene requested = requestedScene(options);
   const scene::Scene& scene = requested.scene;

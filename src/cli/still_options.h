@@ -11,7 +11,7 @@ namespace poinsot::cli {
 
 class Command;
 
-/// Options of the commands that make one picture, as typed.
+/// Options of the commands that make one picture, as the user typed them.
 struct StillOptions {
   std::optional<std::string> time;
   std::string width;
@@ -22,11 +22,11 @@ struct StillOptions {
 
 void addStillOptions(const Command& command, StillOptions& options);
 
-/// Function that returns the target of a scene's picture. @throws core::Error(kUsage)
+/// Function that returns the target of the picture for a scene name. @throws core::Error(kUsage)
 using StillTarget = std::function<request::OutputTarget(const std::string& sceneName)>;
 
-/// Makes a picture. @param form  properties besides the size on paper
-/// @returns the exit status. @throws core::Error, scene::SceneErrors, process::Interrupted
+/// Makes a picture. @param form  properties of the picture, except its size on paper
+/// @returns the exit code. @throws core::Error, scene::SceneErrors, process::Interrupted
 int makeStill(const RenderOptions& options, const StillOptions& still, request::PictureOptions form,
               const StillTarget& targetOf);
 

@@ -12,9 +12,9 @@ namespace {
 
 using scene::Limit;
 
-// Address space per byte of allowed memory. The driver and its compiler reserve much that they never touch.
+// Bytes of address space per byte of allowed memory. OpenGL drivers reserve address space that they never use.
 constexpr std::uint64_t kAddressSpace = 4;
-// CPU time of a run without --max-seconds.
+// Limit on CPU time for a run without --max-seconds.
 constexpr std::uint64_t kMostCpu_s = std::uint64_t{24} * 3600;
 
 bool isFile(const std::string& name) { return !name.empty() && name != "-"; }
@@ -23,7 +23,7 @@ process::Confinement confinementOf(const FileAccess& access, const scene::Limits
   process::Confinement confinement;
   process::Sandbox& sandbox = confinement.sandbox;
   for (const std::string& scene : access.scenes) {
-    sandbox.read.emplace_back(scene);  // may be a link into another folder
+    sandbox.read.emplace_back(scene);  // listed itself, because it may be a link into another folder
     sandbox.read.push_back(core::folderOf(scene));
   }
   for (const std::string& input : access.inputs) sandbox.read.emplace_back(input);

@@ -12,14 +12,14 @@ namespace poinsot::cli {
 
 /// Files that a command may access in the sandbox of --untrusted.
 struct FileAccess {
-  std::vector<std::string> scenes;  ///< scene files; their folders are readable with everything below
+  std::vector<std::string> scenes;  ///< scene files; everything in their folders is readable
   std::vector<std::string> inputs = {};
-  std::vector<std::string> outputs = {};  ///< files whose folders are writable; "-" and "" are ignored
-  std::vector<std::string> made = {};     ///< writable folders, made if they are missing
-  std::optional<bool> reproducible = {};  ///< --reproducible of a command that draws; else nullopt
+  std::vector<std::string> outputs = {};  ///< files to write; their folders are writable; ignores "-" and ""
+  std::vector<std::string> made = {};     ///< writable folders, created if they are missing
+  std::optional<bool> reproducible = {};  ///< value of --reproducible if the command draws; otherwise nullopt
 };
 
-/// Runs `work`, with --untrusted in a sandbox. @returns its exit status. @throws what it throws.
+/// Runs `work`, in a sandbox if --untrusted is given. @returns the exit code of `work`. @throws its exception.
 int confined(const AllowanceOptions& options, const std::function<FileAccess()>& accessOf,
              const std::function<int()>& work);
 

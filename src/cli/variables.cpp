@@ -10,17 +10,17 @@ namespace poinsot::cli {
 namespace {
 
 constexpr Variable kVariables[] = {
-    {"POINSOT_SCENES", "folder of the scenes that poinsot gallery shows, in place of the installed ones"},
+    {"POINSOT_SCENES", "folder of the scenes that poinsot gallery shows, instead of the installed ones"},
     {"POINSOT_CACHE",
-     "absolute path of the folder where compiled shaders are kept, or off; else XDG_CACHE_HOME/poinsot or "
-     "~/.cache/poinsot"},
-    {"POINSOT_SHADERS", "folder of shaders in place of those in the program, to work on them"},
-    {"HOME", "where .cache/poinsot and .config/poinsot are"},
-    {"XDG_CACHE_HOME", "folder for poinsot/, with compiled shaders, in place of ~/.cache"},
-    {"XDG_CONFIG_HOME", "folder of poinsot/defaults.toml, in place of ~/.config"},
-    {"TMPDIR", "folder for temporary files, in place of /tmp"},
+     "absolute path of the folder for compiled shaders, or off (default: XDG_CACHE_HOME/poinsot or "
+     "~/.cache/poinsot)"},
+    {"POINSOT_SHADERS", "folder of shaders that replace the built-in ones, for work on shaders"},
+    {"HOME", "folder that contains .cache/poinsot and .config/poinsot"},
+    {"XDG_CACHE_HOME", "folder for poinsot/, with compiled shaders, instead of ~/.cache"},
+    {"XDG_CONFIG_HOME", "folder of poinsot/defaults.toml, instead of ~/.config"},
+    {"TMPDIR", "folder for temporary files, instead of /tmp"},
     {"CI", "unless empty, 0 or false: golden and diff approve nothing"},
-    {"GITHUB_STEP_SUMMARY", "file that --markdown may add to, whatever its name is"},
+    {"GITHUB_STEP_SUMMARY", "file that --markdown may append to, regardless of its name"},
     {"CI_PROJECT_DIR", "folder that the paths of attachments in JUnit reports start from"},
     {"NO_COLOR", "no colour in messages on a terminal"},
     {"TERM", "dumb: no colour and no progress line on a terminal"},

@@ -10,14 +10,14 @@ struct Variable {
   const char* help;
 };
 
-/// Returns all variables in the order of the manual. docs/defaults.md lists the same ones.
+/// Returns the environment variables of poinsot, in the order of the manual. docs/defaults.md lists the same
+/// variables.
 std::span<const Variable> variables();
 
-/// Removes all other variables from the environment, before a library reads one. The libraries that draw, set type
-/// and encode read more than 180 variables, and a list of these names would miss those of the next release.
+/// Removes all environment variables except variables(), before any library reads them. The libraries for drawing,
+/// text and video read more than 180 variables, and their next releases may read others.
 ///
-/// Keeps what the dynamic linker and sanitizers read before main(): removing these variables here would only
-/// change the render that a preview starts.
+/// Keeps the variables of the dynamic linker and the sanitizers, which have already been read before main().
 /// @pre this process has one thread.
 void clearOtherVariables();
 

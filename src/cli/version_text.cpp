@@ -15,7 +15,7 @@ std::string versionText() {
     fmt::format_to(std::back_inserter(text), "{} {}\n", library.name, library.version);
   return text +
          "OpenGL 3.3 through OSMesa or EGL, opened at run time (poinsot doctor)\n"
-         "Sources: Apache-2.0. With an FFmpeg that holds x264 the program as a whole falls under the GPL.\n";
+         "Sources: Apache-2.0. With an FFmpeg that includes x264, the program as a whole is under the GPL.\n";
 }
 
 }  // namespace poinsot::cli

@@ -24,8 +24,8 @@ int workerCount(const RenderOptions& options, int most, const job::RenderRequest
                   request::memoryText(each.worker_bytes),
                   request::memoryText(std::min(free.machine_bytes, free.process_bytes)));
   if (fit == 0) throw core::graphicsError(why);
-  if (options.jobs > 0) throw core::graphicsError(fmt::format("-j {}: {}; -j {} would do", asked, why, fit));
-  if (!options.quiet) writeErr(fmt::format("poinsot: {} in place of {} workers: {}\n", fit, needed, why));
+  if (options.jobs > 0) throw core::graphicsError(fmt::format("-j {}: {}; use -j {}", asked, why, fit));
+  if (!options.quiet) writeErr(fmt::format("poinsot: {} instead of {} workers: {}\n", fit, needed, why));
   return fit;
 }
 

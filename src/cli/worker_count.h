@@ -6,12 +6,12 @@
 
 namespace poinsot::cli {
 
-/// Returns the number of workers: the value of -j, or else one per CPU. If memory holds fewer than that, the
-/// number is reduced with a note on stderr.
-/// @param most  number of workers that have something to do
+/// Returns the number of workers: the value of -j, or one per CPU. Without -j, reduces the number if memory does
+/// not suffice, with a note on stderr.
+/// @param most  number of workers that can be used at the same time
 /// @param each  request of one worker
 /// @throws core::Error(kLimit) if a worker needs more memory than allowed; core::Error(kGraphics) if memory does
-/// not hold one worker, or not as many as -j
+/// not suffice for one worker, or for the value of -j
 int workerCount(const RenderOptions& options, int most, const job::RenderRequest& each);
 
 }  // namespace poinsot::cli

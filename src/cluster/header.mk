@@ -3,7 +3,7 @@
 #   make -f SCRIPT -j @jobs@
 #   @status@
 #
-# Where a task or the joining fails, the same command goes on with the segment where it stopped. What is newer than the
-# scene and the files that it names is not made again.
+# If a task or the joining fails, run the same command again: it continues at the segment where it stopped. Outputs that
+# are newer than the scene and the files that it names are kept.
 SHELL := /bin/bash
 equals := =

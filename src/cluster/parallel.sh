@@ -2,13 +2,13 @@
 @what@
 #
 #   bash SCRIPT                             on this machine
-#   bash SCRIPT --sshloginfile NODES        on the machines that a file names
-#   bash SCRIPT --jobs 8                    eight tasks at a time on each; all options of parallel work
+#   bash SCRIPT --sshloginfile NODES        on the machines listed in a file
+#   bash SCRIPT --jobs 8                    eight tasks at a time on each machine; all options of parallel work
 #   @status@
 #
-# A task that fails is tried again up to @retries@ times, and goes on with the segment where it stopped. If one fails for
-# good, no more are begun and nothing is joined; the same command goes on from there, and makes nothing if the film is
-# there. What became of each task is told in @said@/joblog.
+# A task that fails is tried again up to @retries@ times, and continues at the segment where it stopped. If a task fails
+# for good, no further task starts and nothing is joined. To continue, run the same command again; it does nothing if
+# the film exists. The result of each task is in @said@/joblog.
 set -eo pipefail
 
 task() {

@@ -1,15 +1,15 @@
 #!/bin/bash
 @what@
 #
-#   bash SCRIPT         submits the tasks that have work left, and the job that joins; nothing if the film is there
-#   bash SCRIPT 2,7-9   submits these tasks, and the job that joins
+#   bash SCRIPT         submits tasks that are not finished, and a job that joins their parts; does nothing if the film exists
+#   bash SCRIPT 2,7-9   submits only these tasks, and the job that joins
 #   squeue --me
 #   @status@
 #
-# A task that fails, or is about to run out of time, goes back into the queue, and on with the segment where it
-# stopped, up to @retries@ times at one segment. Preemption and lost nodes are not counted. If a task fails for good,
-# nothing is joined. Whenever there is no film, mend what was wrong and run this script again.
-# What the tasks say is kept in @said@.
+# A task that fails or runs out of time is queued again and continues at the segment where it stopped, up to @retries@
+# times per segment. Preemption and lost nodes do not count. If a task fails for good, nothing is joined. If there is
+# no film at the end, fix the cause and run this script again.
+# The output of the tasks is in @said@.
 set -eo pipefail
 
 options=()  # of yours for sbatch: --account=physics --partition=short
@@ -17,7 +17,7 @@ options=()  # of yours for sbatch: --account=physics --partition=short
 @place@
 said=@said@
 
-# Prints how both jobs begin: with the program's own name, because sbatch --export=NONE drops $POINSOT.
+# Prints the beginning of both jobs, with the program's path, because sbatch --export=NONE drops $POINSOT.
 place() {
   printf '#!/bin/bash\ncd -- %q || exit 4\npoinsot=%q said=%q\n' "$PWD" "$poinsot" "$said"
 }
@@ -32,9 +32,9 @@ trap 'late=yes; kill -TERM "$!"' USR1  # Slurm says so a minute before the time 
 wait "$!"
 code=$?
 [[ $late ]] && wait "$!"
-# 0: done. 2: the scene is wrong, and would be again. 129, 130, 143: somebody stopped it.
+# 0: done. 2: the scene is wrong, so a retry is useless. 129, 130, 143: stopped by a signal.
 [[ $code =~ ^(0|2|129|130|143)$ && ! $late ]] && exit "$code"
-# Each failure adds how far the task is by then: equal lines are failures at one segment.
+# Each failure appends the progress of the task: equal lines are failures at the same segment.
 failures=$said/${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID.failures
 far=$("${render[@]}" --dry-run 2>/dev/null)
 printf '%s\n' "$far" >>"$failures" || exit "$code"
@@ -53,7 +53,7 @@ join() {
 JOIN
 }
 
-# Submits the job that it reads; prints its number.
+# Submits the job script on standard input; prints the job's number.
 submit() {
   local job
   job=$(sbatch --parsable --job-name=@name@ --ntasks=1 --mem-per-cpu=@memory@M --time=@minutes@ \

@@ -11,12 +11,14 @@ namespace {
 
 constexpr double kMostTasks = 1000;
 
-/// Returns a guess of the CPU seconds per frame, about twice the measured times because a time limit that is too
-/// short costs more than a task that ends early. Measured with the scenes football and poinsot_construction on one
-/// CPU of a rented machine: 0.04 s at 640x360, 0.09 to 0.15 s at 1920x1080, 0.26 to 0.48 s at 3840x2160.
+/// Returns a guess of the CPU seconds per frame. The guess is about twice the measured time, because a time limit
+/// that is too short costs more than a task that ends early. Measured with the scenes football and
+/// poinsot_construction on one CPU of a rented machine: 0.04 s at 640x360, 0.09 to 0.15 s at 1920x1080, 0.26 to
+/// 0.48 s at 3840x2160.
 double guessedFrame_s(double megapixels) { return 0.05 + 0.1 * megapixels; }
 
-/// Returns the MiB per worker that a task requests: the parent's and 1.5 times the worker's, in steps of 256 MiB.
+/// Returns the memory in MiB that a task requests for each worker: a constant for the parent process plus 1.5
+/// times the worker's memory, rounded up to a multiple of 256 MiB.
 std::int64_t taskMemory(double worker_bytes) {
   constexpr double kParent_MiB = 64, kStep_MiB = 256;
   const double needed_MiB = kParent_MiB + 1.5 * worker_bytes / (1 << 20);

@@ -14,25 +14,26 @@ extern "C" const char poinsot_make_header[], poinsot_make_header_end[];
 namespace poinsot::cluster {
 namespace {
 
-/// Reports whether GNU make has no escape for a character in a file name.
+/// Reports whether a character in a file name cannot be escaped for GNU make.
 bool isUnwritable(char c) {
   return static_cast<unsigned char>(c) < 0x20 || std::string_view("%;|\\\x7f").find(c) != std::string::npos;
 }
 
 std::string writtenForMake(char c) {
-  if (c == '=') return "$(equals)";  // a bare = would make the line a variable assignment
+  if (c == '=') return "$(equals)";  // a bare = would start a variable assignment
   if (c == '$') return "$$";
   return std::string_view(" #:*?[").find(c) != std::string::npos ? std::string{'\\', c} : std::string(1, c);
 }
 
-/// Returns a file's name, escaped as a target or a prerequisite, and absolute so that make may run in any folder.
+/// Returns a file's name, escaped for use as a target or prerequisite. The name is absolute, so that make may run
+/// in any folder.
 /// @throws core::Error(kUsage) if make cannot represent the name.
 std::string makeName(const Submission& submission, const std::filesystem::path& file) {
   const std::string whole = (submission.folder / file).lexically_normal().string();
   std::string name;
   for (const char c : whole) {
     if (isUnwritable(c))
-      throw core::usageError(fmt::format("{}: make cannot hold the '{}' of this name; choose another --engine",
+      throw core::usageError(fmt::format("{}: make cannot handle the '{}' in this name; choose another --engine",
                                          core::printable(whole), core::printable(std::string_view(&c, 1))));
     name += writtenForMake(c);
   }
@@ -41,9 +42,9 @@ std::string makeName(const Submission& submission, const std::filesystem::path& 
 
 using Lines = std::vector<std::string>;
 
-/// Returns the lines of placeLines() and then `lines`, as one bash command of a recipe that stops at the first
-/// failure.
-/// @param variables  assignments of bash variables from make's, each after "; "
+/// Returns the recipe of a make rule: one bash command that runs placeLines() and then `lines`, and stops at the
+/// first failure.
+/// @param variables  assignments that copy make variables to bash variables, each after "; "
 std::string recipe(const Submission& submission, const std::string& variables, const Lines& lines) {
   Lines all = placeLines(submission);
   all.insert(all.end(), lines.begin(), lines.end());
@@ -62,7 +63,8 @@ std::string header(const Submission& submission) {
                  {"status", statusCommand(submission)}});
 }
 
-/// Returns the make variable with the marks: an empty file for each finished shard, named by its number.
+/// Returns the make variable that lists the marks. A mark is an empty file for each finished shard, named by the
+/// shard's number.
 std::string marks(const Submission& submission) {
   std::string text = "shards :=";
   for (int k = 1; k <= submission.division.shards; ++k)
@@ -74,16 +76,18 @@ std::string shardRule(const Submission& submission) {
   std::string inputs;
   for (const std::filesystem::path& file : submission.inputs) inputs += " " + makeName(submission, file);
   const std::string folder = core::shellWord(tasksFolderOf(submission).string());
-  // $(@F), the last part of the mark's name, would take a space for the end of the name.
+  // Not $(@F): in a path with spaces, make would split the mark's name there.
   return "$(shards):" + inputs + "\n" +
          recipe(submission, "; shard=$(lastword $(subst /, ,$@))",
                 {"mkdir -p -- " + folder, shardCommand(submission, "$shard"), "touch -- " + folder + "/$shard"});
 }
 
-/// Returns the rule that joins the shards. The rule removes the marks before joining: if joining fails, each task
-/// checks again whether its segments exist, which takes a second. Marks are .SECONDARY, so that make does not miss
-/// them while the film is newer than the scene; the rule therefore touches a film that was already complete.
-/// Numbered pictures have no single file, so the mark "all" stands for them.
+/// Returns the rule that joins the shards.
+/// - The rule removes the marks before it joins. If joining fails, each task then checks again whether its
+///   segments exist, which takes a second.
+/// - The marks are .SECONDARY, so that make does not need them while the film is newer than the scene. The rule
+///   therefore touches a film that is already complete.
+/// - Numbered pictures are not a single file, so the mark "all" represents them.
 std::string joinRule(const Submission& submission) {
   const bool film = submission.output.kind == request::OutputKind::kFilm;
   const std::filesystem::path folder = tasksFolderOf(submission);

@@ -5,8 +5,8 @@
 #include "cluster/submission_text.h"
 #include "core/shell_word.h"
 
-/// Text of parallel.sh. The script puts each task's words in a shell function, because GNU parallel would expand
-/// {} and its other replacement strings in a command line.
+/// Text of parallel.sh. The script puts the command of a task into a shell function. In a command line, GNU
+/// parallel would replace {} and other strings of the command.
 extern "C" const char poinsot_parallel_script[], poinsot_parallel_script_end[];
 
 namespace poinsot::cluster {

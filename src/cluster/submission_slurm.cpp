@@ -9,30 +9,34 @@
 #include "core/shell_word.h"
 #include "core/text.h"
 
-/// Text of slurm.sh. The script requeues a task by the array's number and the task's index. In one task of each
-/// array, $SLURM_JOB_ID is the array's own number, by which Slurm would requeue all tasks. A file counts failures,
-/// because SLURM_RESTART_COUNT also counts Slurm's own requeues after preemption or the loss of a node.
+/// Text of slurm.sh.
+/// - The script requeues a task by the number of the array and the index of the task. It does not use
+///   $SLURM_JOB_ID: in one task of each array, this is the number of the array, and Slurm would requeue all tasks.
+/// - The script counts failures in a file, because SLURM_RESTART_COUNT also counts requeues by Slurm itself, after
+///   preemption or the loss of a node.
 extern "C" const char poinsot_slurm_script[], poinsot_slurm_script_end[];
 
 namespace poinsot::cluster {
 namespace {
 
-/// Returns a task's time limit in minutes: four times the estimate plus ten, as CPUs differ and Slurm kills late
-/// tasks.
+/// Returns a task's time limit in minutes: ten plus four times the estimate. The margin is wide, because CPUs
+/// differ and Slurm kills late tasks.
 int limit_min(const Division& division) { return static_cast<int>(std::ceil(10 + 4 * division.task_s / 60)); }
 
-/// Returns the log folder as an absolute path: in a relative one, Slurm would expand a % of the working folder.
-/// @throws core::Error(kUsage) if the path has a backslash: Slurm then expands no %, and all tasks share one log.
+/// Returns the absolute path of the log folder. With a relative path, Slurm would replace % signs in the path of
+/// the working folder.
+/// @throws core::Error(kUsage) if the path has a backslash. Slurm would then not replace %A and %a, so that all
+///   tasks would write the same log.
 std::string saidFolder(const Submission& submission) {
   std::string folder = (submission.folder / tasksFolderOf(submission)).lexically_normal().string();
   if (folder.find('\\') != std::string::npos)
-    throw core::usageError(fmt::format("{}: Slurm cannot hold the '\\' of this name; choose another output",
+    throw core::usageError(fmt::format("{}: Slurm cannot handle the '\\' in this name; choose another output",
                                        core::printable(folder)));
   return folder;
 }
 
-/// Returns a name such as "poinsot_film.mp4" without blanks and equals signs, at which `sacct -c` splits its
-/// records.
+/// Returns a job name such as "poinsot_film.mp4". Blanks and equals signs are replaced, because `sacct -c` splits
+/// its records at them.
 std::string jobName(const Submission& submission) {
   std::string name = "poinsot_" + submission.output.path.filename().string();
   for (char& c : name)

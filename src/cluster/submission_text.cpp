@@ -49,7 +49,7 @@ std::string whatText(const Submission& submission, const std::string& how) {
   return fmt::format(
       "# {}\n"
       "# {} in {}, made by {}{}.\n"
-      "# Reckoned: {:.2g} s of CPU time a frame, {} a task. Printed by poinsot {}; see poinsot submit --help.",
+      "# Estimate: {:.2g} s of CPU time per frame, {} per task. Printed by poinsot {}; see poinsot submit --help.",
       core::shellWord(submission.output.path.string()), counted(submission.frames, "frame"),
       counted(submission.segments, "segment"), counted(division.shards, "task"), how, division.frame_s,
       durationText(division.task_s), core::version());

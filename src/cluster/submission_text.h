@@ -10,26 +10,30 @@
 
 namespace poinsot::cluster {
 
-/// Returns the script with each @name@ replaced by its value; any other @ stays. @pre each value has its place.
+/// Returns the script with each placeholder @name@ replaced by its value. Any other @ stays.
+/// @pre the script has a placeholder for each value.
 std::string filled(std::string_view script, const std::map<std::string, std::string>& values);
 
-/// Returns the command that reports progress. The command runs in any folder and without poinsot on the PATH.
+/// Returns the command that reports progress. It works in any folder, and without poinsot on the PATH.
 std::string statusCommand(const Submission& submission);
 
-/// Returns comment lines that name the output, the numbers of frames, segments and tasks, and the time estimate.
+/// Returns comment lines with the output's name, the numbers of frames, segments and tasks, and the estimated
+/// time.
 std::string whatText(const Submission& submission, const std::string& how);
 
-/// Returns bash lines that change to the folder and set $poinsot to the program; $POINSOT overrides the program.
+/// Returns bash lines that change to the folder and set $poinsot to the program's path, which $POINSOT can
+/// override.
 std::vector<std::string> placeLines(const Submission& submission);
 
-/// Returns placeLines() as one text, each line after `indent`, without a final line break.
+/// Returns placeLines() as one text without a final line break. Each line is indented by `indent`.
 std::string placeText(const Submission& submission, const std::string& indent = "");
 
 /// Returns the command that renders a shard.
-/// @param shard  text that the shell expands to the shard's number, such as "$1"
+/// @param shard  shell expression for the shard's number, such as "$1"
 std::string shardCommand(const Submission& submission, const std::string& shard);
 
-/// Returns the command that prints which shards have work left; it succeeds only if the output is complete.
+/// Returns the command that prints which shards are not finished. The command succeeds only if the output is
+/// complete.
 std::string leftCommand(const Submission& submission);
 
 /// Returns the command that joins the shards if the output is not complete yet.

@@ -21,7 +21,8 @@ std::vector<Shift> candidates() {
   return shifts;
 }
 
-/// Test of shifts on one box. A few changed pixels refute nearly all shifts; the others are tested on every pixel.
+/// Tests whether a shift explains the differences in a box. A quick test of a few differing pixels rejects nearly
+/// all shifts. A full test then compares every pixel of the box.
 template <typename Sample>
 class ShiftTrial {
  public:
@@ -45,7 +46,7 @@ class ShiftTrial {
       if (hasTarget && !equal(a_.at(at.x, at.y), b_.at(toX, toY), 1)) return false;
       met += hasOrigin && hasTarget ? 1 : 0;
     }
-    return 3 * met >= probes_.size();  // below a third, content entered or left the picture and proves nothing
+    return 3 * met >= probes_.size();  // pixels that entered or left prove nothing
   }
 
   bool agreesEverywhere(const Shift& shift) const {
@@ -55,7 +56,8 @@ class ShiftTrial {
   }
 
  private:
-  /// Reports whether a part of the reference moved by `shift`, where both ends lie inside the picture.
+  /// Reports whether a part of the reference appears in the test, moved by `shift`. Pixels without a position in
+  /// both pictures are skipped.
   bool agreesFrom(const Shift& shift, const image::PixelRect& part) const {
     const auto [width, height] = a_.size;
     const int left = std::max({part.left, 0, -shift.x}), right = std::min({part.right, width, width - shift.x});
@@ -71,19 +73,19 @@ class ShiftTrial {
 
   const image::BasicImage<Sample>&a_, &b_;
   image::PixelRect box_;
-  std::vector<Shift> probes_;  // positions of sampled pixels
+  std::vector<Shift> probes_;  // positions of the pixels for the quick test
 };
 
 template <typename Sample>
 std::optional<Shift> found(const image::BasicImage<Sample>& a, const image::BasicImage<Sample>& b,
                            const image::PixelRect& box, std::int64_t changed) {
   const ShiftTrial<Sample> trial(a, b, box, changed);
-  int fullTrials = 8;  // limits the cost if the probes agree with many shifts
+  int fullTrials = 8;  // limits the time if the quick test accepts many shifts
   std::optional<Shift> only;
   for (const Shift& shift : candidates()) {
     if (!trial.agreesAtProbes(shift)) continue;
     if (trial.agreesEverywhere(shift)) {
-      if (only) return std::nullopt;  // ambiguous: a flat area that grew fits many shifts
+      if (only) return std::nullopt;  // ambiguous, such as a flat area that grew
       only = shift;
     }
     if (--fullTrials == 0) break;

@@ -12,14 +12,14 @@ namespace {
 
 constexpr int kNone = -1;
 
-/// New value for each old value of a channel; kNone for an old value that does not occur.
+/// New value for each old value of a channel, or kNone if no pixel has the old value.
 using Table = std::vector<int>;
 
 struct Entry {
   int channel, from, to;
 };
 
-/// New values of all old values that occur, ordered by channel and old value.
+/// New values of all old values that occur in the reference, sorted by channel and old value.
 struct Mapping {
   std::vector<Entry> entries;
   int most = 0;             ///< largest value of a sample
@@ -38,7 +38,7 @@ std::vector<Entry> entriesOf(const std::vector<Table>& tables) {
   return entries;
 }
 
-/// Returns nullopt as soon as one old value has two new values.
+/// Returns the new value of each old value. Returns nullopt if one old value has two new values.
 template <typename Sample>
 std::optional<Mapping> mappingOf(const image::BasicImage<Sample>& a, const image::BasicImage<Sample>& b,
                                  const IgnoreMask* ignored) {
@@ -60,7 +60,8 @@ std::optional<Mapping> mappingOf(const image::BasicImage<Sample>& a, const image
   return Mapping{entriesOf<Sample>(tables), image::BasicImage<Sample>::kMost, allChanged};
 }
 
-/// Returns how many values changed without being clipped. One recoloured area changes one value in each channel.
+/// Returns the number of values that changed without being clipped. A single recoloured area has only one such
+/// value in each channel.
 std::ptrdiff_t evidence(const Mapping& mapping) {
   return std::ranges::count_if(mapping.entries,
                                [&](const Entry& e) { return e.to != e.from && !mapping.isCut(e); });
@@ -83,7 +84,8 @@ std::optional<ToneChange> levelOf(const Mapping& mapping) {
   return change;
 }
 
-/// Returns a change that multiplies the distance from `centre`, exact to 1/255. Alpha must not change.
+/// Returns a change that multiplies the distance of each value from `centre` by one factor, exact to 1/255.
+/// Returns nullopt if no factor fits, or if alpha changed.
 std::optional<ToneChange> scaledFrom(double centre, ToneChange::Kind kind, const Mapping& mapping) {
   double products = 0, squares = 0;
   for (const Entry& e : mapping.entries) {
@@ -101,8 +103,8 @@ std::optional<ToneChange> scaledFrom(double centre, ToneChange::Kind kind, const
   return holds ? std::optional(ToneChange{kind, {}, factor}) : std::nullopt;
 }
 
-/// Reports whether the curve rises and keeps most values apart. Recolouring or losing a thing maps many values to
-/// one.
+/// Reports whether new values rise with old values, and most new values differ from one another. If an object was
+/// recoloured or removed instead, many old values become one new value.
 bool isCurve(const Mapping& mapping) {
   std::size_t rises = 0;
   for (std::size_t i = 1; i < mapping.entries.size(); ++i) {

@@ -79,7 +79,7 @@ std::string symmetryText(Symmetry symmetry) {
   return "red and blue are exchanged everywhere";
 }
 
-/// Reports whether the changes are many, far apart, and without a dominant place.
+/// Reports whether the changes are many and far apart, and no place has most of the differing pixels.
 bool areScattered(const Changes& changes) {
   constexpr std::int64_t kMany = 30;
   return changes.placeCount >= kMany && 4 * changes.places.front().pixels <= changes.pixels &&
@@ -108,14 +108,14 @@ std::string placesText(const Changes& changes) {
                      changes.shiftOfLargest ? ", which moved " + shiftText(*changes.shiftOfLargest) : "");
 }
 
-/// Returns text such as ", only in green" if only one channel differs.
+/// Returns text such as ", only in green" if exactly one channel differs, otherwise an empty string.
 std::string channelText(const Changes& changes) {
   if (std::ranges::count(changes.channels, true) != 1) return "";
   const auto place = std::ranges::find(changes.channels, true) - changes.channels.begin();
   return fmt::format(", only in {}", kChannels[place]);
 }
 
-/// Reports whether the difference is too small to see; the text then gives its size instead of colours.
+/// Reports whether the difference is too small to see. If so, the text states its size instead of the colours.
 bool isHardlySeen(const Changes& changes) { return changes.largest <= 4; }
 
 std::string sizeText(const Changes& changes) {
@@ -125,7 +125,8 @@ std::string sizeText(const Changes& changes) {
 std::string colourText(const Changes& changes) {
   if (!changes.recolouring || changes.shiftOfLargest || isHardlySeen(changes)) return "";
   const auto& [from, to, pixels] = *changes.recolouring;
-  return fmt::format(", {} became {}{}", from, to, pixels < changes.pixels ? fmt::format(" in {}", pixels) : "");
+  return fmt::format(", {} became {}{}", from, to,
+                     pixels < changes.pixels ? fmt::format(" in {} of them", pixels) : "");
 }
 
 }  // namespace

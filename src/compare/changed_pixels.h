@@ -9,8 +9,9 @@
 
 namespace poinsot::compare {
 
-/// Calls visit(x, y, p, q) for each differing pixel of a rectangle, row by row; p and q are the pixel's samples in
-/// `a` and in `b`. Runs of 16 equal pixels are skipped at once. @pre both pictures have the same shape.
+/// Calls visit(x, y, p, q) for each differing pixel of a rectangle, row by row. p and q point to the pixel's
+/// samples in `a` and in `b`. Runs of 16 equal pixels are skipped together, to save time.
+/// @pre both pictures have the same shape.
 template <typename Sample, typename Visit>
 void forEachChangedPixel(const image::BasicImage<Sample>& a, const image::BasicImage<Sample>& b,
                          const image::PixelRect& where, Visit visit) {

@@ -30,8 +30,8 @@ std::string colourText(std::uint64_t colour, int channels) {
   return text;
 }
 
-/// Finds candidates for values that make up more than a fifth of all, by Misra and Gries (1982) with four
-/// counters.
+/// Finds the values that may make up more than a fifth of all added values. Uses the algorithm of Misra and Gries
+/// (1982) with four counters.
 template <typename Value>
 class FrequentValues {
  public:
@@ -49,7 +49,7 @@ class FrequentValues {
     else
       for (Counter& counter : counters_) --counter.votes;
   }
-  /// Returns the only values that can be so frequent; the caller must count them.
+  /// Returns at most four values, including all that make up more than a fifth. The caller must count them.
   std::vector<Value> candidates() const {
     std::vector<Value> values;
     for (const Counter& counter : counters_)
@@ -121,7 +121,7 @@ class Finder {
     });
     const auto most = std::ranges::max_element(counts, {}, [](const auto& count) { return count.second; });
     if (most == counts.end() || 5 * most->second <= changes_.pixels) return;
-    // A thing that moved exchanges two colours.
+    // If the opposite change is frequent too, an object moved and was not recoloured.
     const auto back = counts.find({most->first.second, most->first.first});
     if (back != counts.end() && 2 * back->second > most->second) return;
     changes_.recolouring = {colourText<Sample>(most->first.first, a_.channels),
@@ -140,7 +140,7 @@ class Finder {
   Changes changes_;
   PlaceFinder places_;
   FrequentValues<Pair> pairs_;
-  int largest_ = 0;  // in steps of the sample type
+  int largest_ = 0;  // largest difference, in steps of the sample type
 };
 
 }  // namespace

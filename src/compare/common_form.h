@@ -5,12 +5,12 @@
 
 namespace poinsot::compare {
 
-/// Converts two pictures to one storage format, without a visible change, so that values can be compared. If one
-/// has 16 bits, both get 16. If one has alpha that is not opaque, both get alpha; otherwise, alpha is dropped.
-/// Colours under alpha 0, which are invisible, become 0 0 0.
+/// Converts two pictures to one storage format, so that their values can be compared. The conversion has no
+/// visible effect. If one picture has 16 bits, both get 16 bits. If one picture is not fully opaque, both get
+/// alpha; otherwise, alpha is dropped. Pixels with alpha 0, which are invisible, get the colour 0 0 0.
 void toCommonForm(image::AnyImage& a, image::AnyImage& b);
 
-/// Returns the picture blended onto a grey background, as RGB. Blends encoded values, as browsers do.
+/// Returns the picture blended onto a grey background, as RGB. Encoded (sRGB) values are blended, as in browsers.
 /// @pre four channels.
 /// @param paper  background, from 0 (black) to kMost (white)
 template <typename Sample>

@@ -20,18 +20,19 @@ constexpr std::string_view kCsvHeader =
 constexpr double kWidth = 1280, kHeight = 254, kLeft = kCurveLeft * kWidth, kRight = kCurveRight * kWidth;
 constexpr std::size_t kMostPoints = 1600;
 
-// Grey, amber and red as for the verdicts on the page, in shades that suit areas.
+// Grey, amber and red, as on the HTML page; these shades suit filled areas.
 constexpr const char* colorOf(Verdict verdict) {
   return verdict == Verdict::kIdentical ? "#c3c9cf" : verdict == Verdict::kNear ? "#c88a00" : "#b3261e";
 }
 
-/// Returns the start of a curve's SVG file, by which curves are recognised; figures of scenes start differently.
+/// Returns the start of a curve's SVG file. Earlier curves are recognised by it, because other figures start
+/// differently.
 std::string svgStart() {
   return fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {1}" width="{0}" height="{1}" )",
                      kWidth, kHeight);
 }
 
-/// Curve of one figure, with the figure's limit.
+/// Curve of one figure of the frames, such as the mean FLIP error, with the figure's limit.
 struct Series {
   const char* name;
   double limit;
@@ -53,7 +54,7 @@ class CurvePicture {
          [](const PictureDiff& f) { return f.figures.flip.max; }},
         {"FLIP, mean", rule_.flipMean, 136, 212, [](const PictureDiff& f) { return f.figures.flip.mean; }}};
     std::string body;
-    if (diff_.frames.empty()) {  // for example, films of different size
+    if (diff_.frames.empty()) {  // for example, if the films differ in size
       body = text(kLeft, kHeight / 2, "start", diff_.mismatch.empty() ? "no frames" : diff_.mismatch);
     } else {
       for (const Series& one : series) body += panel(one);
@@ -133,12 +134,12 @@ class CurvePicture {
         path);
   }
 
-  /// Returns a strip of the worst verdict at each point; neighbours with equal verdicts share a rectangle.
+  /// Returns a strip that shows the worst verdict at each point. Neighbours with equal verdicts share a rectangle.
   std::string verdicts() const {
     std::string svg;
     for (std::size_t i = 0, end = 0; i < points(); i = end) {
       for (end = i + 1; end < points() && verdictOf(end) == verdictOf(i);) ++end;
-      // Each point extends half a step to both sides.
+      // A point's part of the strip extends half a step to both sides.
       const double from = i == 0 ? kLeft : std::max(kLeft, xOf(static_cast<double>(spanOf(i).first) - 0.5));
       const double to =
           end == points() ? kRight : std::min(kRight, xOf(static_cast<double>(spanOf(end - 1).end) - 0.5));
@@ -192,7 +193,8 @@ std::string curveSvg(const FilmDiff& diff, const NearRule& rule) { return CurveP
 output::FileKind curveKind(const std::filesystem::path& file) {
   if (isCsv(file)) return output::textKind("a curve", std::string(kCsvHeader));
   if (file.extension() != ".svg")
-    throw core::usageError(fmt::format("curve '{}': works: NAME.csv, NAME.svg{}", core::printable(file.native()),
+    throw core::usageError(fmt::format("curve '{}': must be named NAME.csv or NAME.svg{}",
+                                       core::printable(file.native()),
                                        core::smallLettersHint(file.native(), {".csv", ".svg"})));
   return {"a curve", [](const std::filesystem::path& earlier) {
             const auto rest = figure::markedRest(earlier, figure::kSvgMark);

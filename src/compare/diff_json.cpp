@@ -76,7 +76,7 @@ ordered_json sizeJson(const PictureDiff& diff) {
   return isKnown(diff.size) ? ordered_json({diff.size.width, diff.size.height}) : ordered_json();
 }
 
-/// Returns the largest places, each as left, top, width, height and number of differing pixels.
+/// Returns the ten largest places. Each is a list: left, top, width, height, number of differing pixels.
 ordered_json placesJson(const Changes& changes) {
   constexpr std::size_t kMost = 10;
   ordered_json json = ordered_json::array();
@@ -92,7 +92,8 @@ ordered_json filmJson(const FilmSummary& film) {
           {"first_time_s", film.first_s}, {"worst_frame", film.worst},          {"worst_time_s", film.worst_s}};
 }
 
-/// Returns the object of one pair, without names. @param worstPixels  whether to add `places` and `worst_pixels`
+/// Returns the JSON object of one pair, without the names of its files.
+/// @param worstPixels  whether to add `places` and `worst_pixels`
 ordered_json figuresJson(const PictureDiff& diff, bool worstPixels) {
   ordered_json json{{"verdict", diff.isReadable ? toString(diff.verdict) : "error"},
                     {"mismatch", textOrNull(diff.mismatch)},

@@ -18,7 +18,7 @@
 #include "image/png_file.h"
 #include "request/picture_options.h"
 
-// Contents of diff_page.html, .css, .js and diff_page_view.js.
+// Contents of diff_page.html, .css, .js and diff_page_view.js, linked into the program.
 extern "C" const char poinsot_diff_page[], poinsot_diff_page_end[];
 extern "C" const char poinsot_diff_page_css[], poinsot_diff_page_css_end[];
 extern "C" const char poinsot_diff_page_view[], poinsot_diff_page_view_end[];
@@ -35,7 +35,7 @@ ordered_json dataUrl(const char* type, const std::string& bytes) {
   return fmt::format("data:{};base64,{}", type, core::base64(bytes));
 }
 
-/// Returns the path as a relative URL; all bytes except unreserved characters (RFC 3986) and slashes are
+/// Returns the path as a relative URL. All bytes except unreserved characters (RFC 3986) and slashes are
 /// percent-encoded.
 std::string urlOf(const fs::path& path) {
   std::string url;
@@ -82,7 +82,8 @@ ordered_json ignoredJson(const PictureDiff& diff) {
   return boxes;
 }
 
-/// Returns the changes in words and their places, each as left, top, width, height and number of differing pixels.
+/// Returns the changes of a row: in words, and as a list of places. Each place has left, top, width, height and
+/// number of differing pixels.
 ordered_json changeJson(const DiffPageEntry& entry) {
   const Changes& changes = entry.diff.changes;
   ordered_json places = ordered_json::array();
@@ -141,7 +142,7 @@ ordered_json pageJson(const DiffPage& page) {
   return json;
 }
 
-/// Returns a file's picture for embedding; an empty one if the file is unreadable.
+/// Reads a picture that the page embeds. Returns an empty picture if the file is unreadable.
 /// @param inDoubt  whether to check that the file is a complete PNG
 DiffPagePicture readPicture(const fs::path& file, bool inDoubt) try {
   std::string png = core::readRegularFile(file, request::kMostPicture, core::ErrorKind::kIo);
@@ -152,7 +153,7 @@ DiffPagePicture readPicture(const fs::path& file, bool inDoubt) try {
   return {};
 }
 
-/// Escapes "<", so that no text can end the script element.
+/// Returns the JSON for a script element. Escapes "<", so that no string in the JSON can end the element.
 std::string scriptText(const ordered_json& json) {
   const std::string text = json.dump(-1, ' ', true, ordered_json::error_handler_t::replace);
   std::string safe;

@@ -15,39 +15,39 @@ namespace poinsot::compare {
 using DiffPageFacts = std::vector<std::pair<std::string, std::string>>;
 
 struct DiffPagePicture {
-  std::string png;  ///< PNG to embed; if empty, the page loads `file`
+  std::string png;  ///< bytes of the PNG to embed; if empty, the page loads `file`
   std::filesystem::path file = {};
 };
 
-/// Row of the page, with the details that the page shows when the row is selected.
+/// Row of the page, with the details that the page shows when a user selects the row.
 struct DiffPageEntry {
   std::string name, status, message;
   PictureDiff diff;
   bool hasFigures = false;                        ///< whether diff.figures are valid
-  double pixelsPerDegree = kFlipPixelsPerDegree;  ///< resolution for which the FLIP figures hold
+  double pixelsPerDegree = kFlipPixelsPerDegree;  ///< visual resolution of the FLIP figures
   DiffPageFacts facts = {};
-  std::string approve = {};  ///< argument to DiffPage::approve for this row; empty if not approvable
+  std::string approve = {};  ///< argument that approves this row; empty if impossible
   DiffPagePicture reference = {}, actual = {}, map = {};
 };
 
-/// Curve over time above the rows, on which each entry has a position.
+/// Diagram over time, shown above the rows. Each row has a position on the time axis.
 struct DiffPageCurve {
   std::string svg;
-  double left = 0, right = 1;           ///< ends of the time axis, as fractions of the width
-  std::vector<double> placesOfEntries;  ///< position of each entry, from 0 (left) to 1 (right)
+  double left = 0, right = 1;           ///< ends of the time axis, as fractions of the diagram's width
+  std::vector<double> placesOfEntries;  ///< position of each row, from 0 (left) to 1 (right)
 };
 
-/// Content of a page that shows pictures beside their references.
+/// Content of an HTML page that shows pictures next to their references.
 struct DiffPage {
   std::string title, verdict;
   std::string reference = "reference", actual = "test";  ///< labels of the two pictures
   std::string entry = "Picture";                         ///< word for a row, such as "Frame"
   std::string note = {};
-  std::string counts = {};          ///< summary, if the entries are not all that was compared
-  std::string first = {};           ///< name of the initially selected row; empty for the first
-  std::filesystem::path file = {};  ///< the page's file, to which links are relative
+  std::string counts = {};          ///< summary of all frames, if only some frames have a row
+  std::string first = {};           ///< name of the row to select first; empty for the first row
+  std::filesystem::path file = {};  ///< the page's own file, to which links are relative
   DiffPageFacts run = {};
-  std::string approve = {};  ///< command that approves rows, without their arguments; may be empty
+  std::string approve = {};  ///< command to which a row's `approve` is appended; may be empty
   std::vector<DiffPageEntry> entries = {};
   std::optional<DiffPageCurve> curve = {};
 };
@@ -57,8 +57,8 @@ class EmbedBudget {
  public:
   bool isSpent() const { return isSpent_; }
 
-  /// Counts the bytes of a row's pictures. If the budget does not suffice, drops the pictures of this row and of
-  /// all later ones, so that the page loads their files.
+  /// Adds the size of a row's pictures to the total. If the limit is exceeded, drops the embedded pictures of this
+  /// row and of all later rows. The page then loads the files of these rows instead.
   void admit(DiffPageEntry& entry);
 
  private:
@@ -66,15 +66,15 @@ class EmbedBudget {
   std::size_t rows_ = 0, bytes_ = 0;
 };
 
-/// Returns the rows that are not identical, the worst first; the budget is spent in this order.
+/// Returns the rows whose pictures are not identical, the worst first. Pictures are embedded in this order.
 std::vector<DiffPageEntry*> worstFirst(std::vector<DiffPageEntry>& entries);
 
-/// Reads the files of a row's pictures in order to embed them. Unreadable pictures are dropped.
+/// Reads a row's pictures from their files, so that the page embeds them. Leaves out unreadable pictures.
 void embedFiles(DiffPageEntry& entry);
 
-/// Returns an HTML page that outlines and magnifies the changes. The page contains style, script and embedded
-/// pictures, and loads only the other pictures. The page cannot approve anything by itself. A comment marks it as
-/// poinsot's own.
+/// Returns an HTML page that outlines and magnifies the changes. Style, script and embedded pictures are part of
+/// the page; only other pictures are loaded. The page cannot approve anything by itself. A comment in the page
+/// identifies it as written by poinsot.
 std::string htmlOf(const DiffPage& page);
 
 output::FileKind reportKind();

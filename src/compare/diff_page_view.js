@@ -110,7 +110,7 @@ function picture(source, alt) {
   image.onload = () => { layOut(); layOutNear(); };
   image.onerror = () => {
     const what = source.startsWith('data:') ? 'This picture cannot be shown.' : decodeURIComponent(source) +
-      ' cannot be loaded. It is not embedded: keep the page where it was made, beside its pictures.';
+      ' cannot be loaded. It is not embedded, so keep the page where it was made, beside its pictures.';
     image.closest('.pane')?.append(make('div', {className: 'lost', textContent: what}));
   };
   image.src = source;
@@ -170,7 +170,7 @@ const hasBoth = t => t.reference && t.actual;
 const hasPlaces = t => hasBoth(t) && t.places.length;
 const modes = {
   changes: ['Changes', hasPlaces, t => {
-    const left = t.place_count > t.places.length ? `; of ${t.place_count} places the ${t.places.length} largest are framed` : '';
+    const left = t.place_count > t.places.length ? `; the ${t.places.length} largest of ${t.place_count} places are framed` : '';
     return [figure(label(fresh + left), sheet('', picture(t.actual, fresh)), make('canvas'), ...frames(t))];
   }],
   side: ['Side by side', hasBoth, t => imagesOf(t).map(image => figure(sized(image), sheet('', image)))],
@@ -191,13 +191,13 @@ const modes = {
     turn();
     return [figure(labels, ...layers)];
   }],
-  overlay: ['Overlay', hasBoth, t => [figure(label('changed pixels painted upon ' + fresh),
+  overlay: ['Overlay', hasBoth, t => [figure(label('changed pixels, painted over ' + fresh),
     layer('', sheet('pale', picture(t.actual, fresh))), layer('', both(t, 'apart paint')), ...frames(t))]],
   difference: ['Difference', hasBoth, t => [figure(label('difference, 16 times'), both(t, 'apart times'))]],
-  flip: ['FLIP', t => t.flip, t => [figure(label('what an eye notices: black nothing, yellow all'), sheet('', picture(t.flip, 'FLIP')))]],
+  flip: ['FLIP', t => t.flip, t => [figure(label('what an eye notices: nothing in black, everything in yellow'), sheet('', picture(t.flip, 'FLIP')))]],
   one: ['Picture', t => !hasBoth(t) && (t.reference || t.actual), t => {
     const name = t.reference ? old : fresh;
-    const notes = {identical: `${old} and ${fresh} are identical`, error: name + '; the other cannot be read',
+    const notes = {identical: `${old} and ${fresh} are identical`, error: name + '; the other picture cannot be read',
       missing: `${name}; missing in ${fresh}`};
     return [figure(label(notes[t.status] || name), sheet('', picture(t.reference || t.actual, name)))];
   }],
@@ -219,7 +219,7 @@ function show() {
   }));
   if (shownTest !== test) view.fit = true;
   shownTest = test;
-  const nothing = () => [figure('', make('div', {className: 'lost', textContent: 'There is no picture of this one.'}))];
+  const nothing = () => [figure('', make('div', {className: 'lost', textContent: 'This entry has no picture.'}))];
   stage.replaceChildren(...(now ? modes[now][2](test) : nothing()));
   $('#slider').hidden = now !== 'slider';
   layOut();

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t kFilmParts = 20;
 
-/// Returns the worst frame of each part of the film in rising order, without identical frames.
+/// Returns the number of the worst frame in each twentieth of the film, in rising order. Identical frames are left
+/// out.
 std::vector<std::size_t> worstFrames(const std::vector<PictureDiff>& frames) {
   std::vector<std::size_t> worst;
   const std::size_t parts = std::min(kFilmParts, frames.size());
@@ -40,7 +41,8 @@ DiffPageEntry frameEntry(const FilmDiff& diff, std::size_t frame, const Compared
   return entry;
 }
 
-/// Returns false if a file was unreadable, or if a film was compared with a picture.
+/// Reports whether the comparison contains the two pictures. It does not if a file was unreadable, or if a film
+/// was compared with a picture.
 bool hasPictures(const ComparedPictures& compared) {
   return std::visit([](const auto& picture) { return picture.size.width > 0; }, compared.reference.pixels);
 }
@@ -62,7 +64,7 @@ std::string diffReport(const ComparedPictures& compared, const Outcome& outcome,
 std::string diffReport(const FilmDiff& diff, const std::filesystem::path& reference,
                        const std::filesystem::path& test, const DiffRequest& request, OutcomePageHead head) {
   head.entry = "Frame";
-  head.approve.clear();  // a film is approved as a whole
+  head.approve.clear();  // only the complete film can be approved, not a frame
   if (!diff.mismatch.empty()) head.note += "; " + diff.mismatch;
   DiffPage page = pageOf(head);
   if (diff.frames.empty()) return htmlOf(page);

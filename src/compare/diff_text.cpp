@@ -43,7 +43,8 @@ std::string notesText(const PictureDiff& diff) {
   return text;
 }
 
-/// Returns each note once, with the number of pictures to which it applies.
+/// Returns one line for each note, such as a different storage format, with the number of pictures that have the
+/// note.
 std::string notesText(const std::vector<Outcome>& outcomes) {
   constexpr std::size_t kMostNames = 3;
   std::map<std::string, std::vector<std::string>> names;

@@ -28,11 +28,10 @@ void checkComparable(const image::BasicImage<Sample>& a, const image::BasicImage
       fmt::format("pictures of different shape cannot be compared: {} and {}", shape(a), shape(b)));
 }
 
-/// Number of steps of a sample type per 1/255.
+/// Number of steps of a sample type in 1/255 of its range: 1 for 8 bits, 257 for 16 bits.
 template <typename Sample>
 constexpr double kStep = image::BasicImage<Sample>::kMost / 255.0;
 
-/// Collection of the ten pixels with the largest differences.
 class Worst {
  public:
   bool wants(int difference) const { return kept_.size() < kMost || difference > kept_.back().first; }
@@ -55,7 +54,8 @@ class Worst {
   std::vector<Entry> kept_;
 };
 
-/// Accumulator of counts and sums over the compared pixels, in steps of the sample type.
+/// Counts and sums over the compared pixels, from which the figures are computed. Differences are in steps of the
+/// sample type.
 template <typename Sample>
 class Sums {
  public:
@@ -132,7 +132,8 @@ Seen seenOf(const image::BasicImage<Sample>& a, const image::BasicImage<Sample>&
   return {flip(a, b, options.pixelsPerDegree), ssim(a, b, options.ignored)};
 }
 
-/// Returns the larger of the differences on black and on white background.
+/// Combines the results on black and on white background: the larger FLIP error of each pixel, and the SSIM with
+/// the smaller mean.
 Seen larger(Seen dark, const Seen& light) {
   std::ranges::transform(dark.flip.error, light.flip.error, dark.flip.error.begin(),
                          [](double a, double b) { return std::max(a, b); });
@@ -148,7 +149,7 @@ Seen seenUponPapers(const image::BasicImage<Sample>& a, const image::BasicImage<
   return larger(upon(0), upon(image::BasicImage<Sample>::kMost));
 }
 
-/// Clears the errors at ignored pixels, to which FLIP's filters carry errors of their neighbours.
+/// Sets the errors of ignored pixels to 0. FLIP's filters spread errors of neighbouring pixels to them.
 void clearIgnored(FlipMap& map, const IgnoreMask& ignored) {
   auto error = map.error.begin();
   for (int y = 0; y < map.size.height; ++y)

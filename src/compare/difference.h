@@ -13,7 +13,7 @@
 
 namespace poinsot::compare {
 
-/// Pixel that differs between two pictures; channel values as stored.
+/// Pixel that differs between two pictures, with its channel values in both, as stored.
 struct DifferingPixel {
   int x = 0, y = 0;
   double difference = 0;  ///< largest difference of a channel, in 1/255
@@ -21,14 +21,14 @@ struct DifferingPixel {
 };
 
 /// Figures of the difference between two pictures of the same size and channel count. Differences of channels are
-/// in 1/255; differences of 16-bit samples can be fractions of that. Shares and means refer to the compared
-/// pixels, which are all except the ignored ones.
+/// in 1/255, and need not be integers for 16-bit pictures. Fractions and means refer to the compared pixels, which
+/// are all pixels except the ignored ones.
 struct ImageDifference {
   std::int64_t comparedPixels = 0;
   int channels = 3;  ///< compared channels: 3, or 4 if a picture has transparency
   std::int64_t differingPixels = 0;
-  double differingShare = 0;       ///< fraction of the compared pixels, 0 to 1
-  double level = 0;                ///< largest difference that `countedPixels` tolerates
+  double differingShare = 0;       ///< differing fraction of the compared pixels, 0 to 1
+  double level = 0;                ///< largest difference that does not count in `countedPixels`
   std::int64_t countedPixels = 0;  ///< pixels that differ by more than `level`
   double maxAbs = 0;               ///< largest difference of any pixel and channel
   double meanAbs = 0;
@@ -36,7 +36,7 @@ struct ImageDifference {
   std::optional<double> psnr_dB;    ///< peak signal-to-noise ratio; nullopt if the pictures are identical
   std::optional<SsimFigures> ssim;  ///< structural similarity; nullopt for pictures smaller than 11x11
   FlipFigures flip;
-  std::vector<DifferingPixel> worst;  ///< ten largest, by falling difference; ties from the top left
+  std::vector<DifferingPixel> worst;  ///< ten pixels with the largest differences, largest first
 
   double countedShare() const {
     return comparedPixels == 0 ? 0 : static_cast<double>(countedPixels) / static_cast<double>(comparedPixels);
@@ -50,21 +50,21 @@ struct Comparison {
 
 struct ComparisonOptions {
   double pixelsPerDegree = kFlipPixelsPerDegree;  ///< visual resolution for FLIP
-  double level = 0;                               ///< see ImageDifference::level; 0 to 255
+  double level = 0;                               ///< see ImageDifference::level; from 0 to 255
   const IgnoreMask* ignored = nullptr;            ///< mask of the pictures' size; null if no pixel is ignored
 };
 
-/// Compares two pictures sample by sample. If they have four channels, FLIP and SSIM are computed on black and on
-/// white background, and the larger difference counts.
+/// Compares two pictures sample by sample. If the pictures have four channels, FLIP and SSIM are computed on black
+/// and on white background, and the larger difference counts.
 /// @throws core::Error(kIo) if sizes or channel counts differ, because pictures are never resized
 Comparison compare(const image::Image& a, const image::Image& b, const ComparisonOptions& options = {});
 Comparison compare(const image::DeepImage& a, const image::DeepImage& b, const ComparisonOptions& options = {});
-/// Compares pictures in a common form. @pre both have the same sample type, as after toCommonForm(a, b)
+/// Compares two pictures that have a common form. @pre both have the same sample type, as after toCommonForm(a, b)
 /// (common_form.h).
 /// @throws core::Error as compare()
 Comparison compareCommon(const image::AnyImage& a, const image::AnyImage& b,
                          const ComparisonOptions& options = {});
-/// Compares pictures of any form by value. @throws core::Error(kIo) if the sizes differ
+/// Converts two pictures to a common form and compares them. @throws core::Error(kIo) if the sizes differ
 Comparison compare(image::AnyImage a, image::AnyImage b, const ComparisonOptions& options = {});
 
 /// Returns an RGB picture of |a - b| times `factor`, clipped at 255; equal and ignored pixels are black. A

@@ -28,7 +28,8 @@ ComparedPictures compareFilms(const fs::path& reference, const fs::path& test, c
   return compared;
 }
 
-/// Returns the mismatch of a film and a picture. @throws core::Error(kIo) if the picture cannot be read
+/// Returns the result for a film and a single picture, which never match.
+/// @throws core::Error(kIo) if the picture cannot be read
 ComparedPictures unlikeKinds(const fs::path& picture, bool testIsFilm) {
   read(picture);
   ComparedPictures compared;

@@ -8,8 +8,8 @@
 
 namespace poinsot::compare {
 
-/// Compares two PNG files, or all frames of two films; an animated PNG is a film under any name. For films, the
-/// returned pictures are those of the worst frame, or empty if all frames are identical.
+/// Compares two PNG files, or all frames of two films. An animated PNG is a film, even with the extension .png.
+/// For films, the returned pictures are those of the worst frame, or empty if all frames are identical.
 /// @param jobs  number of frames to compare at a time
 /// @throws core::Error(kIo) with the file, if one cannot be read; otherwise as comparePictures()
 ComparedPictures compareFiles(const std::filesystem::path& reference, const std::filesystem::path& test,

@@ -30,7 +30,8 @@ std::string filmsText(image::PixelSize size) {
   return fmt::format("comparing films of {}x{}", size.width, size.height);
 }
 
-/// Opens a film if the size in its header can be compared within the limits; larger pictures are not decoded.
+/// Opens a film, unless the size in its header is too large to compare within the limits. Larger pictures in the
+/// film are not decoded.
 output::FilmReader opened(const std::filesystem::path& film, const scene::Limits& limits) {
   core::checkInterruption();
   const image::PixelSize size = output::FilmReader::declaredSize(film);
@@ -59,7 +60,7 @@ class FilmPair {
     return a == b ? "" : fmt::format("the size is {}x{}, not {}x{}", b.width, b.height, a.width, a.height);
   }
 
-  /// Returns how many frames can be compared at a time within the memory limit, at most `jobs`.
+  /// Returns how many frames, at most `jobs`, can be compared at a time within the memory limit.
   int jobsWithin(const scene::Limits& limits, int jobs) const {
     const double one_bytes = memory_bytes(1), each_bytes = memory_bytes(2) - one_bytes;
     const double left_bytes = static_cast<double>(limits[scene::Limit::kMemory]) - one_bytes;
@@ -105,7 +106,8 @@ class FilmPair {
   FilmTimes times_, timesOfTest_;
 };
 
-/// Compares the default pictures of two animated PNGs, which need not be among the frames.
+/// Compares the default pictures of two animated PNGs, which viewers without animation show. A default picture
+/// need not be one of the frames. Returns an empty string if there is no mismatch.
 std::string defaultPictureMismatch(const std::filesystem::path& reference, const std::filesystem::path& test,
                                    const DiffRequest& request) {
   if (!image::isAnimatedPng(reference) || !image::isAnimatedPng(test)) return "";
@@ -145,7 +147,7 @@ FilmDiff diffFilms(const std::filesystem::path& reference, const std::filesystem
     core::forEachIndex(pairs.size(), together, [&](std::size_t i) {
       auto& [a, b] = pairs[i];
       diff.frames[first + i] = comparePictures(std::move(a), std::move(b), request).diff;
-      diff.frames[first + i].ignored = {};  // the same in all frames
+      diff.frames[first + i].ignored = {};  // not stored per frame: all frames ignore the same pixels
       diff.frames[first + i].name = fmt::format("{}", first + i);
     });
   }

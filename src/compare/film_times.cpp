@@ -10,7 +10,8 @@
 namespace poinsot::compare {
 namespace {
 
-/// Minimum tolerances: FFmpeg's APNG demuxer rounds each duration to 10 us, which accumulates.
+/// Smallest tolerance, and its growth per frame. FFmpeg's APNG demuxer rounds each duration to 10 us, and these
+/// errors add up.
 constexpr double kRounding_s = 2e-3, kRoundingPerFrame_s = 5e-6;
 
 double shortest_s(const FilmTimes& film) {
@@ -20,8 +21,8 @@ double shortest_s(const FilmTimes& film) {
   return shortest;
 }
 
-/// Tolerance for two times of a frame: the rounding to the films' time units, but at most a quarter of the
-/// shortest frame, so that no frame is mistaken for its neighbour.
+/// Tolerance for comparing two times of a frame. It covers rounding to the films' time units. It is at most a
+/// quarter of the shortest frame, so that no frame is mistaken for its neighbour.
 class Allowance {
  public:
   Allowance(const FilmTimes& a, const FilmTimes& b)
@@ -30,7 +31,7 @@ class Allowance {
 
   bool holds(double a_s, double b_s, std::size_t frame) const {
     const double allowed = std::min(rounding_s_, most_s_) + kRoundingPerFrame_s * static_cast<double>(frame);
-    return !(std::abs(a_s - b_s) > allowed);  // NaN counts as equal
+    return !(std::abs(a_s - b_s) > allowed);  // a NaN counts as equal
   }
 
  private:

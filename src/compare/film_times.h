@@ -22,7 +22,7 @@ class FilmTimes {
   double start_s(std::size_t frame) const { return starts_s_.at(frame) - starts_s_.front(); }
   /// Returns the duration of the last picture in seconds; 0 if the film does not specify it.
   double lastFor_s() const { return lastFor_s_; }
-  /// Returns the frame rate in 1/s if all durations are equal except for rounding; otherwise 0.
+  /// Returns the frame rate in 1/s if all frames last equally long, except for rounding; otherwise 0.
   double steadyRate() const;
 
  private:
@@ -31,9 +31,9 @@ class FilmTimes {
   double lastFor_s_ = 0;
 };
 
-/// Returns a difference in timing: "frame 45 is at 3.5 s, not 1.5 s". Returns an empty string if the times agree
-/// to within the rounding of the containers, or if a film has no times. Only frames that both films have are
-/// compared.
+/// Describes how the timing of two films differs, such as "frame 45 is at 3.5 s, not 1.5 s". Returns an empty
+/// string if the times agree except for the rounding of the containers, or if a film has no times. Compares only
+/// frames that both films have.
 std::string timesMismatch(const FilmTimes& reference, const FilmTimes& test);
 
 }  // namespace poinsot::compare

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// FLIP for low dynamic range. Each picture is looked at through a window of rows in the linear opponent space
-// Y Cx Cz. The colour path blurs them with the eye's contrast sensitivity, returns to linear RGB and measures in
-// Hunt-adjusted CIELab; the feature path looks for edges and points in the unblurred luminance.
+// FLIP for pictures of low dynamic range. A pixel's error combines a colour error and a feature error. Both are
+// computed from a sliding window of rows in the linear opponent space Y Cx Cz. For the colour error, rows are
+// blurred with the eye's contrast sensitivity, converted to linear RGB, and compared in Hunt-adjusted CIELab. For
+// the feature error, edges and points are detected in the unblurred luminance.
 #include "compare/flip.h"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ RowWindow opponentWindow(const image::BasicImage<Sample>& picture, int radius) {
           }};
 }
 
-/// Rows of one picture as perceived: colours, and the strengths of edges and points at each pixel.
+/// Row of a picture as the eye perceives it: the colour, and the strengths of edges and points, at each pixel.
 class PerceivedRows {
  public:
   template <typename Sample>
@@ -81,7 +82,8 @@ class PerceivedRows {
     }
   }
 
-  /// Computes the gradient lengths from the responses along x and along y, each smoothed in the other direction.
+  /// Computes the strengths of edges and points. Each strength is the length of a gradient, whose components are
+  /// filter responses along x and along y. Each response is smoothed in the other direction.
   void findFeatures() {
     features_.smooth.alongColumns(window_, kY, smoothed_.data());
     findFeature(features_.edge, edge_);
@@ -91,7 +93,7 @@ class PerceivedRows {
   void findFeature(const Kernel& profile, Row& length) {
     profile.alongRow(smoothed_.data(), window_.width(), along_.data());
     filter(kY, profile, features_.smooth, across_);
-    // Converts Y to luminance, (Y + 16) / 116. The profiles sum to 0, so the 16 cancels.
+    // Luminance is (Y + 16) / 116. The 16 cancels, because the weights of a profile sum to 0.
     std::ranges::transform(along_, across_, length.begin(),
                            [](double x, double y) { return std::sqrt(x * x + y * y) / 116; });
   }
@@ -127,7 +129,7 @@ void flipInto(double* error, const image::BasicImage<Sample>& a, const image::Ba
   }
 }
 
-/// Rectangle of pixels, with both ends included.
+/// Rectangle of pixels that includes x1 and y1.
 struct Box {
   int x0, y0, x1, y1;
 
@@ -170,7 +172,8 @@ FlipMap flipOf(const image::BasicImage<Sample>& a, const image::BasicImage<Sampl
   FlipMap map{a.size, Row(width * static_cast<std::size_t>(a.size.height))};
   const auto differing = differingBox(a, b);
   if (!differing) return map;
-  // Errors spread as far as the filters reach. They are exact where the cut-out holds all that the filters read.
+  // Errors occur only in `wrong`, because they spread only as far as the filters reach. They are exact, because
+  // `seen` holds all pixels that the filters read.
   const int radius = flipRadius(pixelsPerDegree);
   const Box wrong = differing->grown(radius, a.size), seen = wrong.grown(radius, a.size);
   const image::PixelSize size = seen.size();
@@ -183,8 +186,8 @@ FlipMap flipOf(const image::BasicImage<Sample>& a, const image::BasicImage<Sampl
   return map;
 }
 
-/// Quantiles weighted by value: at(share) is the smallest value at which the running sum of the sorted values
-/// exceeds share × total.
+/// Quantiles weighted by value. at(share) returns the smallest value at which the running sum of the sorted values
+/// exceeds `share` times the total.
 class WeightedQuantiles {
  public:
   explicit WeightedQuantiles(const std::vector<double>& values) : bins_(kBins) {
@@ -208,7 +211,7 @@ class WeightedQuantiles {
   }
 
  private:
-  static constexpr std::size_t kBins = 1024;  // bins, so that only a few values need sorting
+  static constexpr std::size_t kBins = 1024;  // number of bins; only one bin is sorted for a quantile
 
   static std::size_t binOf(double value) { return std::min(static_cast<std::size_t>(value * kBins), kBins - 1); }
 

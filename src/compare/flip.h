@@ -9,10 +9,12 @@
 
 namespace poinsot::compare {
 
-/// Pixels per degree of a 0.7 m wide, 3840 pixel wide screen seen from 0.7 m: 3840 π / 180.
+/// Default visual resolution in pixels per degree: 3840 π / 180. A screen that is 0.7 m and 3840 pixels wide has
+/// this resolution if seen from 0.7 m.
 inline constexpr double kFlipPixelsPerDegree = 67.02064327658225;
 
-/// Perceived difference when alternating between two pictures: an error in [0, 1] per pixel, rows from the top.
+/// Perceived difference between two pictures that are shown alternately. `error` has a value in [0, 1] for each
+/// pixel, the top row first.
 struct FlipMap {
   image::PixelSize size;
   std::vector<double> error;
@@ -21,13 +23,14 @@ struct FlipMap {
   double max() const;
 };
 
-/// Summary of a map. Median and quartiles are weighted: the pixels below them hold half, a quarter and three
-/// quarters of the total error. All figures are 0 for equal pictures.
+/// Summary of a FLIP map. The median is weighted: pixels below it have half of the total error. The quartiles are
+/// weighted in the same way. All figures are 0 for equal pictures.
 struct FlipFigures {
   double mean = 0, min = 0, firstQuartile = 0, median = 0, thirdQuartile = 0, max = 0;
 };
-/// Summarises a map. @param pixels  number of pixels for the mean, if fewer than the map has; the others have
-/// error 0
+/// Summarises a FLIP map.
+/// @param pixels  number of pixels over which the mean is taken, if some pixels of the map do not count; their
+///   errors must be 0
 FlipFigures figuresOf(const FlipMap& map, std::optional<std::int64_t> pixels = {});
 
 /// Returns the FLIP difference of two sRGB pictures in double precision; symmetric in a and b. Alpha is ignored.

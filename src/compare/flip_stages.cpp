@@ -13,7 +13,8 @@ namespace {
 
 using Matrix = std::array<Triple, 3>;
 
-// Linear sRGB to XYZ, as fractions so that the white point equals the sum of the columns to the last bit.
+// Matrix from linear sRGB to XYZ. The entries are fractions, so that the sum of the columns is exactly the white
+// point.
 constexpr Matrix kXyzFromRgb = {{{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
                                  {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
                                  {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}}};
@@ -26,7 +27,7 @@ constexpr Triple product(const Matrix& m, const Triple& v) {
 
 constexpr Triple kWhite = product(kXyzFromRgb, {1, 1, 1});
 
-/// Linear sRGB to XYZ, scaled so that white is (1, 1, 1).
+/// Matrix from linear sRGB to XYZ, scaled so that white is (1, 1, 1).
 constexpr Matrix kRelativeXyzFromRgb = [] {
   Matrix m = kXyzFromRgb;
   for (std::size_t i = 0; i < 3; ++i)
@@ -48,8 +49,9 @@ constexpr Matrix inverse(const Matrix& m) {
 
 constexpr Matrix kRgbFromRelativeXyz = inverse(kRelativeXyzFromRgb);
 
-/// Returns the cube root of a positive number to two units in the last place. Twice as fast as std::cbrt, which
-/// took a third of the run time. A third of the exponent is a guess within 6 %; each Halley step cubes the error.
+/// Returns the cube root of a positive number to two units in the last place. Takes half as long as std::cbrt,
+/// which took a third of FLIP's run time. The first guess divides the exponent by 3 and is within 6 %. Each Halley
+/// step cubes the relative error.
 double cubeRoot(double t) {
   constexpr std::uint64_t kThirdOfOne = 0x2A9F7893'00000000;
   double root = std::bit_cast<double>(std::bit_cast<std::uint64_t>(t) / 3 + kThirdOfOne);
@@ -124,18 +126,19 @@ std::vector<double> sampled(int radius, F f) {
   return half;
 }
 
-/// Gaussian term of a sensitivity: weight a, width b in squared degrees.
+/// Gaussian term of a contrast sensitivity, with weight a and width b; b is in squared degrees.
 struct Gaussian {
   double a = 0;
   double b = 0;
 };
 
 int sensitivityRadius(double pixelsPerDegree) {
-  constexpr double kWidest = 0.04;  // largest b of all channels
+  constexpr double kWidest = 0.04;  // largest width b of all channels
   return static_cast<int>(std::ceil(3 * std::sqrt(kWidest / (2 * kPi * kPi)) * pixelsPerDegree));
 }
 
-/// Returns the terms of a kernel. The factor √(π/b) occurs once for each 2D Gaussian, not once per direction.
+/// Returns the terms of a channel's filter. The factor √(π/b) belongs to the 2D Gaussian, so it is applied once,
+/// and not once per direction.
 std::vector<SensitivityPart> partsOf(const std::vector<Gaussian>& gaussians, double pixelsPerDegree) {
   std::vector<SensitivityPart> parts;
   double total = 0;
@@ -173,7 +176,7 @@ double negativeSum(const Kernel& kernel) {
   return sum;
 }
 
-/// Scales the positive weights to sum to 1 and the negative ones to sum to -1.
+/// Returns a kernel with scaled weights: positive weights sum to 1, negative weights to -1.
 Kernel balanced(Kernel::Parity parity, std::vector<double> half) {
   const Kernel kernel(parity, half);
   const double positive = positiveSum(kernel), negative = -negativeSum(kernel);

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using core::Error;
 using core::ErrorKind;
 
-/// Returns the relative paths of the PNG files and films below a folder, sorted, without hidden ones.
+/// Returns the relative paths of the PNG files and films below a folder, sorted. Skips hidden files and folders.
 /// @param links  receives the links to folders, which are not followed
 std::vector<std::string> namesIn(const fs::path& folder, std::vector<std::string>& links) {
   std::vector<std::string> names;
@@ -44,7 +44,7 @@ std::vector<std::string> namesIn(const fs::path& folder, std::vector<std::string
   return names;
 }
 
-/// Adds the maps of one pair, or their removal if the pair is identical.
+/// Adds the maps of a pair to the batch. If the pair is identical, adds the removal of earlier maps instead.
 void addPairMaps(core::FileBatch& maps, const ComparedPictures& compared, const DiffRequest& own) {
   if (compared.diff.verdict == Verdict::kIdentical) return addRemovalOfMaps(maps, own);
   for (const auto& place : {own.map, own.difference})
@@ -58,7 +58,7 @@ FolderNames namesInFolders(const fs::path& reference, const fs::path& test) {
   FolderNames names;
   const auto ours = namesIn(reference, names.linkedFolders), theirs = namesIn(test, names.linkedFolders);
   if (ours.empty() && theirs.empty())
-    throw core::usageError(fmt::format("{} and {}: no PNG file and no film is there",
+    throw core::usageError(fmt::format("{} and {}: neither folder contains a PNG file or a film",
                                        core::printable(reference.native()), core::printable(test.native())));
   std::ranges::set_intersection(ours, theirs, std::back_inserter(names.inBoth));
   std::ranges::set_difference(ours, theirs, std::back_inserter(names.onlyInReference));

@@ -16,11 +16,12 @@ struct FolderNames {
   std::vector<std::string> linkedFolders;  ///< links to folders, which are not followed
 };
 
-/// Finds the files of two folders. @throws core::Error(kIo) with a folder that cannot be read; (kUsage) if neither
-/// folder has a PNG file or a film
+/// Finds the PNG files and films of two folders.
+/// @throws core::Error(kIo) with a folder that cannot be read; (kUsage) if neither folder has a PNG file or a film
 FolderNames namesInFolders(const std::filesystem::path& reference, const std::filesystem::path& test);
 
-/// Returns the request for one pair of two folders: `name` is appended to the folders for maps.
+/// Returns the request for one pair of files from two folders. The pair's name is appended to the map folders of
+/// `request`.
 DiffRequest requestForPair(const DiffRequest& request, const std::string& name);
 
 struct FolderDiff {
@@ -32,9 +33,9 @@ struct FolderDiff {
   Verdict verdict() const;
 };
 
-/// Compares each pair of two folders, `jobs` pairs at a time. Map paths of the request are folders, which get a
-/// map of each pair that is not identical, under the pair's name.
-/// @param maps  receives the maps, and the removal of old maps of identical pairs
+/// Compares all pairs of files that have the same name in two folders, `jobs` pairs at a time. The map paths of
+/// the request are folders. A pair that is not identical gets its maps there, under its own name.
+/// @param maps  receives the maps, and the removal of earlier maps of identical pairs
 FolderDiff diffFolders(const std::filesystem::path& reference, const std::filesystem::path& test,
                        FolderNames names, const DiffRequest& request, int jobs, core::FileBatch& maps);
 

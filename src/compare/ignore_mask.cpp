@@ -42,7 +42,7 @@ bool IgnoreMask::ignores(int x, int y) const {
 
 std::vector<image::PixelRect> IgnoreMask::boxes(std::size_t most) const {
   std::vector<image::PixelRect> boxes;
-  std::map<std::pair<int, int>, std::size_t> open;  // boxes that extend to the previous row, by left and right
+  std::map<std::pair<int, int>, std::size_t> open;  // boxes that can still grow, by left and right edge
   for (int y = 0; y < size_.height; ++y) {
     std::map<std::pair<int, int>, std::size_t> now;
     for (int x = 0; x < size_.width; ++x) {

@@ -8,7 +8,6 @@
 
 namespace poinsot::compare {
 
-/// Mask of the pixels that a comparison ignores.
 class IgnoreMask {
  public:
   /// Makes a mask that ignores nothing. @pre width, height > 0.
@@ -22,11 +21,11 @@ class IgnoreMask {
   image::PixelSize size() const { return size_; }
   /// Reports whether a pixel is ignored. @pre inside the picture.
   bool ignores(int x, int y) const;
-  /// Reports whether a pixel is ignored. @param index  pixel number, row by row. @pre inside the picture.
+  /// Reports whether a pixel is ignored. @param index pixel number, counted row by row. @pre inside the picture.
   bool ignoresPixel(std::size_t index) const { return ignored_.at(index) != 0; }
   std::int64_t ignoredPixels() const { return count_; }
   std::int64_t comparedPixels() const { return static_cast<std::int64_t>(ignored_.size()) - count_; }
-  /// Returns the ignored pixels as at most `most` disjoint boxes, from the top left.
+  /// Returns the ignored pixels as disjoint boxes, from the top left. Boxes beyond the first `most` are left out.
   std::vector<image::PixelRect> boxes(std::size_t most) const;
   /// Returns the ignored fraction of all pixels, 0 to 1.
   double share() const { return static_cast<double>(count_) / static_cast<double>(ignored_.size()); }

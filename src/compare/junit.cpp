@@ -10,10 +10,10 @@
 namespace poinsot::compare {
 namespace {
 
-/// Escapes text for an element. Control characters are replaced, because CI logs are shown on terminals.
+/// Escapes text for an XML element. Control characters are replaced, because CI logs are shown on terminals.
 std::string xml(std::string_view text) { return core::xmlAttribute(core::printableLines(text)); }
 
-/// Escapes text for an attribute, where XML would turn line ends into blanks.
+/// Escapes text for an XML attribute. Line ends are escaped too, because XML turns them into blanks there.
 std::string attribute(std::string_view text) {
   std::string out;
   for (const char c : xml(text)) out += c == '\n' ? std::string("&#10;") : std::string(1, c);
@@ -24,14 +24,15 @@ std::string line(const char* term, const std::string& text) {
   return text.empty() ? "" : fmt::format("{:<10} {}\n", term, text);
 }
 
-/// Returns the reason, the paths of the pictures and the remedy. GitLab shows this text only, not the message.
+/// Returns the text of a failure: the reason, the paths of the pictures and the command that approves them. The
+/// text repeats the reason, because GitLab does not show the failure's message.
 std::string bodyOf(const Outcome& outcome, const OutcomeReport& report) {
   return reasonOf(outcome) + "\n" + line("approved", outcome.reference.native()) +
          line("new", outcome.actual.native()) + line("map", outcome.map.native()) +
          line("page", report.page.native()) + line("approve by", approveCommand({outcome}, report));
 }
 
-/// Returns an attachment's path: relative to the root if the file lies below it, otherwise absolute.
+/// Returns the path of an attachment: relative to the root if the file lies below the root, otherwise absolute.
 std::filesystem::path attachmentPath(const std::filesystem::path& file, const std::filesystem::path& root) {
   const auto path = std::filesystem::absolute(file).lexically_normal();
   if (root.empty()) return path;
@@ -39,7 +40,7 @@ std::filesystem::path attachmentPath(const std::filesystem::path& file, const st
   return below.empty() || *below.begin() == ".." ? path : below;
 }
 
-/// Lists the attachments; the new picture is first, because GitLab shows only the first one.
+/// Lists the attachments of a test. The new picture is first, because GitLab shows only the first attachment.
 std::string attachmentsOf(const Outcome& outcome, const std::filesystem::path& root) {
   std::string text;
   for (const auto* file : {&outcome.actual, &outcome.map, &outcome.reference})
@@ -47,7 +48,8 @@ std::string attachmentsOf(const Outcome& outcome, const std::filesystem::path& r
   return text;
 }
 
-/// Returns the end of a passed test. The reason of a near picture becomes output, as only failures have a message.
+/// Returns the end of a passed test's element. The reason of a near picture goes to system-out, because only
+/// failures have a message.
 std::string passedEnd(const Outcome& outcome) {
   if (outcome.message.empty()) return "/>\n";
   return fmt::format(">\n    <system-out>{}: {}</system-out>\n  </testcase>\n", toString(outcome.status),

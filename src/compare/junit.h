@@ -11,10 +11,10 @@ namespace poinsot::compare {
 
 output::FileKind junitKind();
 
-/// Returns the outcomes as JUnit XML for continuous integration: an error for each picture that could not be made
-/// or read, a failure for each other outcome that does not pass. Each has the reason, the paths of the pictures
-/// and the command that approves them. Pictures are attached in the form that GitLab and Jenkins read,
-/// [[ATTACHMENT|path]], the new one first.
+/// Returns the outcomes as JUnit XML for continuous integration. A picture that could not be made or read is an
+/// error; any other outcome that does not pass is a failure. Errors and failures contain the reason, the paths of
+/// the pictures, and the command that approves them. The pictures are attached as [[ATTACHMENT|path]], which
+/// GitLab and Jenkins read, the new picture first.
 std::string junitXml(const std::vector<Outcome>& outcomes, const OutcomeReport& report);
 
 }  // namespace poinsot::compare

@@ -13,10 +13,12 @@ namespace {
 
 typedef double Four __attribute__((vector_size(32)));
 
-/// Rows that a filter reads at the offsets -i, or those at i; a filter along a row uses pointers into one row.
+/// Row pointers for the offsets 0, 1, ..., radius on one side of the middle. A filter along a row has all of them
+/// point into that row.
 using Rows = std::vector<const double*>;
 
-/// Weights and rows as raw pointers, because checked indices make the innermost loop a third slower.
+/// Weights and rows for the innermost loop. They are raw pointers, because checked indices make the loop a third
+/// slower.
 struct Pairs {
   const double* half;
   const double* const* before;
@@ -24,9 +26,9 @@ struct Pairs {
   std::size_t count;
 };
 
-/// Computes out[x] = half[0] before[0][x] + sum over i of half[i] (after[i][x] ± before[i][x]), for as many x as a
-/// Value holds. Adding the pairs first halves the multiplications and gives mirrored pictures mirrored sums to the
-/// last bit.
+/// Computes out[x] = half[0] before[0][x] + sum over i of half[i] (after[i][x] ± before[i][x]). A Value holds one
+/// or four consecutive x. Pairs are added before they are multiplied: this halves the multiplications, and
+/// mirrored pictures get exactly mirrored sums.
 template <class Value, bool odd>
 [[gnu::always_inline]] inline void addPairsAt(int x, const Pairs& pairs, double* out) {
   Value sum, b, a;
@@ -47,9 +49,9 @@ template <bool odd>
   for (; x < width; ++x) addPairsAt<double, odd>(x, pairs, out);
 }
 
-// AVX2 without FMA, which would round differently, computes the same sums for four values per instruction. The
-// code that selects the clone runs before ThreadSanitizer is ready and would end the program, so such builds have
-// no clones.
+// The compiler makes two versions of this function. The AVX2 version computes the same sums, four values per
+// instruction; it has no FMA, which would round differently. Builds for ThreadSanitizer have one version, because
+// selecting a version before ThreadSanitizer is ready would end the program.
 #if defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
 [[gnu::target_clones("avx2", "default")]]
 #endif
@@ -98,7 +100,7 @@ void Kernel::alongColumns(const RowWindow& window, int plane, double* out) const
 
 void Kernel::alongRow(const double* in, int width, double* out) const {
   const auto r = static_cast<std::size_t>(radius()), n = static_cast<std::size_t>(width);
-  thread_local std::vector<double> padded;  // kept, because allocating it for each row took a twelfth of the time
+  thread_local std::vector<double> padded;  // kept, because allocating it per row took 1/12 of the time
   padded.resize(n + 2 * r);
   std::fill_n(padded.begin(), r, in[0]);
   std::copy_n(in, n, padded.begin() + static_cast<std::ptrdiff_t>(r));
@@ -125,7 +127,7 @@ double* RowWindow::slot(int plane, int y) {
 
 void RowWindow::moveTo(int y) {
   POINSOT_EXPECT(y >= middle_ && y < size_.height);
-  core::checkInterruption();  // polled here because every filter on large pictures moves through rows
+  core::checkInterruption();  // polled here, because every filter calls moveTo() for each row
   middle_ = y;
   made_ = std::max(made_, y - radius_);
   std::vector<double*> rows(static_cast<std::size_t>(planes_));

@@ -8,9 +8,9 @@
 
 namespace poinsot::compare {
 
-/// Sliding window over the rows of several planes of numbers, from y - radius to y + radius. The source computes
-/// each row once, from the top, so that whole planes need no memory. Outside the picture, the first and last rows
-/// are repeated.
+/// Sliding window over the rows of one or more planes of numbers. It holds the rows from y - radius to y + radius,
+/// so that complete planes need not be stored. A callback computes each row once, from the top. Outside the
+/// picture, the first or last row is repeated.
 class RowWindow {
  public:
   /// Callback that writes row y of each plane; planes[k] has room for `width` values.
@@ -32,7 +32,7 @@ class RowWindow {
   image::PixelSize size_;
   int planes_, radius_;
   Source source_;
-  int middle_ = 0, made_ = 0;   ///< rows below `made_` have been computed
+  int middle_ = 0, made_ = 0;   ///< rows below number `made_` have been computed
   std::vector<double> values_;  ///< ring buffer of 2 radius + 1 rows per plane
 };
 
@@ -50,11 +50,11 @@ class Kernel {
   double sum() const;
   Kernel scaled(double factor) const;
 
-  /// Filters along the columns, for the middle row of a window.
-  /// @param out  `width` values.  @pre the window's radius is not less than this one.
+  /// Applies the filter along the columns of a plane, at the middle row of a window.
+  /// @param out  receives `width` values. @pre the window's radius is not less than this one.
   void alongColumns(const RowWindow& window, int plane, double* out) const;
 
-  /// Filters along a row whose end values are repeated.
+  /// Applies the filter along a row. Beyond its ends, the row's first and last values are repeated.
   /// @param in, out  arrays of `width` values each, which must not overlap
   void alongRow(const double* in, int width, double* out) const;
 

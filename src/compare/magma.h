@@ -6,8 +6,8 @@
 
 namespace poinsot::compare {
 
-/// Returns a map as a picture in the colours of "magma", from black for 0 over red to pale yellow for 1. The
-/// colour index is round(255 error).
+/// Returns a FLIP map as a picture in the "magma" colours: black for error 0, then red, pale yellow for error 1.
+/// The index into the colour table is round(255 error).
 image::Image magmaPicture(const FlipMap& map);
 
 }  // namespace poinsot::compare

@@ -13,7 +13,7 @@
 namespace poinsot::compare {
 namespace {
 
-/// Escapes text for one line of Markdown. Special characters become entities, which also prevents links and
+/// Escapes text for one line of Markdown. Special characters become entities, so that the text makes no links or
 /// mentions.
 std::string plain(std::string_view text) {
   constexpr std::string_view kSpecial = "\\`*_{}[]()<>#+-.!|~&@:/";
@@ -27,7 +27,7 @@ std::string plain(std::string_view text) {
   return out;
 }
 
-/// Returns a fenced code block with a fence longer than any run of backticks in the code.
+/// Returns a fenced code block. The fence is longer than any run of backticks in the code.
 std::string codeBlock(const std::string& code) {
   std::size_t run = 0, longest = 2;
   for (const char c : code) {

@@ -77,7 +77,7 @@ std::vector<std::string> excesses(const ImageDifference& d, const NearRule& rule
 }
 
 double distanceBeyond(const ImageDifference& d, const NearRule& rule) {
-  constexpr double kLeast = 1e-6;  // replaces a limit of 0
+  constexpr double kLeast = 1e-6;  // divisor if the limit is 0
   double sum = 0;
   for (const Limit& limit : limitsOf(d, rule))
     if (limit.value > limit.most) sum += std::log(limit.value / std::max(limit.most, kLeast));

@@ -35,7 +35,7 @@ bool isStoredOtherwise(const Outcome& outcome) {
 }
 
 std::string storageText(const PictureDiff& diff) {
-  return diff.notes.empty() ? "the same pixels are stored in another way" : core::joined(diff.notes, "; ");
+  return diff.notes.empty() ? "the same pixels are stored in another format" : core::joined(diff.notes, "; ");
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ bool canBeApproved(const Outcome& outcome) {
 
 std::string reasonOf(const Outcome& outcome) {
   if (isStoredOtherwise(outcome))
-    return fmt::format("{}; --exact asks for the same storage", storageText(outcome.diff));
+    return fmt::format("{}; --exact requires the same storage", storageText(outcome.diff));
   const std::string words = wordsOf(outcome.diff.changes);
   if (words.empty()) return outcome.message.empty() ? "not identical" : outcome.message;
   return outcome.message.empty() ? words : outcome.message + "; " + words;
@@ -113,7 +113,7 @@ std::vector<Outcome> outcomesOf(const FolderDiff& diff, const fs::path& referenc
   for (const std::string& name : diff.names.onlyInReference) {
     outcomes.push_back(loneOutcome(name, OutcomeStatus::kMissing));
     outcomes.back().reference = reference / name;
-    outcomes.back().message = fmt::format("only in the reference; if it is gone for good, remove {}",
+    outcomes.back().message = fmt::format("only in the reference; if the new picture is gone for good, remove {}",
                                           core::printable(outcomes.back().reference.native()));
   }
   for (const std::string& name : diff.names.onlyInTest) {
@@ -125,7 +125,7 @@ std::vector<Outcome> outcomesOf(const FolderDiff& diff, const fs::path& referenc
 }
 
 std::string approvalText(const Outcome& outcome) {
-  if (outcome.status == OutcomeStatus::kNew) return "approved, the first of its test";
+  if (outcome.status == OutcomeStatus::kNew) return "approved as the first reference of its test";
   if (isStoredOtherwise(outcome)) return "approved, " + storageText(outcome.diff);
   if (!outcome.diff.mismatch.empty()) return "approved, " + outcome.diff.mismatch;
   const ImageDifference& d = outcome.diff.figures;

@@ -18,7 +18,7 @@ enum class OutcomeStatus {
   kDifferent,
   kNew,      ///< no reference exists
   kMissing,  ///< only the reference exists
-  kUnused,   ///< reference that no test uses
+  kUnused,   ///< no test uses the reference
   kError     ///< the picture could not be made or read
 };
 
@@ -33,8 +33,8 @@ struct Outcome {
   std::filesystem::path reference;        ///< nearest approved picture; empty if there is none
   PictureOrigin approved;                 ///< origin of the reference
   std::filesystem::path actual;           ///< new picture; empty if there is none
-  std::string pixels;                     ///< suites: pixelDigest() of the new picture; empty if there is none
-  std::filesystem::path map, difference;  ///< files written for this outcome; empty if there are none
+  std::string pixels;                     ///< pixelDigest() of a suite's new picture; may be empty
+  std::filesystem::path map, difference;  ///< maps written for this outcome; empty if not written
   PictureOrigin origin;                   ///< origin of the new picture
   PictureRule rule;
   double seconds = 0;  ///< duration of the comparison
@@ -47,7 +47,7 @@ struct Outcome {
 
 OutcomeStatus statusOf(Verdict verdict);
 
-/// Reports whether there is a new picture that can become the reference.
+/// Reports whether the outcome has a new picture that can become the reference.
 bool canBeApproved(const Outcome& outcome);
 
 /// Reports whether approving would change the reference: the new picture differs or, with `exact`, its storage
@@ -56,8 +56,8 @@ inline bool isToApprove(const Outcome& outcome, bool exact) {
   return canBeApproved(outcome) && !(outcome.status == OutcomeStatus::kIdentical && outcome.passes(exact));
 }
 
-/// Returns why an outcome fails, in figures and in words: "largest difference 222 (limit 2); 87 pixels in one
-/// place of 40x24 px at (460, 340)". Never empty.
+/// Returns why an outcome fails, in figures and in words. Example: "largest difference 222 (limit 2); 87 pixels in
+/// one place of 40x24 px at (460, 340)". Never empty.
 std::string reasonOf(const Outcome& outcome);
 
 /// Returns the number of outcomes of each status: "60 identical, 2 near, 1 different".
@@ -68,8 +68,8 @@ Verdict verdictOf(const std::vector<Outcome>& outcomes);
 
 std::ptrdiff_t countFailures(const std::vector<Outcome>& outcomes, bool exact);
 
-/// Returns the outcomes of two folders' pairs and of files without a partner, with the maps that the request asks
-/// for.
+/// Returns one outcome for each pair of files of two folders, and for each file that only one folder has. An
+/// outcome names its maps if the request has map folders.
 std::vector<Outcome> outcomesOf(const FolderDiff& diff, const std::filesystem::path& reference,
                                 const std::filesystem::path& test, const DiffRequest& request);
 
@@ -83,14 +83,14 @@ std::string approvalText(const Outcome& outcome);
 /// Facts about a run that its reports need.
 struct OutcomeReport {
   std::string suite;
-  bool exact = false;          ///< whether only identical pictures pass
-  std::filesystem::path page;  ///< HTML report; empty if there is none
-  std::string approve;         ///< command that approves tests, without their names; empty if there is none
-  std::string approveBy;       ///< command that approves all failures and replaces `approve`; may be empty
+  bool exact = false;                    ///< whether only identical pictures pass
+  std::filesystem::path page;            ///< HTML report; empty if there is none
+  std::string approve;                   ///< command that approves the tests whose names follow it; may be empty
+  std::string approveBy;                 ///< command that approves all failures; replaces `approve`; may be empty
   std::filesystem::path attachmentRoot;  ///< root for relative attachment paths; empty for absolute paths
 };
 
-/// Returns the command-line word that selects the test of this name only, escaped for the shell.
+/// Returns a command-line argument that selects only the test with this name, escaped for the shell.
 std::string approvalWord(const std::string& name);
 
 /// Returns the command that approves all failures that can be approved; empty if there are none.

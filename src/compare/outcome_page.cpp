@@ -20,10 +20,10 @@ std::string pngOf(const image::AnyImage& picture) {
   return textOf(std::visit([](const auto& p) { return image::encodePng(p); }, picture));
 }
 
-/// Reports whether a browser can show the file as a picture, which excludes films.
+/// Reports whether a browser can show the file as a picture; false for films.
 bool isPicture(const std::filesystem::path& file) { return image::isPngName(file); }
 
-/// Embeds the files of an entry. A map of an uncommitted batch is read from its temporary file.
+/// Embeds the pictures of a row. A map that has no name yet is read from its temporary file.
 void embedFilesOf(DiffPageEntry& entry, const OutcomePageHead& head) {
   const std::filesystem::path map = entry.map.file;
   if (head.unnamed != nullptr) entry.map.file = head.unnamed->contentOf(map);
@@ -31,8 +31,8 @@ void embedFilesOf(DiffPageEntry& entry, const OutcomePageHead& head) {
   if (!entry.map.file.empty()) entry.map.file = map;
 }
 
-/// Embeds an outcome's pictures as far as they are readable. Films, and pictures without a map file, are compared
-/// again.
+/// Embeds an outcome's pictures, if they are readable. Compares films, and pictures without a map file, again to
+/// get a map.
 void embed(DiffPageEntry& entry, const Outcome& outcome, const OutcomePageHead& head) try {
   const bool film = outcome.diff.film.has_value();
   if (!film) embedFilesOf(entry, head);
@@ -43,7 +43,7 @@ void embed(DiffPageEntry& entry, const Outcome& outcome, const OutcomePageHead& 
     embedCompared(entry, compared);
   else
     entry.map.png = textOf(image::encodePng(magmaPicture(compared.flip)));
-} catch (const core::Error&) {  // the files have changed in the meantime
+} catch (const core::Error&) {  // such as a file that changed after the comparison
   entry.map = {};
 }
 

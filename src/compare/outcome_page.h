@@ -17,23 +17,24 @@ struct OutcomePageHead {
   std::string reference = "reference", actual = "test";
   std::string entry = "Picture";
   std::filesystem::path page = {};
-  std::filesystem::path place = {};  ///< path in the work tree whose commit the page shows
-  std::string approve = {};          ///< command that approves rows, without their names; may be empty
+  std::filesystem::path place = {};  ///< path in a git work tree; the page shows the tree's commit
+  std::string approve = {};          ///< command that approves the rows whose names follow it; may be empty
   double pixelsPerDegree = kFlipPixelsPerDegree;
-  bool exact = false;                        ///< whether equal pixels in another storage format fail
+  bool exact = false;                        ///< whether pictures stored in different formats fail
   const core::FileBatch* unnamed = nullptr;  ///< maps of this run that are not committed yet
 };
 
 DiffPage pageOf(const OutcomePageHead& head);
 
-/// Returns a row without embedded pictures. For an identical pair, the row names only the reference.
+/// Returns the row of an outcome, without embedded pictures. The row of an identical pair shows only the
+/// reference.
 DiffPageEntry entryOf(const Outcome& outcome, const OutcomePageHead& head);
 
 void embedCompared(DiffPageEntry& entry, const ComparedPictures& compared);
 
-/// Returns the outcomes as an HTML page (diff_page.h). The worst outcomes' pictures, of films the worst frame, are
-/// embedded as far as EmbedBudget allows; the others' files are linked. Missing maps are computed, `jobs` at a
-/// time.
+/// Returns the outcomes as an HTML page (diff_page.h). Embeds the pictures of the worst outcomes, as far as
+/// EmbedBudget allows; the page loads the files of the other outcomes. Shows films by their worst frame. Computes
+/// missing maps, `jobs` at a time.
 /// @throws core::Error(kIo), or (kLimit).
 std::string outcomePage(const std::vector<Outcome>& outcomes, const OutcomePageHead& head, int jobs);
 

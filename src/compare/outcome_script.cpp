@@ -29,8 +29,8 @@ ordered_json pageOf(const OutcomeReport& report, const std::filesystem::path& sc
       .native();
 }
 
-/// Returns text such as "sphere: largest difference 230 (limit 2); 2 more", without the name if there is only one
-/// test.
+/// Returns the reason of the first failure and the number of other failures, such as "sphere: largest difference
+/// 230 (limit 2); 2 more". Leaves out the name if there is only one test.
 std::string reasonOf(const std::vector<Outcome>& outcomes, const Outcome& first, std::ptrdiff_t failures) {
   const std::string reason = reasonOf(first);
   if (outcomes.size() == 1) return reason;

@@ -12,15 +12,16 @@ namespace poinsot::compare {
 
 output::FileKind outcomeScriptKind();
 
-/// Returns the outcome of a run as a JavaScript call of poinsotOutcome(). An index page of several runs loads such
-/// scripts, because a page from the file system may load scripts but no data. The function's argument is an
-/// object: verdict ("identical", "near" or that of the first failure), passed, counts, message (the first
-/// failure's reason), page (path of the report relative to the script's folder, or null), finished (time in UTC).
+/// Returns the outcome of a run as JavaScript: a call of poinsotOutcome(). An index page of several runs loads
+/// these scripts, because a page from the file system may load scripts but no data.
+/// The function's argument is an object. Its fields are verdict ("identical", "near" or the verdict of the first
+/// failure), passed, counts, message (the reason of the first failure), page (the report's path relative to the
+/// script's folder, or null) and finished (time in UTC).
 /// @param script  path at which the text will be saved
 std::string outcomeScript(const std::vector<Outcome>& outcomes, const OutcomeReport& report,
                           const std::filesystem::path& script);
 
-/// Returns the script of a run that has not finished, or failed before comparing anything.
+/// Returns the script of a run that is not finished, or that failed before it compared anything.
 std::string brokenOutcomeScript(const std::string& message);
 
 }  // namespace poinsot::compare

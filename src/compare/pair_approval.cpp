@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool isMeant(const Outcome& outcome, const std::string& word) {
-  const std::string pattern = word.starts_with("./") ? word.substr(2) : word;  // ./ escapes a leading dash
+  const std::string pattern = word.starts_with("./") ? word.substr(2) : word;  // ./-x stands for the name -x
   return core::matchesWildcard(pattern, outcome.name);
 }
 
@@ -49,7 +49,7 @@ core::AtomicFile copyOf(const fs::path& from, const fs::path& to) {
   return file;
 }
 
-/// Returns the reference file that an outcome's picture replaces.
+/// Returns the reference file that an approved picture replaces.
 /// @param reference  the reference picture, or the folder of reference pictures
 fs::path placeOf(const Outcome& outcome, const fs::path& reference) {
   return outcome.reference.empty() ? reference / outcome.name : outcome.reference;

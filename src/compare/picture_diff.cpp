@@ -39,15 +39,17 @@ std::string storageText(const image::PngStorage& stored) {
   return kind + (stored.deep ? " of 16 bits" : "");
 }
 
-/// Returns remarks on differences in storage that are not differences of pixels.
+/// Returns remarks on different storage formats and colour spaces, which are not differences of pixels.
 std::vector<std::string> notesOf(const ComparedPictures& compared) {
   std::vector<std::string> notes;
   const auto& [reference, test, diff, flip] = compared;
   if (!diff.storedAlike)
-    notes.push_back(fmt::format("{} beside {}{}", storageText(test.stored), storageText(reference.stored),
+    notes.push_back(fmt::format("stored as {} instead of {}{}", storageText(test.stored),
+                                storageText(reference.stored),
                                 diff.verdict == Verdict::kIdentical ? ", same pixels" : ""));
   if (!(test.color == reference.color))
-    notes.push_back(fmt::format("{} beside {}; both are compared as sRGB", test.color.name, reference.color.name));
+    notes.push_back(
+        fmt::format("{} instead of {}; both are compared as sRGB", test.color.name, reference.color.name));
   return notes;
 }
 

@@ -7,7 +7,8 @@
 
 namespace poinsot::compare {
 
-/// Identifies what made a picture. Suites keep the origin beside each reference, in NAME.json.
+/// Origin of a picture: the software and the scene that made it. Suites store the origin of a reference in
+/// NAME.json.
 struct PictureOrigin {
   std::string renderer;  ///< GL_RENDERER, or the variant of another program's picture; may be empty
   std::string driver;    ///< "Mesa 22.3.6"; empty if unknown, and for other programs' pictures
@@ -15,8 +16,8 @@ struct PictureOrigin {
   std::string scene;  ///< SHA-256 of the scene and its files, in hexadecimal; empty for other programs' pictures
 };
 
-/// Describes what changed between two origins: "approved by poinsot 0.1.0, drawn by poinsot 0.2.0". Facts that
-/// only one origin has are left out. Returns an empty string if no fact changed.
+/// Describes what changed between two origins, such as "approved by poinsot 0.1.0, drawn by poinsot 0.2.0".
+/// Ignores facts that only one origin has. Returns an empty string if no fact changed.
 std::string originChange(const PictureOrigin& approved, const PictureOrigin& drawn);
 
 }  // namespace poinsot::compare

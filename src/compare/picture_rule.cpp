@@ -35,7 +35,7 @@ double upperEnd(std::string_view name, std::string_view word, double most) {
 }
 
 void expectNoShare(std::string_view name, std::string_view word) {
-  if (word.ends_with('%')) refuse(name, word, "a share with % is for pixels only");
+  if (word.ends_with('%')) refuse(name, word, "% is allowed for pixels only");
 }
 
 void setMaxDifference(NearRule& limits, std::string_view name, std::string_view word) {
@@ -68,7 +68,8 @@ void setLevel(NearRule& limits, std::string_view name, std::string_view word) {
   constexpr double kMost = 254;
   const auto value = core::parseNumber(word);
   if (!value || !(*value >= 0) || !(*value <= kMost))
-    refuse(name, word, fmt::format("must be a number from 0 to {:g}: steps of 255 that do not count", kMost));
+    refuse(name, word,
+           fmt::format("must be a number from 0 to {:g}; differences up to this level do not count", kMost));
   limits.level = *value;
 }
 
@@ -110,7 +111,7 @@ std::string ruleNames() {
 NearRule namedLimits(std::string_view name, std::string_view word) {
   for (const NamedRule& known : namedRules())
     if (known.name == word) return known.rule;
-  refuse(name, word, "no rule has this name; there are " + ruleNames());
+  refuse(name, word, "unknown rule; known rules: " + ruleNames());
 }
 
 image::PixelRect ignoredBox(std::string_view name, std::span<const double> numbers) {

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string textOf(const fs::path& file) try {
-  constexpr std::size_t kMost = std::size_t{16} << 20;  // packed-refs of large projects
+  constexpr std::size_t kMost = std::size_t{16} << 20;  // enough for git's packed-refs in large projects
   std::string text = core::readRegularFile(file, kMost, core::ErrorKind::kIo);
   while (text.ends_with('\n')) text.pop_back();
   return text;
@@ -39,7 +39,7 @@ std::string after(const std::string& text, std::string_view prefix) {
   return text.starts_with(prefix) ? text.substr(prefix.size()) : "";
 }
 
-/// Returns git's folder with HEAD: .git or, in a linked work tree, the folder that the file .git names.
+/// Returns the git folder with the file HEAD: .git or, in a linked work tree, the folder that the file .git names.
 std::optional<fs::path> gitFolderAround(const fs::path& place) {
   std::error_code failure;
   for (fs::path folder = fs::weakly_canonical(fs::absolute(place), failure); !failure;
@@ -53,7 +53,8 @@ std::optional<fs::path> gitFolderAround(const fs::path& place) {
   return std::nullopt;
 }
 
-/// Returns the commit of a ref such as "refs/heads/main" from lines of "HASH refs/heads/main".
+/// Returns the commit of a ref such as "refs/heads/main".
+/// @param packed  lines such as "HASH refs/heads/main"
 std::string packedCommit(const std::string& packed, const std::string& ref) {
   std::istringstream lines(packed);
   for (std::string line; std::getline(lines, line);)
@@ -62,7 +63,7 @@ std::string packedCommit(const std::string& packed, const std::string& ref) {
 }
 
 std::string commitOf(const fs::path& git, const std::string& ref) {
-  const std::string commonWord = textOf(git / "commondir");  // exists in linked work trees only
+  const std::string commonWord = textOf(git / "commondir");  // this file exists in linked work trees only
   const fs::path common = commonWord.empty() ? git : git / commonWord;
   for (const fs::path& folder : {git, common})
     if (const std::string commit = textOf(folder / ref); isCommit(commit)) return commit;
@@ -82,8 +83,8 @@ std::string machineText() {
   return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
-/// Returns this process's command line, with the program's name only. Empty in a sandbox, where it is not
-/// readable.
+/// Returns this process's command line, with the program's name instead of its path. Empty if the command line
+/// cannot be read, as in a sandbox.
 std::string commandText() {
   std::istringstream all(textOf("/proc/self/cmdline"));
   std::vector<std::string> words;

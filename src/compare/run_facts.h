@@ -13,8 +13,8 @@ namespace poinsot::compare {
 /// read.
 std::string commitAround(const std::filesystem::path& place);
 
-/// Returns facts that identify this run, as terms and texts: the date with its zone, the commit around `place`,
-/// the machine, the program and its command line. Facts that are not available are left out.
+/// Returns facts that identify this run, as pairs of label and text: the date with its time zone, the commit
+/// around `place`, the machine, the program and its command line. Leaves out facts that are not available.
 std::vector<std::pair<std::string, std::string>> runFacts(const std::filesystem::path& place);
 
 }  // namespace poinsot::compare

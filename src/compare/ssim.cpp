@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kRadius = 5;
 
-/// Returns a Gaussian whose products over two dimensions sum to 1.
+/// Returns a Gaussian along one axis. The products of its weights along both axes sum to 1.
 Kernel windowProfile() {
   constexpr double kSigma = 1.5;
   std::vector<double> half;

@@ -36,8 +36,8 @@ std::optional<pid_t> numberOf(std::optional<std::string_view> digits) {
   return number && *number >= 0 ? number : std::nullopt;
 }
 
-/// Returns the PID from a name made by temporaryName(). Returns nullopt for other names, and for names from
-/// another PID namespace.
+/// Returns the PID from the name of a temporary file (temporaryName()). Returns nullopt for other names, and for
+/// files of another PID namespace.
 std::optional<pid_t> writerOf(std::string_view name) {
   const std::string& space = processSpace();
   if (space.empty() || !name.starts_with('.')) return std::nullopt;
@@ -69,7 +69,7 @@ bool isFirst(const fs::path& folder) {
 }  // namespace
 
 fs::path temporaryName(const fs::path& folder, const fs::path& target, int attempt) {
-  constexpr std::size_t kLongestStem = 200;  // a file name has at most 255 bytes
+  constexpr std::size_t kLongestStem = 200;  // leaves 55 of 255 bytes to PID, attempt and namespace
   const std::string stem = target.filename().native().substr(0, kLongestStem);
   const std::string& space = processSpace();
   return folder / fmt::format(".{}.{}-{}{}{}.tmp", stem, ::getpid(), attempt, space.empty() ? "" : ".", space);

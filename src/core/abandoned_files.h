@@ -6,12 +6,12 @@
 namespace poinsot::core {
 
 /// Returns the hidden name of a temporary file in `folder`: .NAME.PID-ATTEMPT.SPACE.tmp. NAME is the target's file
-/// name, PID the process that writes the file, and SPACE the PID namespace (processSpace()).
+/// name, PID is the process that writes the file, and SPACE identifies the PID namespace (processSpace()).
 std::filesystem::path temporaryName(const std::filesystem::path& folder, const std::filesystem::path& target,
                                     int attempt);
 
-/// Removes the temporary files in `folder` whose processes have ended. Only the first call for a folder has an
-/// effect. Files from other machines or containers stay.
+/// Removes temporary files in `folder` that were left behind by processes which have ended. Keeps files from other
+/// machines and containers. Only the first call for a folder has an effect.
 void removeAbandonedFilesOnce(const std::filesystem::path& folder) noexcept;
 
 }  // namespace poinsot::core

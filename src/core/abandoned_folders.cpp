@@ -26,7 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Name of the file that holds kernelStart(). It is created after the folder is locked, and removed last.
+/// Name of the claim file, which contains kernelStart(). It is created after the folder is locked, and removed
+/// last.
 constexpr const char* kClaim = ".poinsot-claim";
 
 bool lock(const FileHandle& folder) { return ::flock(folder.get(), LOCK_EX | LOCK_NB) == 0; }
@@ -35,8 +36,8 @@ FileHandle openFolder(const fs::path& path) {
   return FileHandle(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
 }
 
-/// Prefix of a folder that is about to be made or removed. Such a folder may have no claim file, so the prefix
-/// starts with a dot: other programs are unlikely to use the name.
+/// Prefix of a folder that is about to be created or removed, when the folder may have no claim file. The prefix
+/// starts with a dot so that other programs are unlikely to use the same name.
 constexpr std::string_view kHidden = ".poinsot-";
 constexpr std::string_view kRandom = "XXXXXX";
 
@@ -46,7 +47,8 @@ bool isHidden(std::string_view name) {
 
 bool isNamedAsOurs(const std::string& name) { return isHidden(name) || isHidden('.' + name); }
 
-/// Renames a folder unless `to` exists. Without RENAME_NOREPLACE, as on some network file systems, checks first.
+/// Renames a folder, but never replaces an existing `to`. On file systems without RENAME_NOREPLACE, checks for
+/// `to` before the rename.
 bool renameToFree(const fs::path& from, const fs::path& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
   struct stat taken {};
@@ -84,14 +86,14 @@ bool isStillAt(const fs::path& path, const FileHandle& folder) {
          here.st_ino == there.st_ino;
 }
 
-/// Tries to lock a folder of this user. Returns true if it is locked now, so that no other process removes it.
+/// Returns whether the folder belongs to this user and could be locked. No other process removes a locked folder.
 bool isFree(const fs::path& path, const FileHandle& folder) {
   struct stat facts {};
   return folder && ::fstat(folder.get(), &facts) == 0 && isOurs(facts, S_IFDIR | 0700) && lock(folder) &&
          isStillAt(path, folder);
 }
 
-/// Removes everything but the claim file, without following links. Returns whether all was removed.
+/// Removes everything except the claim file, without following links. Returns true if nothing else is left.
 bool removeContent(const fs::path& folder) {
   std::error_code failure;
   bool all = true;
@@ -104,7 +106,7 @@ bool removeContent(const fs::path& folder) {
   return all && !failure;
 }
 
-/// Returns whether the folder contains nothing, or only an empty claim file.
+/// Returns whether the folder is empty, or contains only an empty claim file.
 bool isHollow(const fs::path& folder) {
   std::error_code failure;
   for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure)) {
@@ -117,7 +119,7 @@ bool isHollow(const fs::path& folder) {
 void removeIfAbandoned(const fs::path& path, const std::string& kernel) {
   const FileHandle folder = openFolder(path);
   if (!isFree(path, folder)) return;
-  // The open handle leads to this folder even if its path is replaced meanwhile.
+  // This path leads to the opened folder, even if another folder takes over its name meanwhile.
   const fs::path within = fs::path("/proc/self/fd") / std::to_string(folder.get());
   const bool isClaimed = claimIn(folder) == kernel;
   if (!isClaimed && !(isHidden(path.filename().native()) && isHollow(within))) return;
@@ -126,15 +128,16 @@ void removeIfAbandoned(const fs::path& path, const std::string& kernel) {
   if (::unlinkat(folder.get(), kClaim, 0) == 0 || errno == ENOENT) ::rmdir(last.c_str());
 }
 
-/// Locks a new folder and writes its claim file. Returns nullopt if another process already treats the folder as
-/// abandoned.
+/// Locks a new folder and writes its claim file. Returns nullopt if another process has already locked or removed
+/// the folder because it looked abandoned.
 std::optional<FileHandle> claim(const fs::path& folder) {
   FileHandle handle = openFolder(folder);
   if (!handle) return errno == ENOENT ? std::nullopt : std::optional(FileHandle());
   if (!lock(handle)) return errno == EWOULDBLOCK ? std::nullopt : std::optional(FileHandle());
   const FileHandle file(::openat(handle.get(), kClaim, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
   if (!file && errno == ENOENT) return std::nullopt;
-  // If this write fails, the lock still protects the folder, but after a kill the folder may stay for good.
+  // This write may fail: the lock protects the folder. Without the claim, a killed process leaves the folder
+  // behind.
   const std::string& kernel = kernelStart();
   if (file) writeAll(file.get(), {reinterpret_cast<const std::uint8_t*>(kernel.data()), kernel.size()});
   return handle;

@@ -7,28 +7,28 @@
 
 namespace poinsot::core {
 
-/// Temporary folder, with the lock that marks it as in use by a running process.
+/// Temporary folder, and the lock which shows that a running process uses the folder.
 struct ClaimedFolder {
   std::filesystem::path path;
-  FileHandle claim;  ///< empty if the file system cannot lock; the folder then never counts as abandoned
+  FileHandle claim;  ///< the lock; empty if the file system cannot lock, and nobody then removes the folder
 };
 
-/// Makes and locks a folder poinsot-?????? in `place`. The lock lasts until the claim is closed in this process
-/// and all its forks, or they end. The folder is named .poinsot-?????? until it is locked.
-/// @returns an empty path, with errno set, if the folder cannot be made
+/// Creates and locks a folder poinsot-?????? in `place`. The folder is named .poinsot-?????? until it is locked.
+/// The lock lasts until this process and all its forks have closed the claim or ended.
+/// @returns an empty path, with errno set, if the folder cannot be created
 ClaimedFolder makeClaimedFolder(const std::filesystem::path& place);
 
-/// Renames a folder of this process to .poinsot-?????? and removes it. If the process is killed meanwhile,
-/// removeAbandonedFolders() recognises what is left.
+/// Renames a folder of this process to .poinsot-?????? and removes it. If the process is killed in between, a
+/// later removeAbandonedFolders() removes the rest.
 void removeClaimedFolder(const std::filesystem::path& folder);
 
-/// Removes folders named poinsot-?????? or .poinsot-?????? in `place` whose processes ended without removing them
-/// (SIGKILL).
+/// Removes folders named poinsot-?????? or .poinsot-?????? in `place` that a killed process left behind (SIGKILL).
 ///
-/// A running process holds a lock, which the kernel releases when the process ends. PIDs do not serve, because
-/// containers may share /tmp. A folder is removed only if it is not a link, has mode 0700 and belongs to this
-/// user. It must also have been claimed under the running kernel, because locks may not reach another machine, or
-/// be empty and named .poinsot-??????. After an error the folder is left to the next start.
+/// A running process holds a lock on its folder, and the kernel releases the lock when the process ends. PIDs
+/// would not work, because containers may share /tmp. A folder is removed only if it is a real folder with mode
+/// 0700 that belongs to this user. Its claim must name the running kernel, because locks may not reach another
+/// machine. A folder .poinsot-?????? without a claim is removed if it is empty. After an error, the folder is left
+/// to the next start.
 void removeAbandonedFolders(const std::filesystem::path& place) noexcept;
 
 }  // namespace poinsot::core

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Rejects compiler flags under which a caller and the library would lay out the same type differently. Such a
-// program would link and compute wrong numbers. Every public header includes this file.
+// Rejects compiler flags that change the layout of types. A program with such flags would link, but compute wrong
+// numbers, because the library has the types with another layout. Every public header includes this file.
 #include <cstddef>
 #include <version>
 
 #if __cplusplus < 202002L
-#error "poinsot: C++20 is needed; compile with -std=c++20 or later"
+#error "poinsot: C++20 is required; compile with -std=c++20 or later"
 #endif
 
 #if defined(_GLIBCXX_DEBUG) && !defined(POINSOT_BUILT_WITH_GLIBCXX_DEBUG)
@@ -24,13 +24,13 @@
 
 namespace poinsot::core {
 
-/// Checks at compile time that a public type has the size and alignment, in bytes, that it has in the library:
+/// Checks at compile time that a public type has the same size and alignment, in bytes, as in the library:
 ///   static_assert(core::laidOut<RigidBodyState, 120>());
 template <class T, std::size_t kSize, std::size_t kAlignment = alignof(double)>
 constexpr bool laidOut() {
   static_assert(sizeof(T) == kSize && alignof(T) == kAlignment,
                 "poinsot: a flag or macro of this compilation gives this type another layout than it has in the "
-                "library; docs/library.md, \"Flags\", has those that are supported");
+                "library; docs/library.md, \"Flags\", lists the supported flags");
   return true;
 }
 

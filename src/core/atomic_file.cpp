@@ -42,7 +42,7 @@ void syncPath(const std::filesystem::path& path, int flags, std::string_view doi
   if (descriptor < 0) fail(path, doing, errno);
   int code = syncDescriptor(descriptor);
   if (::close(descriptor) < 0 && code == 0 && errno != EINTR) code = errno;
-  // Some network and user-space file systems return EINVAL because they cannot sync folders; they order renames.
+  // EINVAL: some network and user-space file systems cannot sync folders. Such file systems keep renames in order.
   if (code == EINVAL && (flags & O_DIRECTORY) != 0) code = 0;
   if (code != 0) fail(path, doing, code);
 }
@@ -55,7 +55,7 @@ void makeFolders(const std::filesystem::path& folder) {
   if (folder.empty() || std::filesystem::is_directory(folder, failure)) return;
   if (above != folder) makeFolders(above);
   if (std::filesystem::create_directory(folder, failure)) syncFolderOf(folder);
-  if (failure) fail(folder, "cannot be made", failure.value());
+  if (failure) fail(folder, "cannot be created", failure.value());
 }
 
 void expectWritableFolder(const std::filesystem::path& folder) {
@@ -75,7 +75,7 @@ void appendToFile(const std::filesystem::path& target, std::string_view text) {
   if (failure == 0) return syncFolderOf(target);
   if (!wasThere) ::unlink(target.c_str());
   if (wasThere && isFile) untilDone([&] { return ::truncate(target.c_str(), before.st_size); });
-  fail(target, "cannot be added to", failure);
+  fail(target, "cannot be appended to", failure);
 }
 
 std::filesystem::path folderOf(const std::filesystem::path& file) {
@@ -94,7 +94,7 @@ int writeAll(int descriptor, std::span<const std::uint8_t> bytes) noexcept {
 
 AtomicFile::AtomicFile(std::filesystem::path target, const std::filesystem::path& temporaryFolder)
     : target_(std::move(target)) {
-  // A rename works only within one file system.
+  // Uses a folder on the target's file system, because a file cannot be renamed to another file system.
   const auto folder = temporaryFolder.empty() ? folderOf(target_) : temporaryFolder;
   removeAbandonedFilesOnce(folder);
   constexpr int kAttempts = 1000;
@@ -111,7 +111,7 @@ AtomicFile::AtomicFile(std::filesystem::path target, std::filesystem::path tempo
 
 AtomicFile AtomicFile::of(std::filesystem::path complete, std::filesystem::path target) {
   const int descriptor = ::open(complete.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
-  if (descriptor < 0) fail(target, "cannot be made", errno);
+  if (descriptor < 0) fail(target, "cannot be created", errno);
   return {std::move(target), std::move(complete), descriptor};
 }
 
@@ -146,7 +146,7 @@ std::string AtomicFile::readAt(std::int64_t offset, std::size_t count) const {
     const ssize_t read =
         ::pread(descriptor_, bytes.data() + have, count - have, offset + static_cast<off_t>(have));
     if (read < 0 && errno == EINTR) continue;
-    if (read < 0) fail(target_, "cannot be read again", errno);
+    if (read < 0) fail(target_, "cannot be read back", errno);
     if (read == 0) break;
     have += static_cast<std::size_t>(read);
   }
@@ -156,7 +156,7 @@ std::string AtomicFile::readAt(std::int64_t offset, std::size_t count) const {
 
 std::int64_t AtomicFile::size() const {
   struct stat status {};
-  if (::fstat(descriptor_, &status) < 0) fail(target_, "cannot be read again", errno);
+  if (::fstat(descriptor_, &status) < 0) fail(target_, "cannot be read back", errno);
   return status.st_size;
 }
 
@@ -174,7 +174,7 @@ void AtomicFile::finish(Durability durability) {
 }
 
 void AtomicFile::rename() {
-  if (std::rename(temporary_.c_str(), target_.c_str()) < 0) fail(target_, "cannot be given its name", errno);
+  if (std::rename(temporary_.c_str(), target_.c_str()) < 0) fail(target_, "cannot be put in place", errno);
   temporary_.clear();
 }
 

@@ -8,13 +8,14 @@
 namespace poinsot::core {
 
 std::string base64(std::string_view bytes) {
-  // EVP_EncodeBlock() counts in int, so input is encoded in pieces of 3n bytes; only the last piece is padded.
+  // EVP_EncodeBlock() takes an int as size, so long input is encoded in pieces. A piece of 3n bytes needs no
+  // padding; only the last piece may get some.
   constexpr std::size_t kPiece = 3 << 20;
   std::string text;
   text.reserve((bytes.size() + 2) / 3 * 4 + 1);
   for (; !bytes.empty(); bytes.remove_prefix(std::min(kPiece, bytes.size()))) {
     const std::string_view piece = bytes.substr(0, kPiece);
-    std::string out((piece.size() + 2) / 3 * 4 + 1, '\0');  // one more for EVP_EncodeBlock()'s NUL
+    std::string out((piece.size() + 2) / 3 * 4 + 1, '\0');  // one byte more for the NUL of EVP_EncodeBlock()
     const int size =
         EVP_EncodeBlock(reinterpret_cast<unsigned char*>(out.data()),
                         reinterpret_cast<const unsigned char*>(piece.data()), static_cast<int>(piece.size()));

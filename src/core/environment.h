@@ -6,7 +6,7 @@
 
 namespace poinsot::core {
 
-/// Removes every environment variable of this process for whose name `isKept` returns false.
+/// Removes the environment variables for whose names `isKept` returns false.
 /// @pre no other thread reads the environment.
 void clearEnvironment(const std::function<bool(std::string_view name)>& isKept);
 

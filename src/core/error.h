@@ -15,13 +15,13 @@ enum class ErrorKind {
   kUsage,     ///< invalid command line (exit 2)
   kScene,     ///< invalid scene file, or invalid file that it names (exit 2)
   kLimit,     ///< exceeded limit (exit 2)
-  kPhysics,   ///< a quantity that does not exist for this body or initial motion (exit 2)
+  kPhysics,   ///< quantity that does not exist for this body or initial motion (exit 2)
   kGraphics,  ///< failure of OpenGL or a back end (exit 3)
   kEncode,    ///< failure of the video encoder (exit 3)
   kIo,        ///< failure to read a file named on the command line, or to write output (exit 4)
 };
 
-/// Place in a file. Line and column count from 1; 0 means unknown.
+/// Position in a file. Line and column count from 1; 0 means unknown.
 struct SourceLocation {
   std::string file;
   int line = 0;
@@ -31,8 +31,9 @@ struct SourceLocation {
 /// Returns "file:line:column" without the unknown parts.
 std::string toString(const SourceLocation& where);
 
-/// Exception for bad input and for failures outside the program. Its what() is the message, after the place if
-/// that is known. A broken contract inside the program throws std::logic_error instead (expect.h).
+/// Exception for invalid input and for failures outside the program, such as a full disk. what() returns the
+/// position in the file, if known, and the message. A bug inside the program throws std::logic_error instead
+/// (expect.h).
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message, std::optional<SourceLocation> where = std::nullopt);
@@ -58,7 +59,7 @@ Error ioError(const std::string& message);
 /// Returns the system's message for an errno, such as "No space left on device".
 std::string systemReason(int code);
 
-/// Exception thrown when the reader of standard output has gone: nothing is left to do or to report.
+/// Exception thrown when the reader of standard output has closed the pipe. The program then ends silently.
 class BrokenPipe : public std::exception {};
 
 }  // namespace poinsot::core

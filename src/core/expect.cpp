@@ -9,7 +9,7 @@
 namespace poinsot::core {
 
 void brokenContract(const char* condition, const char* file, int line) {
-  // Removes the build machine's path, which does not belong in a message.
+  // Removes the folder of the build machine from the path, because it is of no use in a message.
   const std::string_view path(file);
   const auto src = path.rfind("/src/");
   const std::string_view shown = src == std::string_view::npos ? path : path.substr(src + 1);

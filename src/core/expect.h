@@ -7,8 +7,8 @@ namespace poinsot::core {
 
 }  // namespace poinsot::core
 
-/// Throws std::logic_error, in all builds, if the caller breaks a contract: `condition` is false. Bad input throws
-/// core::Error instead.
+/// Throws std::logic_error, in all builds, if `condition` is false, because then the caller has a bug. For invalid
+/// input, throw core::Error instead.
 #define POINSOT_EXPECT(condition) \
   ((condition) ? static_cast<void>(0) : ::poinsot::core::brokenContract(#condition, __FILE__, __LINE__))
 

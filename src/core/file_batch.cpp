@@ -24,7 +24,7 @@ using std::filesystem::path;
 
 [[noreturn]] void fail(const path& file, int code) {
   throw FileError(ErrorKind::kIo,
-                  fmt::format("{}: cannot be given its name: {}", printable(file.native()), std::strerror(code)),
+                  fmt::format("{}: cannot be put in place: {}", printable(file.native()), std::strerror(code)),
                   file, code);
 }
 
@@ -33,8 +33,8 @@ mode_t kindOf(const path& file) {
   return ::lstat(file.c_str(), &status) == 0 ? status.st_mode & S_IFMT : 0;
 }
 
-/// Returns an unused name for an old file, in a folder on the same file system.
-/// @param ending  ".tmp" lets later runs remove the file; other endings keep it
+/// Returns an unused name for an old file that is moved out of the way, in a folder on the same file system.
+/// @param ending  ".tmp" lets later runs remove the file; they keep files with other endings
 path freeName(const path& folder, const path& file, const char* ending = ".tmp") {
   constexpr int kAttempts = 1000;
   for (int attempt = 0; attempt < kAttempts; ++attempt)
@@ -54,7 +54,7 @@ AtomicFile written(const path& target, std::span<const std::uint8_t> bytes, cons
 
 }  // namespace
 
-/// Log of the names changed so far. The destructor restores all names unless keep() is called.
+/// Log of the renamed files. The destructor restores all names unless keep() was called.
 class FileBatch::Changes {
  public:
   explicit Changes(std::size_t most) { changes_.reserve(most); }
@@ -63,12 +63,12 @@ class FileBatch::Changes {
 
   ~Changes() { takeBack(); }
 
-  /// Restores all names. Returns a message on the names that could not be restored; empty if there are none.
+  /// Restores all names. Returns a message about the names that could not be restored, or an empty text.
   std::string takeBack() {
     std::string lost;
     for (; !changes_.empty(); changes_.pop_back())
       if (const Change& change = changes_.back(); !takeBack(change))
-        lost += fmt::format("; the earlier {} is now called {}: rename it", printable(change.name.native()),
+        lost += fmt::format("; the old {} is now named {}: rename it back", printable(change.name.native()),
                             printable(change.aside.native()));
     return lost;
   }
@@ -82,9 +82,9 @@ class FileBatch::Changes {
 
   void putAside(const AtomicFile& file) { putAside(file.target(), folderOf(file.temporary())); }
 
-  /// Renames a file to its target so that the target's name always exists: the old file first gets a second link,
-  /// or the two names are swapped. If the file system supports neither, a single file is renamed without a way
-  /// back; in a batch, the old file is first moved to a hidden name.
+  /// Renames a file to its target, so that the target exists at any time: either the old file first gets a second
+  /// link, or the two names are swapped. Some file systems support neither. There, a single file is renamed and
+  /// cannot be restored; in a batch, the old file is first renamed to a hidden name.
   void replace(AtomicFile& file) {
     const mode_t kind = kindOf(file.target());
     if (kind == S_IFDIR) fail(file.target(), EISDIR);
@@ -96,7 +96,7 @@ class FileBatch::Changes {
         changes_.clear();
         return file.rename();
       }
-      // For an instant the old file has no other name, so its ending keeps later runs from removing it.
+      // The old file has only its hidden name for a moment. With the ending ".old", later runs do not remove it.
       change.aside = freeName(folderOf(change.name), change.name, ".old");
       move(change);
     }
@@ -105,7 +105,7 @@ class FileBatch::Changes {
   }
 
   void keep() {
-    // A failure here leaves only a hidden file behind; all promised files are in place.
+    // If a hidden file cannot be removed, no exception is needed: all files of the batch are complete.
     for (const Change& change : changes_)
       if (change.moved || change.linked) ::unlink(change.aside.c_str());
     changes_.clear();
@@ -113,13 +113,13 @@ class FileBatch::Changes {
 
  private:
   struct Change {
-    path name, aside;      ///< `aside` is the hidden name of the old file, if there was one
-    bool moved = false;    ///< the old file has only the hidden name
-    bool linked = false;   ///< the old file has the hidden name, too
-    bool renamed = false;  ///< `name` is now the new file
+    path name, aside;      ///< path of a file, and hidden path of the file that it replaces
+    bool moved = false;    ///< the old file has only the hidden name `aside`
+    bool linked = false;   ///< the old file has both names, `name` and `aside`
+    bool renamed = false;  ///< `name` is the new file
   };
 
-  // Allocates all memory before a name changes, so that nothing can fail between a change and its record.
+  // Allocates all memory before the rename, so that no rename is left without a record.
   Change& begin(const path& name, const path& folder) {
     POINSOT_EXPECT(changes_.size() < changes_.capacity());
     return changes_.emplace_back(Change{name, freeName(folder, name)});
@@ -147,7 +147,7 @@ class FileBatch::Changes {
   std::vector<Change> changes_;
 };
 
-// Closes each file at once, so that a large batch does not hold many open descriptors.
+// Closes each file at once, because a large batch would use too many open descriptors.
 AtomicFile FileBatch::finished(AtomicFile file) {
   file.finish(Durability::kSynced);
   folders_.insert(folderOf(file.target()));
@@ -202,7 +202,7 @@ const path& FileBatch::contentOf(const path& target) const {
 }
 
 void FileBatch::publish(Group& group, Changes& changes) {
-  // Puts an old file where the next run removes leftovers of killed runs, if that is on the same file system.
+  // Returns the folder for an old file: if possible, the folder in which the next run removes temporary files.
   const auto asideOf = [&](const path& file) {
     return folderOf(folderOf(file) == folderOf(group.main.target()) ? group.main.temporary() : file);
   };
@@ -216,7 +216,7 @@ void FileBatch::publish(Changes& changes) {
   for (const path& file : removed_) changes.putAside(file, folderOf(file));
   for (Group& group : groups_) publish(group, changes);
   for (const path& folder : folders_) syncFolderOf(folder / ".");
-  // Other processes may write to this file, so the appended text cannot be taken back later and comes last.
+  // Appends last, because appended text cannot be removed again: other processes may write to the same file.
   if (!appended_.empty()) appendToFile(appended_, appendedText_);
 }
 

@@ -13,16 +13,16 @@
 
 namespace poinsot::core {
 
-/// Files that appear together or not at all: all are written and synced before the first is renamed.
+/// Files that appear together or not at all. All files are written and synced before the first is renamed.
 ///
-/// A companion depends on a main file, such as the captions of a film or the labels of a picture. The old
-/// companion is put aside before the main file is replaced, and the new one follows. A run that is killed in
-/// between leaves a film without captions, never a film with the captions of another.
+/// A main file may have companions that depend on it, such as the captions of a film or the labels of a picture.
+/// An old companion is removed before its main file is replaced, and the new companion follows. If the process is
+/// killed in between, a film may lack captions, but never has the captions of another film.
 class FileBatch {
  public:
-  /// Adds a file, and syncs and closes it. @throws core::Error(kIo), as do the members below.
+  /// Adds a file, and syncs and closes it. @throws core::Error(kIo); all members below throw the same.
   void add(AtomicFile file);
-  /// Moves all files of another batch into this one. The other batch must not append to a file.
+  /// Moves all files of another batch into this batch. The other batch must not append to a file.
   void add(FileBatch&& others);
   /// Adds a companion of the last file of add(). @pre there is one.
   void addBeside(AtomicFile file);
@@ -34,17 +34,17 @@ class FileBatch {
                    const std::filesystem::path& temporaryFolder = {});
   void writeBeside(const std::filesystem::path& target, std::string_view text,
                    const std::filesystem::path& temporaryFolder = {});
-  /// Removes `file` on commit(), if it exists.
+  /// Removes `file`, if it exists, on commit().
   void remove(std::filesystem::path file);
   /// Appends text to a file on commit(); creates the file if it is missing. @pre no other file is appended to.
   void append(const std::filesystem::path& target, std::string_view text);
 
-  /// Returns the path of a file's content before commit(): the temporary file for a file of add(), otherwise
-  /// `target`.
+  /// Returns the path where the content of `target` can be read before commit(): the temporary file if `target`
+  /// was added, otherwise `target` itself.
   const std::filesystem::path& contentOf(const std::filesystem::path& target) const;
 
-  /// Renames all files to their targets. If an exception is thrown, every name is as before. Without commit(), no
-  /// name changes and no temporary file is left. A second call throws std::logic_error.
+  /// Renames all files to their targets. If commit() throws, it first restores all names. If commit() is never
+  /// called, no name changes and no temporary file is left. A second call throws std::logic_error.
   /// @throws core::Error(kIo) with the path that failed
   void commit();
 
@@ -62,7 +62,7 @@ class FileBatch {
   static void publish(Group& group, Changes& changes);
 
   std::vector<Group> groups_;
-  std::set<std::filesystem::path> folders_;  // folders to sync
+  std::set<std::filesystem::path> folders_;  // folders to sync on commit()
   std::vector<std::filesystem::path> removed_;
   std::filesystem::path appended_;
   std::string appendedText_;

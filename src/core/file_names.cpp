@@ -10,8 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns whether the file system ignores the case of a folder's name. For a missing folder, tests the nearest
-/// existing parent.
+/// Returns whether the file system ignores case in names, judged by the name of `folder`. If the folder is
+/// missing, tests its nearest existing parent.
 bool ignoresCase(fs::path folder) {
   std::error_code ignored;
   while (!fs::exists(folder, ignored) || folder.filename().empty()) {
@@ -30,7 +30,7 @@ std::string FileNames::of(const fs::path& file) {
   const fs::path whole = fs::absolute(file);
   const auto [folder, isNew] = folders_.try_emplace(whole.parent_path());
   if (isNew) {
-    std::error_code failure;  // leaves the path as given; later checks of the file report the reason
+    std::error_code failure;  // ignored: later checks of the file report the reason
     const fs::path canonical = fs::weakly_canonical(folder->first, failure);
     folder->second.canonical = failure ? folder->first : canonical;
     folder->second.ignoresCase = ignoresCase(folder->second.canonical);

@@ -9,8 +9,8 @@
 
 namespace poinsot::core {
 
-/// Maps each path to one canonical name, so that paths can be compared even if the files do not exist yet.
-/// Resolves links among the folders, and lowers capitals if the file system ignores case. A link in the last
+/// Cache of canonical names, so that two paths can be compared even if their files do not exist yet. Resolves
+/// links in the folder part, and converts to lower case if the file system ignores case. A link in the last
 /// component is not resolved, because an output replaces the link and not its target.
 class FileNames {
  public:

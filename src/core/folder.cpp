@@ -30,8 +30,9 @@ void expectNoLinkAbove(const fs::path& file, const fs::path& folder) {
     above /= part;
     std::error_code ignored;
     if (!fs::is_symlink(above, ignored)) continue;
-    throw ioError(fmt::format("{}: is a link; references lie in real folders below {}: put a folder in its place",
-                              printable(above.native()), printable(folder.native())));
+    throw ioError(fmt::format(
+        "{}: is a symbolic link; references must be in real folders below {}: replace the link with a folder",
+        printable(above.native()), printable(folder.native())));
   }
 }
 

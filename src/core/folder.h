@@ -6,12 +6,13 @@
 
 namespace poinsot::core {
 
-/// Returns the regular files of a folder, sorted by name; none if the folder does not exist.
+/// Returns the regular files of a folder, sorted by name. Returns nothing if the folder does not exist.
 /// @param links  if true, returns the symbolic links of the folder instead
 std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder, bool links = false);
 
-/// Checks that no folder between `folder` and `file`, a path below it, is a symbolic link, through which the file
-/// would lie elsewhere. `folder` itself may be a link.
+/// Checks that none of the folders between `folder` and `file` is a symbolic link, because a link may lead out of
+/// `folder`. `folder` itself may be a link.
+/// @param file  a path below `folder`
 /// @throws core::Error(kIo) if there is such a link
 void expectNoLinkAbove(const std::filesystem::path& file, const std::filesystem::path& folder);
 

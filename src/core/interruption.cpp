@@ -8,7 +8,7 @@
 namespace poinsot::core {
 namespace {
 
-constexpr std::int64_t kPeriod_ns = 50'000'000;  // a delay that a person does not notice
+constexpr std::int64_t kPeriod_ns = 50'000'000;  // 50 ms, a delay that nobody notices
 
 thread_local InterruptionCheck* innermost = nullptr;
 

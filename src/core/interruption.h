@@ -8,15 +8,15 @@
 
 namespace poinsot::core {
 
-/// Calls the InterruptionCheck of this thread, if there is one and its last call was at least 50 ms ago. Takes
-/// about 30 ns, so a loop may call this function in every pass.
+/// Calls the InterruptionCheck of this thread, unless its last call was less than 50 ms ago. Costs about 30 ns, so
+/// loops may call this function in every pass.
 /// @throws the exception of the check
 void checkInterruption();
 
-/// Scope that sets the interruption check of the current thread; the destructor restores the previous check.
+/// Scope that sets the interruption check of the current thread. The destructor restores the previous check.
 class InterruptionCheck {
  public:
-  /// @param check  throws to end the computation
+  /// @param check  function that throws an exception to stop the computation
   explicit InterruptionCheck(std::function<void()> check);
   ~InterruptionCheck();
   InterruptionCheck(const InterruptionCheck&) = delete;

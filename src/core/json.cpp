@@ -20,7 +20,7 @@ Json parseJson(std::string_view text) try {
     return true;
   });
 } catch (const Json::exception& error) {
-  throw ioError("no JSON: " + printable(error.what()));
+  throw ioError("invalid JSON: " + printable(error.what()));
 }
 
 Json readJson(const std::filesystem::path& file, std::size_t mostBytes) {
@@ -30,7 +30,7 @@ Json readJson(const std::filesystem::path& file, std::size_t mostBytes) {
 std::int64_t wholeNumber(const Json& json) {
   constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
   const bool small = !json.is_number_unsigned() || json.get<std::uint64_t>() <= kMost;
-  if (!json.is_number_integer() || !small) throw ioError("no whole number");
+  if (!json.is_number_integer() || !small) throw ioError("expected an integer");
   return json.get<std::int64_t>();
 }
 

@@ -5,15 +5,15 @@
 
 #include "core/abi.h"
 
-/// Identifiers of the scope in which PIDs and locks are valid. Both are read only once, so that a sandboxed
-/// process still has them if it read them before.
+/// Identifiers of the running kernel and the PID namespace. Each is read once and cached, so that a process can
+/// still use it after it has entered a sandbox.
 namespace poinsot::core {
 
-/// Returns the boot ID of the kernel, which all its containers share. Empty without /proc.
+/// Returns the boot ID of the kernel, which is the same in all containers of a machine. Empty without /proc.
 const std::string& kernelStart();
 
-/// Returns twelve hexadecimal digits that identify the boot and the PID namespace, so that two processes with the
-/// same digits see the same PIDs. Empty without /proc.
+/// Returns twelve hexadecimal digits that identify the boot and the PID namespace. Processes with the same digits
+/// see the same PIDs. Empty without /proc.
 const std::string& processSpace();
 
 }  // namespace poinsot::core

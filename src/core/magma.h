@@ -6,8 +6,8 @@
 
 namespace poinsot::core {
 
-/// Returns an entry of the colour map "magma", from black over red to pale yellow, as sRGB. Equal steps look
-/// equal, also in grey and to colour-blind viewers.
+/// Returns a colour of the colour map "magma" (sRGB), from black over red to pale yellow. Equal steps of the index
+/// look equal, even in grey and to colour-blind viewers.
 /// @param index  0 to 255
 std::array<std::uint8_t, 3> magma(std::size_t index);
 

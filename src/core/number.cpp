@@ -12,13 +12,13 @@ std::optional<double> parseNumber(std::string_view text) {
   double value = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (end != text.data() + text.size() || status == std::errc::invalid_argument) return std::nullopt;
-  // std::strtod shows in which direction a number is out of range. The locale is always "C".
+  // The number is out of range. std::strtod returns infinity or zero, as needed. The locale is always "C".
   return status == std::errc() ? value : std::strtod(std::string(text).c_str(), nullptr);
 }
 
 void appendNumber(std::string& text, double value) {
-  std::array<char, 32> digits;              // at most 24 are used: -2.2250738585072014e-308
-  const double unsignedZero = value + 0.0;  // turns -0 into 0, because the sign is of no use to a reader
+  std::array<char, 32> digits;              // longest number: 24 characters, as in -2.2250738585072014e-308
+  const double unsignedZero = value + 0.0;  // turns -0 into 0
   const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), unsignedZero);
   text.append(digits.data(), written.ptr);
 }

@@ -15,7 +15,7 @@ namespace {
 
 using std::filesystem::path;
 
-// No flag creates or changes anything. O_NONBLOCK keeps a pipe that replaced the file from blocking open().
+// Opens without any side effect. O_NONBLOCK keeps open() from blocking if a pipe has replaced the file.
 constexpr int kForReading = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY | O_NOFOLLOW;
 constexpr int kToLookAt = O_PATH | O_CLOEXEC | O_NOFOLLOW;
 
@@ -24,12 +24,12 @@ FileHandle failed(int reason) {
   return FileHandle();
 }
 
-/// Returns nullopt if the kernel lacks openat2, or a sandbox forbids the call.
+/// Returns nullopt if the kernel lacks openat2, or if a sandbox forbids that call.
 std::optional<FileHandle> openByTheKernel(int folder, const path& relative, int flags) {
   open_how how{};
   how.flags = static_cast<std::uint64_t>(flags);
   how.resolve = RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS | RESOLVE_NO_SYMLINKS;
-  // EAGAIN: because of a concurrent rename, the kernel cannot tell whether the path stays beneath the folder.
+  // Number of tries after EAGAIN: during a rename, the kernel cannot check that the path stays beneath the folder.
   constexpr int kTries = 100;
   for (int i = 0; i < kTries; ++i) {
     const auto fd = static_cast<int>(syscall(SYS_openat2, folder, relative.c_str(), &how, sizeof how));
@@ -40,7 +40,7 @@ std::optional<FileHandle> openByTheKernel(int folder, const path& relative, int 
   return FileHandle();
 }
 
-/// Returns whether the handle is a symbolic link. O_PATH with O_NOFOLLOW opens a link itself.
+/// Returns whether the handle is a symbolic link. Handles opened with O_PATH and O_NOFOLLOW can be links.
 bool isLink(const FileHandle& file) {
   struct stat status {};
   return file && fstat(file.get(), &status) == 0 && S_ISLNK(status.st_mode);
@@ -83,7 +83,7 @@ FileHandle openBeneath(const path& folder, const path& relative, Following follo
   const FileHandle seen = opened(kToLookAt);
   if (!seen) return failed(errno);
   if (const int reason = whyNot(seen)) return failed(reason);
-  FileHandle file = opened(kForReading);  // may be another file by now, so its kind is checked again
+  FileHandle file = opened(kForReading);  // may be another file now, so its kind is checked again
   if (!file) return failed(errno);
   const int reason = whyNot(file);
   return reason == 0 ? std::move(file) : failed(reason);

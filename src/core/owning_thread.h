@@ -13,8 +13,8 @@
 
 namespace poinsot::core {
 
-/// Value that is made, used and destroyed on one thread, as an OpenGL context must be. Other threads queue work
-/// for that thread, which runs in order. Work that has not begun when this object is destroyed is dropped.
+/// Value that is created, used and destroyed on one thread of its own, such as an OpenGL context. Other threads
+/// queue work for that thread, which runs the work in order. The destructor drops work that has not begun.
 template <class Value>
 class OwningThread {
  public:
@@ -29,8 +29,8 @@ class OwningThread {
     return begin(std::move(work)).get();
   }
 
-  /// Queues `work` for the owning thread and returns its future. The work must own what it uses, because the
-  /// caller need not wait.
+  /// Queues `work` for the owning thread and returns its future. The work must own the data that it uses, because
+  /// the caller need not wait.
   template <class Work>
   std::future<std::invoke_result_t<Work, Value&>> begin(Work work) {
     std::packaged_task<std::invoke_result_t<Work, Value&>(Value&)> task(std::move(work));
@@ -61,7 +61,7 @@ class OwningThread {
   std::mutex mutex_;
   std::condition_variable_any waiting_;
   std::deque<Job> jobs_;
-  std::jthread thread_;  // last, because it uses the members above
+  std::jthread thread_;  // declared last, because the thread uses the members above
 };
 
 }  // namespace poinsot::core

@@ -13,7 +13,7 @@
 namespace poinsot::core {
 namespace {
 
-/// Exception that ends the work of a helper thread whose caller was interrupted.
+/// Exception that ends the work of a helper thread after an interruption of its caller.
 class Abandoned : public std::exception {};
 
 void awaitAll(const std::vector<std::future<void>>& helpers) {
@@ -37,7 +37,7 @@ void forEachIndex(std::size_t count, int jobs, const std::function<void(std::siz
     const InterruptionCheck check([&] {
       if (abandoned) throw Abandoned();
     });
-    // Indices are taken in order and always completed, so every index below a failed one has been worked on.
+    // Takes indices in order and completes each. If an index fails, all lower indices are completed as well.
     for (std::size_t i; !failed && (i = next++) < count;) {
       try {
         work(i);
@@ -47,7 +47,7 @@ void forEachIndex(std::size_t count, int jobs, const std::function<void(std::siz
       }
     }
   };
-  std::vector<std::future<void>> helpers;  // the destructors wait for the threads
+  std::vector<std::future<void>> helpers;  // futures whose destructors wait for the threads
   try {
     while (helpers.size() < most) helpers.push_back(std::async(std::launch::async, run));
     awaitAll(helpers);

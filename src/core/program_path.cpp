@@ -8,7 +8,7 @@
 namespace poinsot::core {
 namespace {
 
-/// Returns the path by which the program was called. A relative path is valid until the working folder changes.
+/// Returns the path by which the program was called. If relative, it refers to the working folder at the start.
 const char* programAsCalled() {
   const auto* name = reinterpret_cast<const char*>(getauxval(AT_EXECFN));  // NOLINT(performance-no-int-to-ptr)
   return name ? name : "";

@@ -6,7 +6,7 @@
 namespace poinsot::core {
 
 /// Returns the absolute path of this program's file. Without /proc, resolves the path by which the program was
-/// called; empty if that fails.
+/// called. Returns an empty path on failure.
 std::filesystem::path programPath();
 
 }  // namespace poinsot::core

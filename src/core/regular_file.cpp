@@ -20,7 +20,7 @@ namespace {
   throw FileError(kind, systemReason(code), {}, code);
 }
 
-/// Returns the size of a regular file in bytes; throws for other kinds of files.
+/// Returns the size of a regular file in bytes. Throws an error for other kinds of files.
 std::size_t expectRegular(const FileHandle& file, ErrorKind kind) {
   struct stat status {};
   if (!file || ::fstat(file.get(), &status) != 0) failByErrno(kind);
@@ -30,7 +30,7 @@ std::size_t expectRegular(const FileHandle& file, ErrorKind kind) {
 }
 
 [[noreturn]] void refuseSize(std::size_t bytes, std::size_t mostBytes) {
-  throw limitError(fmt::format("it has {} bytes, more than the {} that are read", bytes, mostBytes));
+  throw limitError(fmt::format("it has {} bytes, more than the allowed {}", bytes, mostBytes));
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ class Sha256 {
 
   void add(std::span<const std::byte> bytes);
   void add(std::string_view text);
-  /// Returns the digest of all added bytes. Call once.
+  /// Returns the digest of all added bytes. Call finish() once, last.
   Digest finish();
 
  private:

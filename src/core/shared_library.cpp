@@ -7,7 +7,7 @@ namespace poinsot::core {
 namespace {
 
 /// Returns "libX.so.1 cannot be opened: REASON". Names the package to install only if a file is missing, because
-/// installing does not help otherwise (no memory, another architecture). @param reason  from dlerror()
+/// installing does not help against other reasons, such as lack of memory. @param reason  from dlerror()
 std::string whyNotOpened(const std::string& soname, const std::string& package, std::string reason) {
   if (reason.starts_with(soname + ": ")) reason.erase(0, soname.size() + 2);
   const bool missing = reason.find("No such file") != std::string::npos;
@@ -24,7 +24,7 @@ SharedLibrary::SharedLibrary(const char* soname, const char* package, ErrorKind 
 
 bool SharedLibrary::isOpen(const char* soname) {
   void* const handle = dlopen(soname, RTLD_NOLOAD | RTLD_LAZY);
-  if (handle) dlclose(handle);  // drops the reference that this dlopen added
+  if (handle) dlclose(handle);  // undoes the reference count of the dlopen above
   return handle != nullptr;
 }
 

@@ -7,8 +7,8 @@
 
 namespace poinsot::core {
 
-/// Quotes a word for bash if necessary. Characters that a terminal would interpret become octal numbers, so that
-/// the result is one line and safe to print, also in a here-document or after a #.
+/// Quotes a word for bash if necessary. Characters that are unsafe on a terminal become octal numbers. The result
+/// is one line, and also safe in a here-document and after a #.
 std::string shellWord(std::string_view word);
 
 std::string shellWords(const std::vector<std::string>& words);

@@ -15,8 +15,9 @@ struct StepFacts {
   clockid_t clock;
 };
 
-// Process CPU time covers llvmpipe's own threads. States go by the wall clock, which is read in 25 ns: reading CPU
-// time takes 500 ns, more than a state costs, and a path has thousands of states.
+// Clocks of the steps. The clock of process CPU time includes llvmpipe's own threads. Simulation uses the wall
+// clock, because reading it takes only 25 ns. Reading CPU time takes 500 ns, longer than computing a state, and a
+// path has thousands of states.
 constexpr std::array<StepFacts, kSteps> kFacts{{{"simulate", CLOCK_MONOTONIC},
                                                 {"compose", CLOCK_THREAD_CPUTIME_ID},
                                                 {"draw", CLOCK_PROCESS_CPUTIME_ID},
@@ -60,8 +61,9 @@ double StepTimes::sum_s(Step first, Step last) const {
   return sum;
 }
 
-// Pieces of a step, such as the states of a path inside its composition, become one span. The span begins with the
-// first piece and lasts as long as all pieces together, so that it stays within the enclosing step.
+// Merges repeated spans of a step into one span. For example, composing a path computes many states in between.
+// The merged span begins with the first span and lasts as long as all of them together, so it stays within the
+// outer step.
 void StepLedger::add(Span span) {
   if (!traces_) return;
   if (!spans_.empty() && spans_.back().name == span.name && spans_.back().frame == span.frame)
@@ -82,7 +84,7 @@ StepScope::StepScope(StepLedger* ledger, Step step) : ledger_(ledger), step_(ste
 StepScope::~StepScope() {
   if (ledger_ == nullptr) return;
   const double spent_s = now_s(factsOf(step_).clock) - begin_s_;
-  // A nested step may use the wall clock and have waited for a CPU, so that the difference is negative.
+  // The difference is negative if a nested step waited for a CPU and was measured with the wall clock.
   ledger_->add(step_, std::max(spent_s - inner_s_, 0.0));
   if (outer_ != nullptr) outer_->inner_s_ += spent_s;
   ledger_->innermost_ = outer_;
@@ -90,7 +92,7 @@ StepScope::~StepScope() {
   try {
     ledger_->add({nameOf(step_), begin_ns_, monotonic_ns(), ledger_->frame_});
   } catch (const std::bad_alloc&) {
-    // An incomplete trace is better than an exception from a destructor.
+    // Drops the span: an incomplete trace is better than an exception from a destructor.
   }
 }
 

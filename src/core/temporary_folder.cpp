@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const std::string& place, const std::error_code& why) {
   throw FileError(ErrorKind::kIo,
-                  fmt::format("{}: no temporary folder can be made: {} (TMPDIR names another place)",
+                  fmt::format("{}: cannot create a temporary folder: {} (set TMPDIR to use another folder)",
                               printable(place), why.message()),
                   place, why.value());
 }
@@ -55,7 +55,7 @@ TemporaryFolder::~TemporaryFolder() {
   try {
     removeClaimedFolder(folder_.path);
   } catch (const std::bad_alloc&) {
-    // The folder stays in TMPDIR, which the system cleans up.
+    // On failure, the folder stays in TMPDIR, which the system cleans up.
   }
 }
 

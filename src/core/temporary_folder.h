@@ -7,13 +7,13 @@
 
 namespace poinsot::core {
 
-/// Temporary folder that is removed, with its contents, on destruction. After a SIGKILL, the next TemporaryFolder
-/// in the same place removes it (abandoned_folders.h).
+/// Temporary folder. The destructor removes the folder with its contents. After a SIGKILL, the next
+/// TemporaryFolder in the same parent folder removes it (abandoned_folders.h).
 class TemporaryFolder {
  public:
-  /// Makes a folder under TMPDIR. @throws core::Error(kIo) if that fails.
+  /// Creates a folder under TMPDIR. @throws core::Error(kIo) on failure.
   TemporaryFolder();
-  /// Makes a folder in memory (/dev/shm), for many small files. Falls back to TMPDIR.
+  /// Creates a folder in memory (/dev/shm), for many small files. If that fails, creates a folder under TMPDIR.
   static TemporaryFolder inMemory();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;

@@ -10,8 +10,8 @@ namespace poinsot::core {
 namespace {
 
 constexpr int kLongestShown = 200;
-constexpr std::size_t kTellingPart = 3;   // fewest letters that identify a candidate that contains them
-constexpr std::size_t kTellingBegin = 5;  // fewest letters that identify a candidate by its beginning
+constexpr std::size_t kTellingPart = 3;   // shortest word that identifies a candidate by being part of it
+constexpr std::size_t kTellingBegin = 5;  // shortest common beginning that identifies a candidate
 
 std::size_t commonBegin(std::string_view a, std::string_view b) {
   return static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin());
@@ -23,7 +23,7 @@ bool unsafe(char32_t c) {
       (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x206f) || c == 0x200e || c == 0x200f || c == 0x061c;
   const bool separator = c == 0x2028 || c == 0x2029;
   const bool unseen = c == 0xfeff || (c >= 0xfff9 && c <= 0xfffb) || (c >= 0xe0000 && c <= 0xe007f) ||
-                      (c & 0xfffe) == 0xfffe;  // the last two of each plane are noncharacters
+                      (c & 0xfffe) == 0xfffe;  // the last two code points of each plane are noncharacters
   return control || bidi || separator || unseen;
 }
 
@@ -61,7 +61,7 @@ CodePoint firstCodePoint(std::string_view text) {
 }
 
 int editDistance(std::string_view a, std::string_view b) {
-  // Computes the optimal string alignment, with three rows, because a swap of neighbours looks two rows back.
+  // Optimal string alignment distance. Keeps three rows, because a swap of neighbours refers two rows back.
   std::vector<int> twoBack(b.size() + 1), previous(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) previous[j] = static_cast<int>(j);
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -90,10 +90,10 @@ std::optional<std::string> closest(std::string_view word, const std::vector<std:
     }
   }
   if (best || word.size() < kTellingPart) return best;
-  // Finds "omega_body" for "omega", and "principal_moments" for "moments".
+  // Finds the candidate "omega_body" for the word "omega".
   for (const std::string& candidate : candidates)
     if (candidate.find(word) != std::string::npos) return candidate;
-  // Finds "gravity" for "gravitation".
+  // Finds the candidate "gravity" for the word "gravitation".
   for (const std::string& candidate : candidates)
     if (commonBegin(word, candidate) >= kTellingBegin) return candidate;
   return best;
@@ -116,7 +116,7 @@ std::string smallLettersHint(std::string_view name, const std::vector<std::strin
   const std::size_t dot = std::min(name.rfind('.'), name.size());
   const std::string ending = lowered(name.substr(dot));
   if (ending == name.substr(dot) || std::ranges::find(endings, ending) == endings.end()) return "";
-  return "; endings are in small letters: " + printable(std::string(name.substr(0, dot)) + ending);
+  return "; write the ending in lower case: " + printable(std::string(name.substr(0, dot)) + ending);
 }
 
 std::string printable(std::string_view untrusted) {
@@ -131,7 +131,7 @@ std::string printable(std::string_view untrusted) {
 std::string printableLines(std::string_view untrusted) {
   std::string shown;
   while (!untrusted.empty()) {
-    // Copies runs of plain characters at once, because nearly all text is plain.
+    // Copies a run of plain characters at once for speed, because most text is plain.
     const auto plain = [](char c) { return (c >= ' ' && c < 0x7f) || c == '\n' || c == '\t'; };
     const auto end = std::ranges::find_if_not(untrusted, plain);
     shown.append(untrusted.begin(), end);

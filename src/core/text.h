@@ -9,24 +9,25 @@
 
 namespace poinsot::core {
 
-/// Character of a UTF-8 text, and the number of bytes that it takes.
+/// Decoded character of a UTF-8 text, with its length in bytes.
 struct CodePoint {
   char32_t value = 0;
-  std::size_t length = 0;  ///< 0 if the bytes are not UTF-8
+  std::size_t length = 0;  ///< bytes of the character; 0 if the bytes are not UTF-8
 };
 
-/// Decodes the first character of `text`, which must not be empty. Overlong forms and surrogates are not UTF-8.
+/// Decodes the first character of `text`, which must not be empty. Rejects overlong forms and surrogates.
 CodePoint firstCodePoint(std::string_view text);
 
-/// Returns the number of single-character edits (insert, delete, replace, swap of neighbours) from `a` to `b`.
+/// Returns the number of single-character edits that turn `a` into `b`. An edit inserts, deletes or replaces a
+/// character, or swaps two neighbours.
 int editDistance(std::string_view a, std::string_view b);
 
-/// Returns the candidate for "did you mean": the nearest to `word`, if at most max(n / 3, 1) of the word's n
-/// letters differ (2 from n = 5 on), and not all. Otherwise returns the first that contains `word` or shares its
-/// first five letters.
+/// Returns the suggestion for "did you mean". Prefers the candidate nearest to `word`: for a word of n letters, at
+/// most max(n / 3, 1) letters may differ (2 from n = 5 on), but never all. Otherwise returns the first candidate
+/// that contains `word`, or that shares its first five letters.
 std::optional<std::string> closest(std::string_view word, const std::vector<std::string>& candidates);
 
-/// Returns the text without spaces, tabs and carriage returns (of Windows lines) at its ends.
+/// Returns the text without spaces, tabs and carriage returns at its ends.
 std::string_view trimmed(std::string_view text);
 
 template <class Words>
@@ -41,20 +42,20 @@ std::string joined(const Words& words, std::string_view separator) {
   return text;
 }
 
-/// Returns the text with its ASCII capitals as small letters.
+/// Returns the text with ASCII capitals in lower case.
 std::string lowered(std::string_view text);
 
-/// Returns "; endings are in small letters: a.mp4" if the ending of a file name is in `endings` except for
-/// capitals; otherwise an empty string. Append the result to the message that rejects the name.
-/// @param endings  with the dot
+/// Returns "; write the ending in lower case: a.mp4" if the ending of a file name matches one of `endings` except
+/// for capitals. Otherwise returns an empty text. Append the result to the message that rejects the file name.
+/// @param endings  file name endings with the dot, in lower case
 std::string smallLettersHint(std::string_view name, const std::vector<std::string>& endings);
 
 /// Escapes untrusted text for a terminal, a log or a message. Control characters, DEL, C1, bidi controls,
-/// invisible characters, line separators and invalid UTF-8 become \xNN or \u{N}. Cuts the text at 200 characters,
-/// with an ellipsis.
+/// invisible characters, line separators and invalid UTF-8 become \xNN or \u{N}. Cuts the text at 200 characters
+/// and adds an ellipsis.
 std::string printable(std::string_view untrusted);
 
-/// Escapes like printable(), but keeps line ends and tabs, and does not cut the text.
+/// Escapes text like printable(), but keeps newlines and tabs, and never cuts the text.
 std::string printableLines(std::string_view untrusted);
 
 /// Escapes & < and > for text between the tags of XML and HTML.

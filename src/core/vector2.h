@@ -7,9 +7,9 @@
 
 namespace poinsot::core {
 
-/// Vector of two numbers with the same layout under all compiler flags. Converts to and from Eigen::Vector2d, but
-/// containers do not convert: a std::span<const Vector2> takes a std::vector<Vector2>, not a
-/// std::vector<Eigen::Vector2d>, whose elements a compiler may align.
+/// Vector of two numbers whose layout does not depend on compiler flags. Converts to and from Eigen::Vector2d, but
+/// containers do not convert: pass a std::vector<Vector2>, not a std::vector<Eigen::Vector2d>, for a
+/// std::span<const Vector2>, because a compiler may align the elements of the latter.
 using Vector2 = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
 
 static_assert(laidOut<Vector2, 16>());

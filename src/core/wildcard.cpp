@@ -14,7 +14,7 @@ bool isEscape(std::string_view pattern, std::size_t p) {
 }  // namespace
 
 bool matchesWildcard(std::string_view pattern, std::string_view text) {
-  // Greedy: only the last star is ever extended, so the time is at most the product of both lengths.
+  // Greedy match: only the last star grows. The time is at most the product of both lengths.
   std::size_t p = 0, t = 0, star = std::string_view::npos, from = 0;
   while (t < text.size()) {
     const bool escaped = p < pattern.size() && isEscape(pattern, p);

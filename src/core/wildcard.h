@@ -6,8 +6,8 @@
 
 namespace poinsot::core {
 
-/// Returns whether a text matches a pattern. `*` matches any run of characters, also an empty one; `\*` matches a
-/// star and `\\` a backslash. Every other character, brackets included, matches itself.
+/// Returns whether a text matches a pattern. `*` matches any number of characters, even none. `\*` matches a star,
+/// and `\\` matches a backslash. Every other character, including brackets, matches itself.
 bool matchesWildcard(std::string_view pattern, std::string_view text);
 
 /// Returns a pattern that matches only this text.

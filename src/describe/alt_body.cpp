@@ -8,7 +8,7 @@
 namespace poinsot::describe {
 namespace {
 
-constexpr std::size_t kMostPartsNamed = 4;  // a longer list is tiresome when read aloud
+constexpr std::size_t kMostPartsNamed = 4;  // a longer list is tiring to hear
 
 template <typename Vector>
 std::string byWords(const Vector& lengths_m) {
@@ -90,7 +90,8 @@ std::string partsWords(const std::vector<scene::Part>& parts) {
   return fmt::format("made of {}", listWords(nouns));
 }
 
-/// Returns words such as "1.2 kg m² about e1 and e2 and 3 kg m² about e3"; equal moments are named together.
+/// Returns words such as "1.2 kg m² about e1 and e2 and 3 kg m² about e3". Axes with equal moments are listed
+/// together.
 std::string momentsWords(const physics::PrincipalMoments& moments) {
   std::vector<std::string> words;
   for (int axis = 0; axis < 3; ++axis) {

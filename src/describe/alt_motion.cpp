@@ -19,9 +19,9 @@ namespace {
 using physics::PolhodeRegime;
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kLeastTilt_rad = 1e-9;  // below this angle, the axis and L look like one line
-constexpr int kLongestClosure = 100;     // swings of the herpolhode; after more, the eye sees no closed curve
-constexpr double kClosure_rad = 1e-9;    // same tolerance as in `info`
+constexpr double kLeastTilt_rad = 1e-9;  // with a smaller angle, the axis and L look like one line
+constexpr int kLongestClosure = 100;     // most swings after which a herpolhode counts as closed
+constexpr double kClosure_rad = 1e-9;    // tolerance for a closed herpolhode, as in `info`
 
 std::string spinWords(const scene::Scene& scene) { return turningWords(scene.motion.omega_B.norm()); }
 
@@ -40,7 +40,7 @@ std::string constancyOfL(const scene::Scene& scene) {
       falls ? " about that point" : "", numberWords(L), whereLPoints(scene));
 }
 
-/// Adds that a spin about the middle axis does not last, because no real start is exact.
+/// Describes a steady spin. A spin about the middle axis is described as unstable, because no real start is exact.
 std::string steadySentence(const scene::Scene& scene) {
   const std::string text =
       fmt::format("It spins steadily at {}: ω keeps its size and its direction.", spinWords(scene));
@@ -74,7 +74,7 @@ int axisOfRank(const scene::Scene& scene, std::size_t rank) {
   return scene.body.axes.moments().ascendingAxes()[rank];
 }
 
-/// Returns the axis that the polhode goes round, such as "e3, the axis of largest moment".
+/// Returns the axis about which the polhode runs, such as "e3, the axis of largest moment".
 std::string circledAxis(const scene::Scene& scene, PolhodeRegime regime) {
   const bool smallest = regime == PolhodeRegime::kAboutSmallest;
   return fmt::format("{}, the axis of {} moment", axisName(axisOfRank(scene, smallest ? 0 : 2)),
@@ -166,7 +166,7 @@ std::string axisOfLargest(const physics::PrincipalMoments& moments) {
   return fmt::format("{}, the axis of largest moment", axisName(axis[2]));
 }
 
-/// Describes the loss of energy and, if nothing else acts, the steady spin in which the motion ends.
+/// Describes the loss of energy. If nothing else acts on the body, also describes the steady spin at the end.
 std::string dissipationSentence(const scene::Scene& scene, bool alone) {
   const auto& moments = scene.body.axes.moments();
   std::string text = "It loses energy inside, but not angular momentum";
@@ -179,11 +179,10 @@ std::string dissipationSentence(const scene::Scene& scene, bool alone) {
 
 std::string dragSentence(const Eigen::Vector3d& rate_P) {
   if (rate_P.minCoeff() < rate_P.maxCoeff()) return "Drag slows it down, about some axes more than about others.";
-  return fmt::format("Drag slows it down, in {} to 1/e of its spin.", timeWords(1 / rate_P[0]));
+  return fmt::format("Drag slows its spin to 1/e in {}.", timeWords(1 / rate_P[0]));
 }
 
-/// Reports whether any step has a torque. Torques given in body axes are zero in the history of the space axes,
-/// and the other way round.
+/// Reports whether the torque is not zero in any step of the history.
 bool acts(const physics::TorqueHistory& history) {
   return std::ranges::any_of(history.torque, [](const Eigen::Vector3d& torque) { return !torque.isZero(0); });
 }
@@ -218,10 +217,10 @@ Sentences flightSentences(const scene::Flight& flight) {
   if (flight.gravity_W.isZero(0)) return {fmt::format("Its centre of mass flies straight on at {}.", speed)};
   const physics::FlightTop top = flight.top();
   const std::string rise =
-      top.t_s > 0 ? fmt::format(", highest after {} and {} m", timeWords(top.t_s), numberWords(top.rise_m)) : "";
+      top.t_s > 0 ? fmt::format(", which rises {1} m in {0}", timeWords(top.t_s), numberWords(top.rise_m)) : "";
   return {
-      fmt::format("It is thrown at {}: its centre of mass flies on a parabola{}, while it turns about it as if it "
-                  "did not fall.",
+      fmt::format("It is thrown at {}: its centre of mass flies on a parabola{}, while the body turns about this "
+                  "point as if it did not fall.",
                   speed, rise)};
 }
 

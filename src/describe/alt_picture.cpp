@@ -15,7 +15,7 @@
 namespace poinsot::describe {
 namespace {
 
-/// Returns the hue in degrees round the sRGB colour circle, with red at 0.
+/// Returns the hue of an sRGB colour in degrees; red is 0.
 double hueOf(double r, double g, double b, double chroma) {
   const double most = std::max({r, g, b});
   if (most == r) return 60 * ((g - b) / chroma + (g < b ? 6 : 0));
@@ -45,7 +45,7 @@ const char* colorName(const draw::Color& color) {
   return chroma < 0.2 * most || most < 0.15 ? greyName(most) : hueName(hueOf(r, g, b, chroma));
 }
 
-/// Things that are drawn in one colour, listed in words.
+/// Colour, and a list in words of the things that are drawn in this colour.
 struct Family {
   draw::Color color;
   std::string things;
@@ -64,7 +64,7 @@ const std::vector<Thing>& thingsOfL() {
       {"the invariable plane at right angles to it", [](const scene::Show& s) { return s.plane.visible; }},
       {"the plane through L and ω", [](const scene::Show& s) { return s.figures.planeOfL.visible; }},
       {"the height 2T/L of the centre", [](const scene::Show& s) { return s.plane.visible && s.height.visible; }},
-      {"the space cone, which ω goes round", [](const scene::Show& s) { return s.figures.cones.visible; }},
+      {"the space cone, which ω traces around L", [](const scene::Show& s) { return s.figures.cones.visible; }},
       {"the angular momentum about the origin, with R × P and L as its parts",
        [](const scene::Show& s) { return s.figures.totalL.visible; }},
       {"the sphere on which the tip of L stays", [](const scene::Show& s) { return s.figures.binet.visible; }}};
@@ -127,7 +127,7 @@ Sentences colorSentences(const scene::Scene& scene) {
   return sentences;
 }
 
-/// Lists the drawn things without a family's colour, and those for which the scene chose a colour.
+/// Lists the drawn things that belong to no colour family, and the things for which the scene chose a colour.
 std::string otherWords(const scene::Scene& scene) {
   static const std::vector<Thing> things{
       {"an arrow for the torque", [](const scene::Show& s) { return s.figures.torque.visible; }},
@@ -164,8 +164,8 @@ std::string headingWords(const scene::View& view) {
   return title + ": " + below;
 }
 
-/// Returns ", with the path of its centre of mass, ..." for a thrown body that moves through the view. Empty if
-/// the picture moves with the body.
+/// Returns ", with the path of its centre of mass, ..." if a thrown body moves through the view. Returns an empty
+/// string if the view moves with the body.
 std::string flightWords(const scene::Scene& scene, const scene::View& view) {
   if (!scene::movesAlong(scene.motion, view.camera, view.show)) return "";
   std::vector<std::string> things{"the path of its centre of mass"};
@@ -212,14 +212,14 @@ std::string plotSentence(const scene::Scene& scene, const scene::Plot& plot) {
 std::string readoutSentence(const scene::Scene& scene) {
   std::vector<int> quantities;
   for (const scene::Readout& readout : scene.readouts) quantities.push_back(readout.quantity);
-  return fmt::format("At its edge {} written in numbers.",
+  return fmt::format("At the edge of the picture, {} written in numbers.",
                      quantityWords(scene, quantities) + (quantities.size() == 1 ? " is" : " are"));
 }
 
 std::string noteSentence(const scene::Note& note) {
   std::vector<std::string> lines;
   for (const std::string& line : note.lines) lines.push_back(text::setTex(line).plainText);
-  return fmt::format("Written in it: “{}”.", core::joined(lines, " "));
+  return fmt::format("Written in the picture: “{}”.", core::joined(lines, " "));
 }
 
 std::string exaggerationSentence(double factor) {
@@ -231,8 +231,8 @@ std::string exaggerationSentence(double factor) {
 /// Returns words for the ratio of motion time to film time, such as "at 0.7 of the true pace".
 std::string paceWords(double pace) {
   if (pace == 1) return "at the true pace";
-  if (pace > 1) return fmt::format("{} times faster than in truth", numberWords(pace));
-  return pace < 0.5 ? fmt::format("{} times slower than in truth", numberWords(1 / pace))
+  if (pace > 1) return fmt::format("{} times faster than in reality", numberWords(pace));
+  return pace < 0.5 ? fmt::format("{} times slower than in reality", numberWords(1 / pace))
                     : fmt::format("at {} of the true pace", numberWords(pace));
 }
 
@@ -254,7 +254,7 @@ Sentences pictureSentences(const scene::Scene& scene) {
   Sentences sentences = viewSentences(scene);
   for (const std::string& sentence : colorSentences(scene)) sentences.push_back(sentence);
   if (const std::string others = otherWords(scene); !others.empty())
-    sentences.push_back(fmt::format("Besides: {}.", others));
+    sentences.push_back(fmt::format("Also shown: {}.", others));
   for (const scene::Plot& plot : scene.plots) sentences.push_back(plotSentence(scene, plot));
   if (!scene.readouts.empty()) sentences.push_back(readoutSentence(scene));
   for (const scene::Note& note : scene.notes) sentences.push_back(noteSentence(note));

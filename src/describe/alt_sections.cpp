@@ -9,7 +9,7 @@ namespace poinsot::describe {
 
 namespace {
 
-constexpr double kZeroBelow = 1e-12;  // relative to `scale`; a few thousand times the rounding error of a double
+constexpr double kZeroBelow = 1e-12;  // relative to `scale`; a few thousand rounding errors of a double
 
 std::string raised(int exponent) {
   constexpr const char* kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};

@@ -7,9 +7,9 @@
 
 namespace poinsot::describe {
 
-/// Returns a paragraph in plain English (UTF-8, no TeX) for readers who do not see the picture. It describes the
-/// body, the motion, what is drawn in which colour, the views and the film, with the numbers of sceneReport() to
-/// three digits.
+/// Returns a text for readers who do not see the picture: a paragraph in plain English (UTF-8, no TeX). It
+/// describes the body, the motion, the colours of the things that are drawn, the views and the film. The numbers
+/// are those of sceneReport(), with three digits.
 /// @throws core::Error(kPhysics) for a motion that has no solution
 std::string altText(const scene::Scene& scene);
 

@@ -36,8 +36,8 @@ std::string mapWords(const scene::Scene& scene) {
   return fmt::format(
       "A map of how long the body takes from flip to flip, for every direction of L in it: a sphere of "
       "directions, from {} in dark colours at the axes {} and {}, the stable ones, to {} and more in pale "
-      "ones near {}, the unstable one. Two circles through that one, the separatrix, part the two kinds of "
-      "motion; on them the time is infinite. The scene's own L is marked; it flips every {}.",
+      "ones near {}, the unstable one. Two circles through the unstable axis, the separatrix, divide the two "
+      "kinds of motion; on them the time is infinite. The scene's own L is marked; it flips every {}.",
       timeWords(map.scale().least_s()), axisName(axes.smallest), axisName(axes.largest),
       timeWords(map.scale().most_s()), axisName(axes.middle), timeWords(map.sceneTime_s()));
 }

@@ -7,10 +7,10 @@
 
 namespace poinsot::describe {
 
-/// Metadata of a scene's picture files, UTF-8 without TeX, the same at every instant.
+/// Texts that all picture files of a scene contain as metadata. UTF-8, no TeX, the same at every instant.
 struct PictureWords {
-  std::string title;        ///< title of the picture; the scene's name if the title is empty
-  std::string description;  ///< alternative text for readers who do not see the picture; see altText()
+  std::string title;        ///< picture's title, or the scene's name if there is no title
+  std::string description;  ///< altText(), for readers who do not see the picture
 };
 
 /// @throws core::Error(kPhysics) if altText() or stage::StabilityMap throws

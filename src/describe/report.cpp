@@ -26,13 +26,13 @@ constexpr bool kIsList = std::is_same_v<T, std::vector<double>> || std::is_same_
 /// Formats a number with `digits` significant digits; negative zero loses its sign.
 std::string numberText(double value, int digits) { return fmt::format("{:.{}g}", value == 0 ? 0 : value, digits); }
 
-/// Reports whether the fact's numbers are components along axes. Such keys end in the letter of the frame.
-/// Quaternions count too, because their components share one length.
+/// Reports whether the numbers of a fact are components along axes, as in a vector. The keys of such facts end in
+/// the letter of the frame. The components of a quaternion count too, because they share one length.
 bool isOfComponents(const Fact& fact) {
   return fact.key.ends_with("_B") || fact.key.ends_with("_W") || fact.key == "orientation";
 }
 
-/// Replaces components that are rounding errors of the largest one by 0, such as a zero after a rotation.
+/// Replaces components that are only rounding errors of the largest component by 0.
 template <typename T>
 T withoutRounding(T components) {
   constexpr double kRounding = 0x1p-50;  // four units in the last place of the largest component
@@ -142,7 +142,7 @@ Json valueJson(const FactValue& value) {
         if constexpr (std::is_same_v<T, double>) return finite(v);
         if constexpr (kIsList<T>) return listJson(v.data(), static_cast<std::size_t>(v.size()));
         if constexpr (std::is_same_v<T, Eigen::Matrix3d>) {
-          const Eigen::Matrix3d columns = v.transpose();  // Eigen stores columns, JSON needs rows
+          const Eigen::Matrix3d columns = v.transpose();  // Eigen stores a matrix by columns, JSON by rows
           return {listJson(columns.data(), 3), listJson(columns.data() + 3, 3), listJson(columns.data() + 6, 3)};
         }
         if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, int> || std::is_same_v<T, std::string>)

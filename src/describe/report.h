@@ -14,14 +14,14 @@ namespace poinsot::describe {
 using FactValue =
     std::variant<double, Eigen::Vector3d, std::vector<double>, Eigen::Matrix3d, int, bool, std::string>;
 
-/// A quantity of a scene with its value. Values are in SI units and radians.
+/// Quantity of a scene, such as its mass, with the value in SI units and radians.
 struct Fact {
-  std::string key;    ///< name in JSON; snake_case, stable
+  std::string key;    ///< name in JSON, in snake_case; never changes
   std::string label;  ///< name in the table
   FactValue value;
-  std::string unit;          ///< empty for bare numbers and words
+  std::string unit;          ///< empty for words and numbers without a unit
   std::string from;          ///< equation of the lecture, or another source
-  std::string inWords = {};  ///< text for the table, if the value is an identifier for programs
+  std::string inWords = {};  ///< text for the table, if the value is only for programs
 };
 
 struct Section {
@@ -40,21 +40,23 @@ struct Report {
 };
 
 constexpr int kUsualDigits = 6;  ///< significant digits of the table; JSON has full precision
-constexpr int kAllDigits = 17;   ///< significant digits that distinguish all doubles
+constexpr int kAllDigits = 17;   ///< significant digits that represent every double exactly
 
-/// Returns a fact's value with its unit as text, formatted as in reportTable(). A matrix has one line per row.
+/// Returns a fact's value with its unit as text, in the format of reportTable(). A matrix has one line for each
+/// row.
 std::vector<std::string> factLines(const Fact& fact, int digits = kUsualDigits);
 
-/// Returns a table of three columns: quantity, value with unit, source. Angles appear also in degrees. Components
-/// that are rounding errors of the largest one in their vector are printed as 0.
+/// Returns a table with three columns: quantity, value with unit, source. Angles are also in degrees. If a
+/// component of a vector is only a rounding error of the largest one, it is printed as 0.
 /// @pre digits from 1 to kAllDigits: significant ones, zeros at the end left out
 std::string reportTable(const Report& report, int digits = kUsualDigits);
 
-/// Returns a JSON object: the scene's name, each key with its value in full precision (infinity as null), the
-/// units by key and the sources by key. Bare numbers, words and booleans have no unit.
+/// Returns a JSON object with the scene's name, the values by key, the units by key and the sources by key. Values
+/// have full precision; infinity is null. Words, booleans and numbers without a unit have no entry in the units.
 std::string reportJson(const Report& report);
 
-/// Returns the facts about a scene that one would work out by hand, all computed by the physics library.
+/// Returns facts about a scene that a person would otherwise work out by hand. All are computed by the physics
+/// library.
 /// @throws core::Error(kPhysics) for a motion that has no solution
 Report sceneReport(const scene::Scene& scene);
 

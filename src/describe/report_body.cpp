@@ -5,7 +5,8 @@
 namespace poinsot::describe {
 namespace {
 
-/// Returns the tensor's equations and, if there are products of inertia, their sign, on which tables differ.
+/// Returns the equations of the inertia tensor. If there are products of inertia, adds their sign, because
+/// published tables use different signs.
 std::string tensorSource(const Eigen::Matrix3d& inertia_B, const char* equations) {
   const bool products = !inertia_B.isDiagonal(1e-12);
   return std::string(equations) + (products ? "; off the diagonal -(sum of m x y)" : "");

@@ -30,38 +30,41 @@ void addNutation(Section& section, const physics::Nutation& nutation) {
   section.add("precession_per_nutation", "  precession in a period", nutation.precession_rad, "rad", "");
 }
 
-/// Adds the state in which energy loss at constant L ends: a spin about the axis of largest moment. A steady spin
-/// loses no energy.
+/// Adds the spin in which a loss of energy at constant L ends: a spin about the axis of largest moment. A steady
+/// spin loses no energy.
 void addFinalState(Section& section, const physics::PrincipalMoments& moments, const Eigen::Vector3d& omega_P) {
   const double largest = moments.values().maxCoeff(), L = moments.values().cwiseProduct(omega_P).norm();
   const double start = 0.5 * omega_P.dot(moments.values().cwiseProduct(omega_P)), end = 0.5 * L * (L / largest);
-  section.add("final_omega", "final spin L/I_max, round that axis", L / largest, "rad/s", "height of the plane");
+  section.add("final_omega", "final spin L/I_max, axis of largest moment", L / largest, "rad/s",
+              "height of the plane");
   section.add("final_spin_rpm", "  that is", L / largest * 30 / std::numbers::pi, "rpm", "");
   section.add("final_T", "final kinetic energy L^2/(2 I_max)", end, "J", "eq 12");
-  section.add("final_T_part", "  as a part of the start's", end / start, "", "");
+  section.add("final_T_part", "  relative to the start", end / start, "", "");
 }
 
 void addIntegration(Section& section, const physics::DrivenMotionReport& report) {
   section.add("method", "method", report.method, "", "");
-  section.add("order", "order of the step", report.order, "", report.order == 0 ? "closed form" : "");
+  section.add("order", "order of the integration method", report.order, "",
+              report.order == 0 ? "closed form" : "");
   section.add("steps", "steps over the run", static_cast<int>(report.steps), "", "");
   section.add("shortest_step", "shortest step", report.shortestStep_s, "s", "");
-  section.add("tolerance", "attitude error asked for, at most", report.tolerance_rad, "rad", "motion.tolerance");
+  section.add("tolerance", "largest allowed attitude error", report.tolerance_rad, "rad", "motion.tolerance");
   section.add("estimated_attitude_error", "estimated attitude error", report.estimatedAttitudeError_rad, "rad",
-              report.limitedByRounding ? "the best that double allows" : "within what was asked for");
+              report.limitedByRounding ? "the best that double allows" : "within the allowed error");
   section.add("limited_by_rounding", "limited by rounding", report.limitedByRounding, "", "");
   if (report.energyDrift)
     section.add("energy_drift", "drift of the total energy", *report.energyDrift, "", "relative, over the run");
 }
 
-/// Adds the accuracy at that end of the film which is farther from motion time 0, where the start is given.
+/// Adds the accuracy at one end of the film: the end farther from motion time 0, at which the initial state is
+/// given.
 void addCondition(Section& section, const scene::Scene& scene, const ReportSpan& span) {
   const bool first = std::abs(span.from_s) > std::abs(span.to_s);
   const std::string end = first ? "the first frame" : "the end";
   const auto condition =
       physics::runCondition(scene.body.axes, scene.motion.omega_B, std::abs(first ? span.from_s : span.to_s));
   section.add("turns", "turns from time 0 to " + end, condition.turns, "", "|omega| t/(2 pi), omega at time 0");
-  section.add("flips", "half periods of the polhode till then", condition.flips, "", "");
+  section.add("flips", "half periods of the polhode until then", condition.flips, "", "");
   section.add("end_uncertainty", "attitude uncertain there by", condition.attitude_rad, "rad",
               "if the input is rounded");
   section.add("meaningful_digits", "meaningful digits there", condition.digits, "", "");
@@ -75,8 +78,7 @@ Section heavyTopSection(const scene::Scene& scene) {
   if (!start) return section;
   section.add("weight_moment", "M g l", start->top.weight, "N m", "");
   if (start->uneven > 0)
-    section.add("top_unevenness", "moments across k differ by", start->uneven, "",
-                "of themselves; their mean counts");
+    section.add("top_unevenness", "moments across k differ by", start->uneven, "", "relative; their mean is used");
   section.add("top_tilt", "angle between k and the vertical", start->tilt_rad(), "rad", "");
   section.add("top_spin", "spin omega_3", start->spin(), "rad/s", "eq 26");
   section.add("sleeping_spin", "sleeps upright above 2 sqrt(I1 M g l)/I3", start->top.sleepingSpin(), "rad/s", "");
@@ -107,7 +109,7 @@ Section accuracySection(const scene::Scene& scene, const ReportSpan& span) {
   section.add("motion_from", "motion time of the first frame", span.from_s, "s", "");
   section.add("motion_to", "motion time at the end of the film", span.to_s, "s", "");
   const auto round_s = scene::precessionPeriod_s(scene);
-  section.add("pace", "seconds of motion to a second of film", scene::chosenSpeed(scene), "",
+  section.add("pace", "seconds of motion per second of film", scene::chosenSpeed(scene), "",
               scene.time.speed ? "time.speed" : "chosen: time.speed is not given");
   if (round_s)
     section.add("precession_turns", "turns of the precession in the film",

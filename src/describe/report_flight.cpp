@@ -13,7 +13,7 @@ void addMomenta(Section& section, const physics::FlightQuantities& q) {
   section.add("force_W", "force dP/dt, in W", q.force_W, "N", "eq 1");
   section.add("torque_about_origin_W", "torque dL_tot/dt, in W", q.torque_W, "N m", "eq 1, 8");
   section.add("T_translation", "kinetic energy of translation", q.translationalEnergy, "J", "eq 10");
-  section.add("T_total", "kinetic energy in all", q.kineticEnergy(), "J", "eq 10");
+  section.add("T_total", "total kinetic energy", q.kineticEnergy(), "J", "eq 10");
 }
 
 }  // namespace
@@ -26,8 +26,8 @@ Section flightSection(const scene::Scene& scene) {
   section.add("velocity_W", "its velocity V, in W", flight.velocity_W, "m/s", "");
   section.add("speed", "|V|", flight.velocity_W.norm(), "m/s", "");
   if (const physics::FlightTop top = flight.top(); top.t_s > 0) {
-    section.add("rise_time", "time until it is highest", top.t_s, "s", "");
-    section.add("rise_height", "by which it rises", top.rise_m, "m", "");
+    section.add("rise_time", "time to the highest point", top.t_s, "s", "");
+    section.add("rise_height", "rise to the highest point", top.rise_m, "m", "");
   }
   if (scene.body.mass)
     addMomenta(section, physics::flightQuantities(scene.body.mass->mass_kg(), flight,

@@ -110,7 +110,7 @@ void addHerpolhode(Section& section, const scene::Scene& scene) {
   section.add("herpolhode_largest_radius", "largest radius of the herpolhode", curve.largestRadius(), "rad/s", "");
   if (const auto cones = conesOf(scene)) return addCircle(section, *cones);
   section.add("radial_period", "from a largest radius to the next", curve.radialPeriod(), "s",
-              "half the polhode's");
+              "half of the polhode's period");
   section.add("angle_per_radial_period", "angle about L in that time", curve.anglePerRadialPeriod(), "rad", "");
   const auto closure = curve.closure(kMostRadialPeriods, kClosureTolerance);
   section.add("herpolhode_closes", "the herpolhode closes", closure.has_value(), "", "to 1e-9 rad");
@@ -120,9 +120,9 @@ void addHerpolhode(Section& section, const scene::Scene& scene) {
   section.add("closure_time", "  that is", closure->radialPeriods * curve.radialPeriod(), "s", "");
 }
 
-/// Reports whether a top is within 2 % of the Earth's (C - A)/A and 1 % of its spin, in any unit of the moments.
-/// Rigid models of the Earth differ by 1 % (0.0033 and 1/306); one turn a solar day and one a sidereal day differ
-/// by 0.3 %.
+/// Reports whether a top resembles the Earth: (C - A)/A within 2 % and the spin within 1 %. The unit of the
+/// moments does not matter. Rigid models of the Earth differ by 1 % in (C - A)/A (0.0033 and 1/306). One turn a
+/// solar day and one turn a sidereal day differ by 0.3 %.
 bool isEarth(const PrecessionCones& cones) {
   constexpr double kEllipticity = 0.0032845, kSpin = 7.292115e-5;  // (C - A)/A and rad/s; IERS Conventions (2010)
   const double ellipticity = cones.bodyRate / cones.spinRate;      // eq 29
@@ -134,10 +134,10 @@ void addChandler(Section& section, const PrecessionCones& cones) {
   section.add("chandler_period_solar_days", "Chandler period, if rigid", period_s / physics::kSolarDay_s, "d",
               "eq 29; observed, not rigid: 433 d");
   section.add("chandler_period_sidereal_days", "  in sidereal days", period_s / physics::kSiderealDay_s,
-              "sidereal d", "86 164.09 s each; the Earth turns once in one");
+              "sidereal d", "86 164.09 s each, the time of one turn of the Earth");
 }
 
-/// Returns "outside" or "inside", or "none" for a steady spin, in which no cone rolls.
+/// Returns how the body cone rolls, "outside" or "inside"; "none" for a steady spin, in which no cone rolls.
 std::string senseWord(const PrecessionCones& cones) {
   const physics::RollingSense sense = cones.steady() ? physics::RollingSense::kNone : cones.sense;
   if (sense == physics::RollingSense::kOutside) return "outside";
@@ -175,7 +175,7 @@ Section symmetricSection(const scene::Scene& scene) {
   section.add("tilt", "angle theta between k and L", cones->tilt_rad, "rad", "eq 20");
   section.add("body_cone_half_angle", "body cone, half-angle (omega, k)", cones->bodyCone_rad, "rad", "eq 30");
   section.add("space_cone_half_angle", "space cone, half-angle (omega, L)", cones->spaceCone_rad, "rad", "eq 35");
-  section.add("rolling", "the body cone rolls on the other's", senseWord(*cones), "",
+  section.add("rolling", "the body cone rolls on the space cone's", senseWord(*cones), "",
               "outside if prolate, inside if oblate");
   section.add("precession_rate", "precession L/I1 about L", cones->precessionRate, "rad/s", "eq 20, 34");
   section.add("spin_rate", "omega_3", cones->spinRate, "rad/s", "eq 26; >= 0 by the choice of k");

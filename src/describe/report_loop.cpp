@@ -18,13 +18,13 @@ Section loopSection(const scene::Scene& scene) {
   Section section{"Film that repeats (time.loop)", {}};
   if (!scene.time.loop) return section;
   const scene::Loop& loop = *scene.time.loop;
-  section.add("loop_period", "motion time after which all comes back", loop.period_s, "s", "attitude and omega");
-  section.add("loop_polhode_periods", "  periods of the polhode in it", loop.polhodePeriods, "",
+  section.add("loop_period", "time after which the motion repeats", loop.period_s, "s", "attitude and omega");
+  section.add("loop_polhode_periods", "  periods of the polhode in that time", loop.polhodePeriods, "",
               "0: a steady spin");
-  section.add("loop_turns", "  turns about L in it", loop.turns, "", "");
-  section.add("loop_omega_change", "omega at the start changed, as a part of |omega|", loop.change, "",
+  section.add("loop_turns", "  turns about L in that time", loop.turns, "", "");
+  section.add("loop_omega_change", "change of omega at the start, relative to |omega|", loop.change, "",
               "at the same |L|");
-  section.add("loop_omega_turned", "  its direction in the body, by", loop.turned_rad, "rad", "");
+  section.add("loop_omega_turned", "  change of its direction in the body", loop.turned_rad, "rad", "");
   section.add("loop_speed_before", "speed before", loop.speedAsked, "", "motion s per film s");
   section.add("loop_speed", "speed of the film that repeats", *scene.time.speed, "", "");
   section.add("loop_duration_before", "film before", loop.durationAsked_s, "s", "time.duration");

@@ -6,35 +6,35 @@
 
 namespace poinsot::describe {
 
-/// Motion times at which the film begins and ends; the state is given at motion time 0.
+/// Motion times of the film's first and last frame. The scene's initial state is given at motion time 0.
 struct ReportSpan {
-  double from_s = 0, to_s = 0;  ///< to_s < from_s if the film runs backwards
+  double from_s = 0, to_s = 0;  ///< to_s < from_s if the film is played backwards
 };
 
-// Each function returns an empty section if its subject does not apply to the scene.
+// Sections of the report. Each function returns an empty section if its subject does not apply to the scene.
 
 /// Returns the mass, centre of mass, inertia tensor and principal axes (eq 13 to 17).
 Section bodySection(const scene::Scene& scene);
 /// Returns the state at motion time 0 (eq 2, 6, 12).
 Section startSection(const scene::Scene& scene);
-/// Returns the flight of a thrown body and, if its mass is given, momenta and energies (eq 1 to 10).
+/// Returns the flight of a thrown body. If the mass is given, also momenta and energies (eq 1 to 10).
 Section flightSection(const scene::Scene& scene);
 /// Returns Poinsot's construction, polhode, herpolhode and flips of a free motion (eq 38 to 40).
 Section constructionSection(const scene::Scene& scene);
-/// Returns cones and rates of a free symmetric top (eq 19 to 37), with Chandler's period for a top with the
-/// Earth's shape and spin.
+/// Returns cones and rates of a free symmetric top (eq 19 to 37). If the top has the Earth's shape and spin, also
+/// Chandler's period.
 Section symmetricSection(const scene::Scene& scene);
-/// Reports whether a spin about each principal axis at the present |omega| is stable (eq 24 to 26).
+/// Returns whether a spin about each principal axis, at the scene's |omega|, would be stable (eq 24 to 26).
 Section stabilitySection(const scene::Scene& scene);
-/// Returns sleeping spin, steady precession and nutation of a symmetric top on a pivot in gravity alone.
+/// Returns sleeping spin, steady precession and nutation of a symmetric top on a pivot, if only gravity acts.
 Section heavyTopSection(const scene::Scene& scene);
-/// Returns time constants of drag and, if dissipation acts alone, the final spin: about the axis of largest
-/// moment, at the same |L|.
+/// Returns time constants of drag. If only dissipation acts, also the final spin, which is about the axis of
+/// largest moment and has the same |L|.
 Section lossSection(const scene::Scene& scene);
-/// Returns what was changed to make the film repeat, and by how much (film_loop.h).
+/// Returns the changes that make the film repeat, with their amounts (film_loop.h).
 Section loopSection(const scene::Scene& scene);
-/// Returns the film's motion times and pace, with the meaningful digits at the end of a free motion or the
-/// integration statistics of a driven one.
+/// Returns motion times and pace of the film, and its accuracy: for a free motion, the meaningful digits at the
+/// end; for a driven motion, the statistics of the integration.
 Section accuracySection(const scene::Scene& scene, const ReportSpan& span);
 
 }  // namespace poinsot::describe

@@ -7,8 +7,8 @@
 namespace poinsot::describe {
 namespace {
 
-/// Returns the user's unit for the dimension of a fact; null if the user chose none. A fact's own unit is the
-/// first in its dimension's list of usual units.
+/// Returns the user's unit for a fact; null if the user chose none for the fact's dimension. The dimension is the
+/// one whose first usual unit is the fact's own unit.
 const request::UnitChoice::value_type* choiceFor(const Fact& fact, const request::UnitChoice& units) {
   const auto found = std::ranges::find_if(units, [&](const auto& choice) {
     const std::string_view usual = scene::usualUnits(choice.first);

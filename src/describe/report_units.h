@@ -6,7 +6,7 @@
 
 namespace poinsot::describe {
 
-/// Converts a report's values to the units that a user chose.
+/// Returns the report with its values in the units that a user chose.
 Report inUnits(Report report, const request::UnitChoice& units);
 
 }  // namespace poinsot::describe

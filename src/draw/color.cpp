@@ -20,7 +20,7 @@ std::array<float, count> makeDecodeTable() {
   return table;
 }
 
-// Returns the linear light at which the nearest 8-bit value changes from v to v + 1.
+// Returns the thresholds of the 8-bit encoding: light at or above threshold v is encoded as v + 1 or more.
 std::array<float, 255> makeThresholds() {
   std::array<float, 255> table{};
   for (std::size_t v = 0; v < table.size(); ++v)
@@ -28,7 +28,8 @@ std::array<float, 255> makeThresholds() {
   return table;
 }
 
-// Size of a table of first thresholds to compare, for equal parts of [0, 1). At most two steps remain from there.
+// Size of a table with the first 8-bit value to try, for equal parts of [0, 1). The value that is searched is at
+// most two steps above it.
 constexpr std::size_t kStarts = 4096;
 
 std::array<std::uint8_t, kStarts> makeStarts(const std::array<float, 255>& thresholds) {

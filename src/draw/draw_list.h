@@ -15,11 +15,11 @@
 #include "draw/camera.h"
 #include "draw/color.h"
 
-/// Content of a picture as plain values: no GL, no physics, no files. Lengths are along the picture's axes V,
-/// widths of lines and sizes of type in pixels, colours in linear light.
+/// Content of a picture as plain values, without OpenGL, physics or files. Lengths are measured in the picture's
+/// axes V, line widths and text sizes in pixels. Colours are linear light.
 namespace poinsot::draw {
 
-/// Response of a solid to light. A `gloss` of 0 is chalk, 1 a hard highlight.
+/// Surface of a solid. A `gloss` of 0 is matt like chalk; 1 has a hard highlight.
 struct Material {
   Color color{0.5f};
   float gloss = 0.35f;
@@ -27,7 +27,8 @@ struct Material {
 
 // ---- solids: opaque, exact silhouettes --------------------------------------------------------------------
 
-/// Lines on an ellipsoid: parallels and meridians about its axes, in the ellipsoid's own angles.
+/// Lines on an ellipsoid: parallels and meridians about its own axes. Latitude and longitude are those of the unit
+/// sphere that is stretched to the ellipsoid.
 struct Graticule {
   Color color{0};
   float width_px = 1.4f;
@@ -35,9 +36,9 @@ struct Graticule {
   float farOpacity = 0.35f;  ///< opacity on the far wall of a translucent ellipsoid
 };
 
-/// Solid ellipsoid; the columns of `semiAxes_V` are its three semi-axis vectors. If `marking_px` > 0, it bears
-/// lines of that width: rings about the third axis and four meridians, of which the one through the first axis is
-/// heavy.
+/// Solid ellipsoid. The columns of `semiAxes_V` are its three semi-axis vectors. If `marking_px` > 0, the surface
+/// has lines of that width: rings about the third axis and four meridians. The meridian through the first axis is
+/// wider.
 struct Ellipsoid {
   glm::vec3 centre_V{0};
   glm::mat3 semiAxes_V{1};
@@ -55,26 +56,28 @@ struct Frustum {
   Material material;
 };
 
-/// Solid box; the columns of `halfAxes_V` are half its edges.
+/// Solid box. The columns of `halfAxes_V` are vectors from the centre to three faces.
 struct Box {
   glm::vec3 centre_V{0};
   glm::mat3 halfAxes_V{1};
   Material material;
 };
 
-/// Surface of a body in mesh axes M: closed, without cracks, each triangle counter-clockwise seen from outside.
-/// Neighbouring triangles share the indices of their vertices. Lengths have any unit; Mesh::axes_V converts them
-/// to V.
+/// Closed surface of a body in mesh axes M. Each triangle is counter-clockwise seen from outside. Neighbouring
+/// triangles have the indices of their common vertices in common, so the surface has no cracks. Lengths may have
+/// any unit; Mesh::axes_V converts them to V.
 struct TriangleMesh {
   std::vector<glm::vec3> vertices_M;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// Solid with the surface `mesh`, at origin_V + axes_V x_M. The columns of `axes_V` are the M axes, scaled to V
-/// and right-handed. Edges whose faces meet at more than `crease_rad` (in M) are sharp: they have flat normals on
-/// either side and, if `edge_px` > 0, a line of that width in `edgeColor`. Other edges are shaded smoothly. A null
-/// mesh draws nothing; a solid that is not wholly in front of the camera is left out. Share one TriangleMesh
-/// between pictures, because data made from it is cached by its address.
+/// Solid bounded by `mesh`, whose point x_M is at origin_V + axes_V x_M. The columns of `axes_V` are the axes of
+/// M, scaled to V and right-handed.
+/// An edge is sharp if its faces meet at an angle of more than `crease_rad`, measured in M. At a sharp edge,
+/// shading changes abruptly, and a line of width `edge_px` is drawn if `edge_px` > 0. Other edges are shaded
+/// smoothly.
+/// A null mesh draws nothing. A solid that is not completely in front of the camera is left out. Use the same
+/// TriangleMesh in several pictures, because data computed from it is cached by its address.
 struct Mesh {
   std::shared_ptr<const TriangleMesh> mesh;
   glm::vec3 origin_V{0};
@@ -85,9 +88,9 @@ struct Mesh {
   float edge_px = 0;
 };
 
-/// Smooth line through points. If `radius_V` > 0, it is a shaded round tube of that radius, otherwise a flat line
-/// of constant width. `lift_V` moves it towards the viewer, so that a line on a surface appears in front of the
-/// surface.
+/// Smooth line through points. If `radius_V` > 0, the line is a round tube of that radius, with shading. Otherwise
+/// it is a flat line of width `width_px`. `lift_V` moves the line towards the viewer, so that a line on a surface
+/// is not hidden by the surface.
 struct Curve {
   std::vector<glm::vec3> points_V;
   bool closed = false;
@@ -99,8 +102,8 @@ struct Curve {
 
 // ---- sheets: translucent, composed per pixel in the right order ---------------------------------------------
 
-/// Hollow ellipsoid of tinted glass, with `rimOpacity` at its rim. Seen flat-on, the near wall may be thinner than
-/// the far wall, so that what is inside keeps its hue.
+/// Hollow ellipsoid of tinted glass. `nearOpacity` and `farOpacity` are the opacities of its two walls seen
+/// flat-on; towards the rim they grow to `rimOpacity`. A smaller `nearOpacity` keeps the colours of things inside.
 struct GlassEllipsoid {
   glm::vec3 centre_V{0};
   glm::mat3 semiAxes_V{1};
@@ -111,25 +114,25 @@ struct GlassEllipsoid {
   std::optional<Graticule> graticule;
 };
 
-/// Circular cone of tinted glass: the surface alone, open at its base, with a solid line around the base.
-/// `nearOpacity` applies where the outside faces the eye, `farOpacity` where the inside does. A cone that is not
-/// wholly in front of the camera is left out.
+/// Circular cone of tinted glass. It has no base; a solid line runs around the base. Where the outside faces the
+/// eye, the opacity is `nearOpacity`; where the inside faces the eye, it is `farOpacity`. A cone that is not
+/// completely in front of the camera is left out.
 struct GlassCone {
   glm::vec3 apex_V{0};
-  glm::vec3 axis_V{0, 0, 1};   ///< from the apex into the cone; any length
-  float halfAngle_rad = 0.5f;  ///< in (0, pi/2)
-  float height_V = 1;          ///< from the apex to the base, along the axis
+  glm::vec3 axis_V{0, 0, 1};   ///< direction from the apex into the cone; its length has no effect
+  float halfAngle_rad = 0.5f;  ///< angle between the axis and the surface, in (0, pi/2)
+  float height_V = 1;          ///< distance from the apex to the base, along the axis
   Color color{1};
   float nearOpacity = 0.07f;
   float farOpacity = 0.15f;
-  float rimOpacity = 0.45f;  ///< where the surface is seen edge-on
+  float rimOpacity = 0.45f;  ///< opacity where the surface is seen edge-on
   Color lineColor{0};
   float lineOpacity = 1;
   float lineWidth_px = 2;
 };
 
-/// Flat convex sheet with 3 to 16 corners, in order around it and in one plane, and a border line just inside. A
-/// polygon that is not wholly in front of the camera is left out.
+/// Flat convex sheet with 3 to 16 corners. The corners lie in one plane and are listed in order around the sheet.
+/// A line is drawn just inside the border. A polygon that is not completely in front of the camera is left out.
 struct GlassPolygon {
   std::vector<glm::vec3> corners_V;
   Color color{1};
@@ -139,19 +142,19 @@ struct GlassPolygon {
   float lineWidth_px = 1.5f;
 };
 
-/// Rectangle with a square grid; `u_V` and `v_V` are perpendicular half-edges.
+/// Rectangle with a square grid. `u_V` and `v_V` are perpendicular vectors from the centre to two sides.
 struct GridPlane {
   glm::vec3 centre_V{0};
   glm::vec3 u_V{1, 0, 0};
   glm::vec3 v_V{0, 1, 0};
-  float spacing_V = 0.25f;  ///< between lines; a line runs through the centre in both directions
+  float spacing_V = 0.25f;  ///< distance between grid lines; two lines cross at the centre
   Color color{1};
   float opacity = 0.12f;
   Color lineColor{0};
   float lineOpacity = 0.5f;
   float lineWidth_px = 1.5f;
-  // Soft dark spot under a body on the plane. At r radii from its centre it has the opacity shadowOpacity · (2^(-2
-  // r²) - kShadowEnd), if positive. Beyond r = kShadowReach an 8-bit picture would not show it.
+  // Soft shadow of a body on the plane. At a distance of r shadow radii from its centre, the opacity is
+  // shadowOpacity·(2^(-2r²) - kShadowEnd), or 0 if that is negative. It is 0 from r = kShadowReach on.
   static constexpr float kShadowEnd = 1.0f / 512, kShadowReach = 2.1213204f;  // sqrt(4.5)
   glm::vec3 shadowCentre_V{0};
   float shadowRadius_V = 0;
@@ -160,22 +163,22 @@ struct GridPlane {
 
 // ---- text: always in front -----------------------------------------------------------------------------------
 
-/// One line of type. `tex` uses the small TeX subset of text/math_setter.h. `baseline_px` is the left end of the
-/// baseline from the picture's top left corner, y down.
+/// One line of text. `tex` is written in the small TeX subset of text/math_setter.h. `baseline_px` is the left end
+/// of the baseline, measured from the picture's top left corner, y down.
 struct Text {
   std::string tex;
   glm::vec2 baseline_px{0};
   float size_px = 32;
   Color color{0};
   float opacity = 1;          ///< opacity of glyphs and halo
-  std::optional<Color> halo;  ///< colour of a rim around the glyphs that keeps them legible over lines
+  std::optional<Color> halo;  ///< colour of a rim around the glyphs, which keeps text legible over lines
   float halo_px = 0;
 };
 
 struct DrawList {
   Camera camera;
   Color background{1};
-  glm::vec3 lightDirection_C{-0.5f, 0.72f, 0.48f};  ///< towards the light, which travels with the camera
+  glm::vec3 lightDirection_C{-0.5f, 0.72f, 0.48f};  ///< direction to the light, which moves with the camera
   std::vector<Ellipsoid> ellipsoids;
   std::vector<Frustum> frustums;
   std::vector<Box> boxes;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Includes the GLM types that pictures hold, and checks that they have the layout of the library.
+// Includes the GLM types that pictures contain. Checks that they have the same layout as in the compiled library.
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

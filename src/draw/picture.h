@@ -8,10 +8,9 @@
 
 namespace poinsot::draw {
 
-// ---- flat things: over the panels, in list order; pixels from the top left corner, y down -----------------
+// ---- flat objects: over the panels, in list order; pixels from the top left corner, y down ----------------
 
-/// Line of constant width with round joins. Dashes of length `dash_px` alternate with gaps of the same length; 0
-/// is unbroken.
+/// Line of constant width with round joins. Dashes and gaps have the length `dash_px`; 0 is unbroken.
 struct Stroke {
   std::vector<glm::vec2> points_px;
   bool closed = false;
@@ -27,15 +26,16 @@ struct Area {
   float opacity = 1;
 };
 
-/// View in space, with its top left corner at `origin_px` of the picture. The texts of the list are placed from
-/// this corner. @pre the list's camera is made for the panel's size.
+/// View of a three-dimensional scene. Its top left corner is at `origin_px` of the picture. Positions of the
+/// list's texts are measured from this corner.
+/// @pre the list's camera is made for the panel's size.
 struct Panel {
   glm::ivec2 origin_px{0};
   DrawList list;
 };
 
-/// Whole picture as plain values, which every output medium reads. Areas lie over the panels, strokes over the
-/// areas, texts over everything.
+/// Complete picture as plain values, from which images and figures are made. Areas are drawn over the panels,
+/// strokes over the areas, and texts over everything.
 struct Picture {
   glm::ivec2 size_px{1, 1};
   Color background{1};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Structured bindings unpack each struct, so that a new field which is not digested does not compile.
+// Structured bindings name all fields of each struct. With a new field, this file does not compile until the
+// digest includes it.
 #include "draw/picture_digest.h"
 
 #include <bit>
@@ -12,9 +13,9 @@
 namespace poinsot::draw {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "the digest is of little-endian bytes");
+static_assert(std::endian::native == std::endian::little, "the digest requires little-endian bytes");
 
-// Types whose bytes are their value: no padding and no pointers.
+// Types whose bytes determine their value: they have no padding and no pointers.
 template <class T>
 concept Plain = (std::is_arithmetic_v<T> && !std::same_as<T, bool>) || std::same_as<T, glm::vec2> ||
                 std::same_as<T, glm::vec3> || std::same_as<T, glm::ivec2> || std::same_as<T, glm::mat3> ||

@@ -9,9 +9,8 @@
 
 namespace poinsot::draw {
 
-/// Computes digests of pictures. Pictures that agree in every value, bit for bit, have the same digest. Drawing is
-/// a function of the picture, so equal digests mean equal pixels. Digests of meshes are cached while the meshes
-/// exist.
+/// Computes digests of pictures. Pictures with the same values, bit for bit, have the same digest. Pixels depend
+/// only on the picture, so equal digests mean equal pixels. Caches digests of meshes while the meshes exist.
 class PictureDigester {
  public:
   core::Digest operator()(const Picture& picture);

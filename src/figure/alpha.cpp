@@ -10,12 +10,13 @@
 namespace poinsot::figure {
 namespace {
 
-/// Fit of alpha and ink, in encoded values, to a pixel in which light mixes `ink` and paper by alpha a:
+/// Computes alpha and ink, in encoded values, for a translucent pixel. The pixel mixes `ink` and paper in linear
+/// light, with alpha a. Programs that show it mix encoded values instead.
 ///   wanted = encoding of (a ink + (1 - a) paper)
 ///   a'   = sum (paper - wanted)(paper - ink) / sum (paper - ink)^2   over the three channels
 ///   ink' = paper + (wanted - paper) / a'
-/// With `ink`, a' comes nearest to the wanted colour; with ink', which is close to `ink`, a' gives it exactly. If
-/// ink' is no colour, a' is increased until ink' is one.
+/// With a', mixing the original ink comes as close as possible to the wanted colour. Mixing ink', which is close
+/// to the original ink, gives it exactly. If ink' is outside the range of colours, a' is increased.
 template <typename Sample>
 class AlphaFit {
  public:
@@ -35,8 +36,8 @@ class AlphaFit {
   static constexpr double kMost = image::BasicImage<Sample>::kMost;
 
   struct Channel {
-    double paper, ink, wanted;  ///< each from 0 to kMost
-    /// Returns the least alpha at which an ink exists that gives the wanted value.
+    double paper, ink, wanted;  ///< values from 0 to kMost
+    /// Returns the least alpha with which some ink gives the wanted value.
     double leastAlpha() const {
       const double room = wanted > paper ? kMost - paper : paper;
       return room > 0 ? std::abs(wanted - paper) / room : 0;
@@ -64,7 +65,7 @@ class AlphaFit {
       square += (c.paper - c.ink) * (c.paper - c.ink);
       least = std::max(least, c.leastAlpha());
     }
-    if (square == 0) return pixel;  // the ink has the paper's own colour
+    if (square == 0) return pixel;  // the ink is the colour of the paper
     const double alpha = std::ceil(kMost * std::clamp(along / square, least, 1.0)) / kMost;
     Pixel fit{0, 0, 0, static_cast<Sample>(std::lround(kMost * alpha))};
     for (std::size_t i = 0; alpha > 0 && i < 3; ++i) {
@@ -75,7 +76,8 @@ class AlphaFit {
   }
 
   draw::Color paper_;
-  Pixel last_{};  // cached, because flat areas repeat one pixel
+  // Last pixel and its result. Flat areas have many equal pixels.
+  Pixel last_{};
   Pixel fit_{};
 };
 

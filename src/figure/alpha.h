@@ -6,11 +6,12 @@
 
 namespace poinsot::figure {
 
-/// Converts a picture without paper, mixed in linear light, for programs that mix encoded values when they lay one
-/// picture over another. Over `paper` the picture looks as if drawn on it. Translucent pixels get the alpha that
-/// keeps the ink nearest to its colour, so that no edge has a fringe of the paper's colour on any background.
-/// Pixels of alpha 0 become 0, 0, 0, 0: hidden colours would differ between formats, and optimisers of PNG files
-/// clear them.
+/// Converts a picture with transparent background from mixing in linear light to mixing of encoded values, which
+/// most programs use to draw one picture over another. Drawn over `paper`, the result looks like the original.
+///
+/// Translucent pixels get the alpha with which their ink changes least. Edges therefore have no fringe in the
+/// colour of the paper on any background. Pixels of alpha 0 become 0, 0, 0, 0, because PNG optimisers clear hidden
+/// colours and formats would differ in them.
 /// @pre four channels
 template <typename Sample>
 void fitAlpha(image::BasicImage<Sample>& picture, const draw::Color& paper);

@@ -20,7 +20,7 @@ namespace {
 constexpr double kInch_mm = 25.4;
 constexpr const char* kUnlabelled = "-unlabelled.png";
 
-// LaTeX gives these characters another meaning in a file's name.
+// LaTeX gives the characters in this list a special meaning in file names.
 void requireNameForLatex(const std::string& name) {
   if (name.find_first_of("%#$&{}\\^~\"") == std::string::npos) return;
   throw core::usageError(fmt::format(

@@ -9,7 +9,7 @@
 namespace poinsot::figure {
 namespace {
 
-// Rounds to whole steps of 8 bits, as all other colours of a figure are.
+// Returns an encoded value, rounded to 8 bits like all other colours of a figure.
 double encoded(float linear) { return draw::srgb8FromLinear(linear) / 255.0; }
 
 }  // namespace
@@ -21,7 +21,7 @@ Ink inkOver(const draw::Color& paper, const draw::Color& color, float opacity) {
   for (int c = 0; c < 3; ++c) {
     under[c] = encoded(paper[c]);
     wanted[c] = opacity < 1 ? encoded(opacity * color[c] + (1 - opacity) * paper[c]) : encoded(color[c]);
-    // Solves wanted = (1 - alpha) under + alpha ink for an ink within [0, 1].
+    // Raises alpha until wanted = (1 - alpha) under + alpha ink has a solution with ink in [0, 1].
     const double room = wanted[c] > under[c] ? 1 - under[c] : under[c];
     if (room > 0) ink.alpha = std::max(ink.alpha, std::abs(wanted[c] - under[c]) / room);
   }

@@ -7,15 +7,15 @@
 
 namespace poinsot::figure {
 
-/// Colour as page formats have it: sRGB in [0, 1], straight alpha, blended in encoded values.
+/// Colour for PDF and SVG: sRGB in [0, 1] with straight alpha. These formats blend encoded values.
 struct Ink {
   glm::dvec3 srgb{0};
   double alpha = 1;
 };
 
-/// Returns the ink that gives over the paper what the renderer's blending in linear light gives. Encoded values
-/// blend darker or lighter than light itself: a fifth of black on white is 0.91 of the way to white, not 0.8. If
-/// no ink of that alpha matches, the result has a larger alpha.
+/// Returns the ink that has the same colour over the paper as the renderer's blending in linear light. The two
+/// ways of blending differ: black of opacity 0.2 on white gives the encoded value 0.91 in linear light, but 0.8 if
+/// encoded values are blended. If no ink of the given opacity matches, the result has a larger alpha.
 Ink inkOver(const draw::Color& paper, const draw::Color& color, float opacity);
 
 std::string hexOf(const Ink& ink);

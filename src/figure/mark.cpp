@@ -14,10 +14,10 @@ namespace poinsot::figure {
 namespace {
 
 constexpr std::string_view kProgram = "poinsot ";
-/// Largest file that is read. An image of 8192x8192 pixels needs less, uncompressed and in base 64.
+/// Largest file that is read. An SVG with an uncompressed image of 8192x8192 pixels in base 64 is smaller.
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
-// FNV-1a, 64 bit. The hash detects edits of a file, not files that are made to look alike.
+// Returns the FNV-1a hash of 64 bits. It detects that a file was edited, but not a deliberate forgery.
 // Source: Fowler, Noll, Vo, Eastlake, "The FNV Non-Cryptographic Hash Algorithm", IETF draft, section 5.
 std::uint64_t hashOf(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325;
@@ -42,8 +42,8 @@ std::string_view objectOf(std::string_view pdf, int number) {
   return pdf.substr(begin, pdf.find("endobj", begin) - begin);
 }
 
-/// Returns whether this program wrote the PDF itself. A document that includes one of its figures may also hold
-/// the figure's metadata, so only the last /Info counts.
+/// Returns whether this program wrote the PDF. Only the last /Info entry counts: a document of another program may
+/// include one of our figures, with the figure's metadata.
 bool isOwnPdf(std::string_view pdf) {
   constexpr std::string_view kInfo = "/Info ";
   const auto at = pdf.rfind(kInfo);

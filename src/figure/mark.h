@@ -8,14 +8,14 @@
 
 #include "core/abi.h"
 
-/// Marks that show that this program wrote a figure, a page or a file of subtitles. Another run may replace a
-/// marked file without the loss of anybody's work.
+/// Marks in the figures, pages and subtitles that this program writes. The program may replace a file with an
+/// intact mark, because nobody's work is lost.
 namespace poinsot::figure {
 
-/// Returns the name and version of the program, "poinsot 0.1.0".
+/// Returns the name and version of the program, such as "poinsot 0.1.0".
 std::string creator();
 
-/// Comment syntax around the mark in one kind of text file.
+/// Characters before and after the mark, which make it a comment in one kind of text file.
 struct CommentMark {
   std::string_view before, after;
 };
@@ -24,15 +24,15 @@ inline constexpr CommentMark kHtmlMark{"<!DOCTYPE html>\n<!-- ", " -->\n"};
 inline constexpr CommentMark kTexMark{"% ", "\n"};
 inline constexpr CommentMark kVttMark{"WEBVTT\n\nNOTE ", "\n\n"};
 
-/// Returns `rest` after a comment "poinsot 0.1.0 HASH". The hash of `rest` detects edits: people edit SVG and
-/// LaTeX, and this program must not replace an edited file.
+/// Returns `rest` after a comment "poinsot 0.1.0 HASH". HASH is the hash of `rest`, and shows later whether the
+/// file was edited. This program must not replace an edited SVG or LaTeX file.
 std::string marked(const CommentMark& mark, std::string_view rest);
 
-/// Returns the text after the mark; nullopt if the file has no such mark, has been edited, or cannot be read.
+/// Returns the text after the mark. Returns nullopt if the file has no mark, was edited, or cannot be read.
 std::optional<std::string> markedRest(const std::filesystem::path& file, const CommentMark& mark);
 
-/// Returns whether the file is a PDF, SVG or TeX file that this program wrote and, for SVG and TeX, nobody edited.
-/// Returns false if the file cannot be read; never throws for content.
+/// Returns whether this program wrote the file, a PDF, SVG or TeX file. An SVG or TeX file must also be unedited.
+/// Returns false if the file cannot be read. Never throws because of the file's content.
 bool isOwnFigure(const std::filesystem::path& path);
 
 }  // namespace poinsot::figure

@@ -8,14 +8,14 @@
 
 namespace poinsot::figure {
 
-/// Returns the picture without flat curves, areas, strokes and type: the part that only an image can hold.
+/// Returns the surfaces of a picture: the picture without flat curves, areas, strokes and text.
 draw::Picture surfacesOf(const draw::Picture& picture);
 
-/// Returns the picture without its type, also in panels. Halos stay, so that the type has room.
+/// Returns the picture without text in the picture and its panels. Halos stay, to keep space for the text.
 draw::Picture withoutType(const draw::Picture& picture);
 
-/// Flat curves of one panel, with points from the panel's corner. They are painted in order over the panel's
-/// surfaces and clipped at its edges.
+/// Flat curves of one panel. Points are measured from the panel's top left corner. Curves are painted over the
+/// panel's surfaces in the order of the list, and clipped to the panel.
 struct PanelCurves {
   glm::ivec2 origin_px{0};
   glm::ivec2 size_px{0};
@@ -23,7 +23,8 @@ struct PanelCurves {
 };
 std::vector<PanelCurves> curvesOf(const draw::Picture& picture);
 
-/// Returns all texts in reading order, titles first, placed from the picture's corner. No text lies over another.
+/// Returns all texts of the picture and its panels in reading order, titles first. Positions are measured from the
+/// picture's corner. Texts do not overlap.
 std::vector<draw::Text> labelsOf(const draw::Picture& picture);
 
 }  // namespace poinsot::figure

@@ -40,7 +40,7 @@ cairo_status_t append(void* to, const unsigned char* data, unsigned size) noexce
   return CAIRO_STATUS_NO_MEMORY;
 }
 
-/// Image in cairo's format: one native 32-bit number a pixel, with alpha premultiplied and in the top byte.
+/// Image in cairo's format: a native 32-bit number per pixel, alpha in the top byte, colours multiplied by alpha.
 class CairoImage {
  public:
   explicit CairoImage(const image::Image& image)
@@ -70,7 +70,7 @@ class CairoImage {
   SurfacePtr surface_;
 };
 
-/// Returns cairo's face of an embedded font, for the calling thread only.
+/// Returns cairo's object for an embedded font, which only the calling thread may use.
 FontPtr cairoFont(text::Typeface face) {
   return {cairo_ft_font_face_create_for_ft_face(text::Font::of(face).face(), 0), &cairo_font_face_destroy};
 }
@@ -149,7 +149,7 @@ class Page {
   template <typename Points>
   void outline(const Points& points, bool closed) {
     for (const auto& p : points) cairo_line_to(context_, static_cast<double>(p.x), static_cast<double>(p.y));
-    // A single point has no length. cairo draws its round dot only if a line leads back to the point.
+    // cairo draws the round dot of a single point only if a line leads back to the point.
     if (points.size() == 1)
       cairo_line_to(context_, static_cast<double>(points[0].x), static_cast<double>(points[0].y));
     if (closed) cairo_close_path(context_);
@@ -173,7 +173,7 @@ class Page {
     return (known != fonts_.end() ? known : fonts_.emplace(face, cairoFont(face)).first)->second.get();
   }
 
-  // Shows glyphs of one font and size, each with the characters that the glyph stands for.
+  // Draws glyphs of one font and size. Each glyph has the text that it stands for.
   void show(std::span<const text::PlacedGlyph> run, const draw::Text& text) {
     std::vector<cairo_glyph_t> glyphs;
     std::vector<cairo_text_cluster_t> clusters;
@@ -215,18 +215,19 @@ class Page {
   std::map<text::Typeface, FontPtr> fonts_;
 };
 
-/// Placeholder date. cairo writes the current time if no date is set, and has no way to omit the date. So a date
-/// of fixed length is set and later overwritten with blanks, which keeps every offset of the file.
+/// Placeholder for the date. If no date is set, cairo writes the current time, which would differ between runs.
+/// The placeholder is later overwritten with spaces, which keeps all offsets in the file.
 constexpr const char* kAnyDate = "1970-01-01T00:00:00Z";
 
 void eraseDate(Bytes& pdf) {
-  constexpr std::string_view kEntry = "/CreationDate (";  // in a title the bracket would be escaped
+  // With its bracket, the text cannot occur in a title, where brackets are escaped
+  constexpr std::string_view kEntry = "/CreationDate (";
   const auto begin = std::search(pdf.begin(), pdf.end(), kEntry.begin(), kEntry.end());
   const auto end = std::find(begin, pdf.end(), ')');
   if (end != pdf.end()) std::fill(begin, end + 1, ' ');
 }
 
-/// Throws if the PDF has no end. Without memory for a font, cairo 1.16 stops within a file but reports success.
+/// Throws if the PDF is incomplete. If memory for a font runs out, cairo 1.16 stops writing but reports success.
 void checkEnd(const Bytes& pdf) {
   constexpr std::string_view kEnd = "%%EOF\n";
   if (pdf.size() < kEnd.size() || !std::equal(kEnd.rbegin(), kEnd.rend(), pdf.rbegin()))
@@ -252,7 +253,7 @@ Bytes pdfOf(const Figure& figure) {
                                                                scale * figure.picture.size_px.y),
                            &cairo_surface_destroy);
   check(cairo_surface_status(surface.get()));
-  // Every viewer and press reads PDF 1.4. Its metadata stay uncompressed, so that mark.cpp can read them.
+  // All viewers and printers can read PDF 1.4. Its metadata are not compressed, so mark.cpp can read them.
   cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
   setMetadata(surface.get(), figure.options);
   const ContextPtr context(cairo_create(surface.get()), &cairo_destroy);

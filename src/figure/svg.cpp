@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Glyphs are outlines, placed by <use>. The same text lies over them invisibly, so that it can be selected,
-// searched and read aloud. An embedded web font would serve both purposes, but librsvg, Inkscape and Cairo ignore
-// @font-face and would set a label in any font that they find.
+// Writes SVG figures. Glyphs are drawn as outlines with <use>. The same text lies over them invisibly, so that it
+// can be selected, searched and read aloud.
+// An embedded web font could do both, but librsvg, Inkscape and Cairo ignore @font-face. They would use another
+// font.
 #include <fmt/format.h>
 
 #include <set>
@@ -33,7 +34,7 @@ std::string base64(const Bytes& bytes) {
   return text;
 }
 
-/// Escapes text between tags or in an attribute. Control characters, which XML forbids, become spaces.
+/// Escapes text for an element or an attribute. Control characters, which XML forbids, become spaces.
 std::string escaped(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20 && c != '\n') c = ' ';
@@ -53,17 +54,17 @@ std::string pathData(const Points& points, bool closed) {
   for (const auto& p : points)
     data += fmt::format("{}{} {}", data.empty() ? 'M' : 'L', number(static_cast<double>(p.x)),
                         number(static_cast<double>(p.y)));
-  if (points.size() == 1) data += "h0";  // a dot, made by the round ends
+  if (points.size() == 1) data += "h0";  // the round ends of a line without length make a dot
   return data + (closed ? "Z" : "");
 }
 
-/// Returns attributes such as `fill="#123456" fill-opacity="0.5"`. The opacity is left out for opaque ink.
+/// Returns attributes such as `fill="#123456" fill-opacity="0.5"`. There is no opacity attribute for opaque ink.
 std::string paintedBy(const char* what, const Ink& ink) {
   const std::string color = fmt::format(" {}=\"{}\"", what, hexOf(ink));
   return ink.alpha < 1 ? color + fmt::format(" {}-opacity=\"{}\"", what, number(ink.alpha)) : color;
 }
 
-/// Outline of a glyph as path data, in the font's units, y down; empty for a space.
+/// Writes the outline of a glyph as SVG path data, in the font's units, y down. The data is empty for a space.
 class PathWriter final : public text::OutlineSink {
  public:
   void moveTo(text::Point to) override {
@@ -72,7 +73,7 @@ class PathWriter final : public text::OutlineSink {
     add('M', {to});
   }
   void lineTo(text::Point to) override {
-    if (to.x != start_.x || to.y != start_.y) add('L', {to});  // else "Z" draws it
+    if (to.x != start_.x || to.y != start_.y) add('L', {to});  // otherwise the "Z" command draws this line
   }
   void cubicTo(text::Point c1, text::Point c2, text::Point end) override { add('C', {c1, c2, end}); }
 
@@ -103,8 +104,8 @@ std::string pathOf(const FontGlyph& glyph) {
   return path.data();
 }
 
-/// Returns a name made of the font and the glyph's number in the font, so that in all figures of a page the same
-/// name is the same outline.
+/// Returns an identifier for a glyph, from its font and its number in the font. Several figures may be embedded in
+/// one page, and equal identifiers then stand for equal outlines.
 std::string nameOf(const FontGlyph& glyph) {
   constexpr const char* kFonts[] = {"lmmath", "lmroman", "lmbold"};
   return fmt::format("{}-{}", kFonts[static_cast<int>(glyph.first)], glyph.second);
@@ -197,7 +198,8 @@ class SvgDocument {
         number(1000 * run.width_em), escaped(run.plainText));
   }
 
-  // Adds glyphs, in thousandths of the label's em. Scripts shrink with their halo, so their stroke is widened.
+  // Adds glyphs, scaled to thousandths of the label's em. The scale of a script also shrinks the stroke of its
+  // halo, so the stroke is widened.
   void addGlyphs(const text::GlyphRun& run, const std::string& paint, double strokeWidth) {
     body_ += fmt::format("<g aria-hidden=\"true\" stroke-linejoin=\"round\"{}>\n", paint);
     const auto stroke = [&](double scale) {

@@ -18,7 +18,7 @@
 namespace poinsot::figure {
 namespace {
 
-/// LaTeX's commands for a mark on a letter, in running text and in formulas; empty if there is none.
+/// LaTeX commands for a mark on a letter, in running text and in formulas. Empty if there is no command.
 struct Accent {
   char32_t mark;
   std::string_view text;
@@ -36,7 +36,7 @@ const Accent* accentOf(char32_t mark) {
   return found == std::end(kAccents) ? nullptr : found;
 }
 
-/// Returns the command that draws only this character; null if there is none.
+/// Returns the command that draws a character. Returns null if there is none.
 const text::Command* commandFor(char32_t character) {
   const auto all = text::commands();
   const auto found = std::ranges::find_if(all, [&](const text::Command& c) {
@@ -46,16 +46,16 @@ const text::Command* commandFor(char32_t character) {
   return found == all.end() ? nullptr : &*found;
 }
 
-/// Replacement for \degree, which is an error outside \unit if the document loads siunitx.
+/// Replacement for \degree. If a document loads the package siunitx, \degree is an error outside \unit.
 constexpr std::string_view kDegree = "{\\ensuremath{^{\\circ}}}";
 
 std::string latexOfCharacter(char32_t character) {
   const std::string bytes = text::toUtf8({&character, 1});
   if (character == U'%' || character == U'#' || character == U'&') return "\\" + bytes;
-  // With babel, " is a command in German and many other languages, ~ in Spanish and Estonian.
+  // The package babel makes " a command in German and many other languages, and ~ in Spanish and Estonian.
   if (character == U'"') return "{\\char34}";
   if (character == U'~') return "\\nobreakspace{}";
-  // Signs of mathematics: the old text fonts have other characters in their places.
+  // Mathematical symbols. LaTeX's old text fonts have other characters at their codes.
   if (character == U'<' || character == U'>' || character == U'|') return fmt::format("\\ensuremath{{{}}}", bytes);
   if (character < 0x80) return bytes;
   if (character == U'−') return "\\ensuremath{-}";
@@ -84,15 +84,15 @@ std::string accented(std::string base, std::u32string_view marks, bool inMath) {
   return base;
 }
 
-/// Returns a letter to be put under marks. Under a mark above, i and j lose their dots.
+/// Returns a letter as the argument of accent commands. Under a mark above, i and j have no dot.
 std::string baseUnder(std::u32string_view marks, char32_t letter, bool inMath) {
   const bool dotted = letter == U'i' || letter == U'j';
   if (!dotted || text::placeOf(marks.front()) != text::MarkPlace::kAbove) return latexOfCharacter(letter);
   return fmt::format("\\{}{}", static_cast<char>(letter), inMath ? "math" : "");
 }
 
-/// Returns a letter with the marks typed after it. Running text keeps letters up to U+017F, which LaTeX has in
-/// every encoding. All other letters, and all letters in formulas, are spelled with accents.
+/// Returns LaTeX for a letter and its marks. In running text, letters up to U+017F stay as they are, because LaTeX
+/// has them in every encoding. Other letters, and all letters in formulas, are written with accent commands.
 std::string latexOfLetter(std::u32string_view typed, bool inMath) {
   const std::u32string known = text::composed(typed, [&](char32_t c) { return !inMath && c < 0x180; });
   if (known.size() == 1) return latexOfCharacter(known.front());
@@ -103,7 +103,7 @@ std::string latexOfLetter(std::u32string_view typed, bool inMath) {
   return accented(baseUnder(marks, parts.front(), inMath), marks, inMath);
 }
 
-/// Converter of a label's TeX to LaTeX. The label must be one that text::setTex() accepts.
+/// Converts the TeX of a label to LaTeX. The label must be valid for text::setTex().
 class LatexWriter {
  public:
   explicit LatexWriter(std::string_view tex) {
@@ -127,7 +127,7 @@ class LatexWriter {
   }
 
  private:
-  /// Index of a root: its start in the output, its depth in braces, and whether it holds another index.
+  /// Index of a root: its start in the output, its depth in braces, and whether it contains another index.
   struct Index {
     std::size_t begin;
     std::size_t depth;
@@ -192,7 +192,8 @@ class LatexWriter {
     textFollows_ = false;
   }
 
-  /// Encloses an index that holds another in braces, because LaTeX ends an index at the first "]" outside braces.
+  /// Ends an index. An index that contains another index is put in braces, because LaTeX ends an index at the
+  /// first "]" outside braces.
   void closeIndex() {
     if (indices_.back().nested) {
       latex_.insert(indices_.back().begin, 1, '{');
@@ -207,7 +208,7 @@ class LatexWriter {
   std::size_t at_ = 0;
   std::string latex_;
   std::vector<bool> inMath_ = {false};
-  bool textFollows_ = false;  // the next brace opens the argument of \text
+  bool textFollows_ = false;  // true after \text or \textbf, until its opening brace
   std::vector<Index> indices_;
 };
 
@@ -216,7 +217,7 @@ struct Definition {
   const char* meaning;
 };
 
-// LaTeX has no commands for Greek letters that look like Latin ones.
+// LaTeX has no commands for Greek letters that look like Latin letters.
 constexpr Definition kDefinitions[] = {
     {"varkappa", "\\kappa"},    {"omicron", "o"},        {"Alpha", "\\mathrm{A}"}, {"Beta", "\\mathrm{B}"},
     {"Epsilon", "\\mathrm{E}"}, {"Zeta", "\\mathrm{Z}"}, {"Eta", "\\mathrm{H}"},   {"Iota", "\\mathrm{I}"},
@@ -236,7 +237,7 @@ bool names(std::string_view latex, std::string_view command) {
 }  // namespace
 
 std::string latexOf(std::string_view tex) {
-  text::setTex(tex);  // throws if the label cannot be set
+  text::setTex(tex);  // throws if the label is not valid
   return LatexWriter(tex).write();
 }
 

@@ -20,8 +20,9 @@ constexpr std::string_view kHead =
 % From another folder: \graphicspath{{{{folder/}}}}. For larger or smaller labels: \newcommand*\poinsotscale{{1.2}}
 )";
 
-/// Returns TeX that makes ASCII signs ordinary characters until the group ends, except for TeX's own. Babel makes
-/// some signs commands, which spoil labels and the options of nodes: " in German, : and ; in French, = in Turkish.
+/// Returns TeX code that makes ASCII symbols ordinary characters until the group ends, except TeX's own symbols.
+/// Babel turns some symbols into commands, which breaks labels and TikZ options. Examples are " in German, : and ;
+/// in French, and = in Turkish.
 std::string ordinarySigns() {
   constexpr std::string_view kSigns[] = {"!\"'()*+,-./", ":;<=>?@[]`|"};
   std::string codes;
@@ -52,7 +53,8 @@ std::string colorOf(const Ink& ink) {
 std::string node(const draw::Text& label, const std::string& latex, glm::dvec2 at_bp, const Figure& figure) {
   const Ink ink = inkOver(figure.picture.background, label.color, label.opacity);
   const std::string opacity = ink.alpha < 1 ? fmt::format(", text opacity={:.3f}", ink.alpha) : "";
-  // Scales the font's 10 pt design, as in the picture: small designs are wider, and some fonts lack some sizes.
+  // Scales the 10 pt font to the label's size, as in the picture. A font of the actual size could have wider
+  // letters, and some fonts do not exist in all sizes.
   const double scale = figure.pointsPerPixel() * static_cast<double>(label.size_px) / (10 * 72 / 72.27);
   return fmt::format(
       "  \\node[anchor=base west, inner sep=0pt, outer sep=0pt, scale={:.4f}*\\poinsotscale, "

@@ -10,7 +10,8 @@
 namespace poinsot::figure {
 namespace {
 
-// Relative tolerance that keeps points on a surface visible, although their coordinates are rounded to floats.
+// Relative tolerance of depth. Without it, a point on a surface with rounded coordinates could be hidden by the
+// surface.
 constexpr double kOnSurface = 1e-6;
 
 void lookThrough(std::vector<SheetHit> hits, Sight& sight) {

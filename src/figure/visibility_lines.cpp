@@ -29,8 +29,8 @@ std::pair<std::size_t, double> farthest(const Points& points, std::size_t first,
   return found;
 }
 
-/// Returns the line without points that lie within kOffLine_px of the simplified line.
-/// Source: Douglas and Peucker, Cartographica 10 (1973) 112.
+/// Returns a simplified line. Points of the original line are at most kOffLine_px from it. Source: Douglas and
+/// Peucker, Cartographica 10 (1973) 112.
 Points simplified(const Points& points) {
   std::vector<bool> kept(points.size(), false);
   kept.front() = kept.back() = true;

@@ -9,10 +9,11 @@
 namespace poinsot::figure {
 namespace {
 
-// Points in a chunk, about one a pixel. Of two lines in so short a chunk, one lies over the other throughout.
+// Number of points in a chunk of a line, with about one point per pixel. If two chunks overlap, they are so short
+// that one lies over the other along their whole length.
 constexpr std::size_t kChunkPoints = 32;
 
-/// Points `first` to `last` of a piece, both included. Neighbouring chunks share one point.
+/// Points `first` to `last` of a piece, including both. Neighbouring chunks have one point in common.
 struct Chunk {
   std::size_t piece = 0;
   std::size_t first = 0;
@@ -32,7 +33,7 @@ std::vector<Chunk> chunksOf(const std::vector<Piece>& pieces) {
   return chunks;
 }
 
-/// Pairs of chunks that lie over each other, found by comparing all points that lie near each other.
+/// Finds the pairs of chunks that overlap, by comparing points that are near each other.
 class Overlaps {
  public:
   Overlaps(const std::vector<Piece>& pieces, const std::vector<Chunk>& chunks)
@@ -41,7 +42,7 @@ class Overlaps {
       for (std::size_t i = chunks[c].first; i <= chunks[c].last; ++i) compareAndKeep(c, point(c, i));
   }
 
-  /// Returns the pairs (lower, upper) of chunks.
+  /// Returns the pairs of overlapping chunks, the lower chunk first.
   std::vector<std::pair<std::size_t, std::size_t>> pairs() const {
     std::vector<std::pair<std::size_t, std::size_t>> all;
     for (const auto& [pair, nearness] : nearness_) {
@@ -52,7 +53,7 @@ class Overlaps {
   }
 
  private:
-  static constexpr double kSoft_px = 1;  // width of the soft edges of two lines
+  static constexpr double kSoft_px = 1;  // width of the soft edges of two lines together
   using Cell = std::pair<int, int>;
   struct Kept {
     std::size_t chunk;
@@ -89,11 +90,11 @@ class Overlaps {
   const std::vector<Chunk>& chunks_;
   double cell_px_;
   std::map<Cell, std::vector<Kept>> cells_;
-  // Sum of the first chunk's depth minus the second's, by pair of chunks.
+  // For each pair of chunks, the sum of depth differences (first chunk minus second chunk) over their near points.
   std::map<std::pair<std::size_t, std::size_t>, double> nearness_;
 };
 
-/// Sorter of chunks, which takes a chunk after all lower ones and follows the curve if possible.
+/// Sorts chunks for painting: each chunk after all chunks below it. Chunks of a curve stay together if possible.
 class Sorter {
  public:
   Sorter(std::size_t count, const std::vector<std::pair<std::size_t, std::size_t>>& pairs)
@@ -121,7 +122,8 @@ class Sorter {
     return ready_.empty() ? leastWaiting() : *ready_.begin();
   }
 
-  // Lines that pass over one another in a ring have no order, so one chunk is taken out of turn.
+  // Returns the chunk to take if every chunk waits for another, as for lines that overlap in a ring: the chunk
+  // that waits for the fewest.
   std::size_t leastWaiting() const {
     std::size_t best = taken_.size();
     for (std::size_t c = 0; c < taken_.size(); ++c)
@@ -142,7 +144,7 @@ class Sorter {
   std::set<std::size_t> ready_;
 };
 
-/// Returns a stretch of a piece. The stretch begins one point early, so that no gap shows where the piece was cut.
+/// Returns part of a piece, from point `first` to `last`. It starts one point earlier to avoid a gap.
 Piece stretch(const Piece& whole, std::size_t first, std::size_t last) {
   Piece part{{}, false, whole.width_px, whole.color};
   const bool all = first == 0 && last + 1 == whole.points.size();

@@ -8,17 +8,17 @@
 namespace poinsot::figure {
 namespace {
 
-constexpr double kStep_px = 1.0;  // step along a line; anything that hides less is missed
+constexpr double kStep_px = 1.0;  // distance of samples along a line; smaller gaps in visibility are not found
 constexpr double kCut_px = 0.1;
-// Overlap of pieces of different colour, because their soft ends would show if they only touched.
+// Length by which pieces of different colour overlap. Without an overlap, their soft ends would be visible.
 constexpr double kOverlap_px = 0.3;
-constexpr int kColorSteps = 2;  // largest error of a piece's colour, in steps of 8-bit sRGB
+constexpr int kColorSteps = 2;  // largest error of a piece's colour, in steps of 1/255 in sRGB
 
 struct Sample {
   glm::dvec3 p_V{0};
   PiecePoint at;
   Sight sight;
-  draw::Color seen{0};  ///< colour that the eye sees of the curve there
+  draw::Color seen{0};  ///< colour of the curve as the eye sees it through the sheets in front
 };
 
 using Run = std::vector<Sample>;
@@ -38,7 +38,8 @@ class Sampler {
   Sampler(const Visibility& visibility, const draw::Camera& camera, const draw::Curve& curve)
       : visibility_(visibility), camera_(camera), curve_(curve) {}
 
-  /// Returns the parts in front of the camera, without segments whose end is too near, as in the renderer.
+  /// Returns the parts of the curve in front of the camera. Segments with an end nearer than camera.near are left
+  /// out.
   std::vector<Run> runs() {
     const std::size_t n = curve_.points_V.size(), segments = curve_.closed ? n : n - 1;
     std::vector<Run> runs;
@@ -77,7 +78,7 @@ class Sampler {
     }
   }
 
-  // Adds the two samples nearest to the change that lies between the last sample and `next`.
+  // Finds the point between the last sample and `next` at which visibility changes. Adds a sample on either side.
   void addChange(Run& run, const Sample& next) const {
     Sample before = run.back(), after = next;
     while (glm::distance(before.at.p_px, after.at.p_px) > kCut_px) {
@@ -112,7 +113,7 @@ void addPieces(const Run& run, double width_px, std::vector<Piece>& pieces) {
   }
 }
 
-// Joins the ends of a closed curve that is visible where it starts, because that start is no end.
+// Joins the first and the last piece of a closed curve, if the curve is visible at its start.
 void joinEnds(std::vector<Piece>& pieces) {
   Piece &first = pieces.front(), &last = pieces.back();
   if (!alike(first.color, last.color)) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opacities are computed as in composite.frag, without the lines on sheets.
+// Sheets in front of points. Opacities are computed as in composite.frag, but lines on sheets are ignored.
 #include "figure/visibility_sheets.h"
 
 #include <algorithm>
@@ -13,8 +13,9 @@ namespace {
 
 std::uint64_t bit(std::size_t index) { return index < 64 ? std::uint64_t{1} << index : 0; }
 
-// Returns an opacity between `flatOn` and `rim`, as the sheet turns away from the eye. The normal is a unit vector
-// of either sign.
+// Returns the opacity of a sheet: `flatOn` where the sheet faces the eye, rising to `rim` where it is seen
+// edge-on.
+// @param normal_C  unit normal to either side
 double opacityOf(glm::dvec3 normal_C, const SightLine& sight, float flatOn, float rim) {
   const double facing = std::abs(glm::dot(normal_C, glm::normalize(sight.direction_C)));
   const double grazing = (1 - facing) * (1 - facing) * (1 - facing);
@@ -73,7 +74,8 @@ class PlaneSheet : public Sheet {
   }
 
  private:
-  // Returns the hit with the shadow over the sheet's own tint. Only the length of `fromShadow` counts.
+  // Returns the point of the plane that the line of sight meets, with the shadow over the plane's own colour.
+  // @param fromShadow  vector whose length is the distance from the shadow's centre
   SheetHit shaded(double t, const glm::dvec3& fromShadow) const {
     const double r = static_cast<double>(plane_.shadowRadius_V), tint = static_cast<double>(plane_.opacity);
     const double q = r > 0 ? glm::dot(fromShadow, fromShadow) / (r * r) : 1e9;
@@ -89,7 +91,7 @@ class PlaneSheet : public Sheet {
   std::size_t mark_;
 };
 
-/// Cone whose radius at height h over the apex is slope * h.
+/// Cone sheet. Its radius at the height h above the apex is slope * h.
 class ConeSheet : public Sheet {
  public:
   ConeSheet(const draw::Camera& camera, const draw::GlassCone& cone, std::size_t firstMark)
@@ -109,7 +111,8 @@ class ConeSheet : public Sheet {
   void meet(const SightLine& sight, double t, std::vector<SheetHit>& hits) const override {
     const glm::dvec3 d = sight.direction_C, apex = apex_C_ - sight.origin_C;
     const double t0 = glm::dot(apex, d) / glm::dot(d, d), kk = 1 + slope_ * slope_;
-    const glm::dvec3 o = t0 * d - apex;  // from the line's point nearest the apex, as for the solids
+    // Computed from the point of the line nearest to the apex, so that no large numbers cancel.
+    const glm::dvec3 o = t0 * d - apex;
     const double du = glm::dot(d, axis_C_), ou = glm::dot(o, axis_C_);
     const double a = glm::dot(d, d) - kk * du * du, b = glm::dot(d, o) - kk * du * ou,
                  c = glm::dot(o, o) - kk * ou * ou;

@@ -36,7 +36,8 @@ class BoxOccluder : public Occluder {
     const glm::dvec3 d = toCube_ * sight.direction_C, centre = toCube_ * (centre_C_ - sight.origin_C);
     double enter = -kInfinity, leave = kInfinity;
     for (int i = 0; i < 3; ++i) {
-      const double a = (centre[i] - 1) / d[i], b = (centre[i] + 1) / d[i];  // ±infinity if parallel
+      // Infinite if the line is parallel to the faces
+      const double a = (centre[i] - 1) / d[i], b = (centre[i] + 1) / d[i];
       enter = std::max(enter, std::min(a, b));
       leave = std::min(leave, std::max(a, b));
     }
@@ -48,7 +49,7 @@ class BoxOccluder : public Occluder {
   glm::dvec3 centre_C_;
 };
 
-/// Truncated cone from the disc at `from` along `axis`. The radius at height h is r0 + slope h.
+/// Truncated cone from the disc at `from` along `axis`. Its radius at the height h is r0 + slope h.
 class FrustumOccluder : public Occluder {
  public:
   FrustumOccluder(glm::dvec3 from_C, glm::dvec3 to_C, double fromRadius, double toRadius)
@@ -72,8 +73,8 @@ class FrustumOccluder : public Occluder {
     return glm::dot(offset, offset) <= radius * radius;
   }
 
-  // Solves |x - h axis|^2 = (r0 + slope h)^2 with x = s + u d, where s is the line's point nearest the first
-  // disc's centre, so that no large numbers cancel.
+  // Solves |x - h axis|^2 = (r0 + slope h)^2 for points x = s + u d of the line of sight. s is the point of the
+  // line nearest to the centre of the first disc, so that no large numbers cancel.
   bool meetsSide(const SightLine& sight, double t) const {
     const glm::dvec3& d = sight.direction_C;
     const glm::dvec3 from = from_ - sight.origin_C;
@@ -149,7 +150,7 @@ std::vector<std::unique_ptr<const Occluder>> occludersOf(const draw::DrawList& l
 SphereMap::SphereMap(glm::dvec3 centre, const glm::dmat3& semiAxes_C)
     : centre_C(centre), toUnitSphere(glm::inverse(semiAxes_C)) {}
 
-// Computes from the line's point nearest the centre, so that no large numbers cancel.
+// Starts from the point of the line nearest to the centre, so that no large numbers cancel.
 SphereMap::Chord SphereMap::chord(const SightLine& sight) const {
   const glm::dvec3& direction = sight.direction_C;
   const glm::dvec3 centre = centre_C - sight.origin_C;

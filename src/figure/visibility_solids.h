@@ -10,8 +10,8 @@
 
 namespace poinsot::figure {
 
-/// Line of sight: the points origin_C + t * direction_C in camera axes C. origin_C.z is 0 (the eye, or a point
-/// beside it for parallel rays) and direction_C.z is -1, so that t is the distance along the view, as depth is.
+/// Line of sight: points origin_C + t * direction_C in camera axes C. It starts at the eye or, with parallel rays,
+/// in the plane of the eye, so origin_C.z is 0. direction_C.z is -1, so t is the distance along the view.
 struct SightLine {
   glm::dvec3 origin_C{0};
   glm::dvec3 direction_C{0, 0, -1};
@@ -22,17 +22,17 @@ struct SightLine {
 class Occluder {
  public:
   virtual ~Occluder() = default;
-  /// Returns whether the line of sight meets the solid nearer than `t`.
+  /// Returns whether the line of sight meets the solid at a distance less than `t`.
   virtual bool hides(const SightLine& sight, double t) const = 0;
 };
 
-/// Returns the solids of a list that are wholly in front of the camera, and its tubes.
+/// Returns all tubes of a list, and its other solids that are completely in front of the camera.
 std::vector<std::unique_ptr<const Occluder>> occludersOf(const draw::DrawList& list);
 
-/// Affine image of the unit sphere, for intersection with a line of sight.
+/// Ellipsoid as an affine image of the unit sphere. It computes where a line of sight meets the ellipsoid.
 struct SphereMap {
   glm::dvec3 centre_C{0};
-  glm::dmat3 toUnitSphere{1};  ///< inverse of the semi-axis matrix
+  glm::dmat3 toUnitSphere{1};  ///< inverse of the matrix whose columns are the semi-axes
 
   SphereMap(glm::dvec3 centre, const glm::dmat3& semiAxes_C);
 
@@ -42,21 +42,21 @@ struct SphereMap {
     bool meets = false;
   };
   Chord chord(const SightLine& sight) const;
-  /// Returns the outward unit normal at distance t along the line. @pre t is an end of its chord.
+  /// Returns the outward unit normal of the ellipsoid at a point of the line. @pre t is an end of its chord.
   glm::dvec3 normal_C(const SightLine& sight, double t) const;
 };
 
-/// Returns whether an ellipsoid lies wholly beyond the camera's near distance.
+/// Returns whether an ellipsoid is completely farther away than the camera's near distance.
 bool inFront(const draw::Camera& camera, glm::dvec3 centre_C, const glm::dmat3& semiAxes_C);
 
-/// Turns a direction, or the columns of a matrix, from picture axes V to camera axes C.
+/// Rotates a direction, or the columns of a matrix, from picture axes V to camera axes C.
 glm::dvec3 turnToCamera(const draw::Camera& camera, glm::vec3 direction_V);
 glm::dmat3 turnToCamera(const draw::Camera& camera, const glm::mat3& columns_V);
 
-/// Returns null if the mesh is empty or not wholly in front of the camera.
+/// Returns the occluder of a mesh, or null if mesh.mesh is null or not completely in front of the camera.
 std::unique_ptr<const Occluder> makeMeshOccluder(const draw::Camera& camera, const draw::Mesh& mesh);
 
-/// Returns null for a flat curve (radius_V = 0) and for a curve with fewer than two points.
+/// Returns the occluder of a tube, or null for a flat curve (radius_V = 0) or fewer than two points.
 std::unique_ptr<const Occluder> makeTubeOccluder(const draw::Camera& camera, const draw::Curve& curve);
 
 }  // namespace poinsot::figure

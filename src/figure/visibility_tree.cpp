@@ -8,7 +8,7 @@
 namespace poinsot::figure {
 namespace {
 
-constexpr std::size_t kLeaf = 4;  // more boxes cost memory, fewer cost tests; results do not depend on it
+constexpr std::size_t kLeaf = 4;  // number of objects in a leaf; smaller leaves cost memory, larger ones cost time
 
 }  // namespace
 
@@ -27,7 +27,7 @@ BoundsTree::BoundsTree(const std::vector<Bounds>& things) : order_(things.size()
   if (!things.empty()) build(things, 0, things.size());
 }
 
-// Splits the things in half across the longest side of the box around their centres.
+// Builds a node: divides the objects into two halves across the longest side of the box around their centres.
 std::size_t BoundsTree::build(const std::vector<Bounds>& things, std::size_t first, std::size_t count) {
   Bounds bounds, middles;
   const auto middle = [&](std::size_t k) { return things[k].low + things[k].high; };

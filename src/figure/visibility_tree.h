@@ -7,7 +7,7 @@
 
 namespace poinsot::figure {
 
-/// Axis-aligned box, empty until include().
+/// Axis-aligned box. It is empty until include() is called.
 struct Bounds {
   glm::dvec3 low{1e300};
   glm::dvec3 high{-1e300};
@@ -21,12 +21,12 @@ struct Line {
   glm::dvec3 direction{0};
 };
 
-/// Tree of bounding boxes, so that a line is tested only against the few things near it.
+/// Tree of bounding boxes. With it, a line is tested only against the objects near the line.
 class BoundsTree {
  public:
   explicit BoundsTree(const std::vector<Bounds>& things);
 
-  /// Calls meets(i) for each thing i whose box the line enters before `t`, until a call returns true.
+  /// Calls meets(i) for each object i whose box the line enters before `t`. Stops when a call returns true.
   template <typename Meets>
   bool any(const Line& line, double t, const Meets& meets) const {
     std::vector<std::size_t> open;
@@ -43,7 +43,7 @@ class BoundsTree {
   }
 
  private:
-  /// Node of the tree. A leaf holds `count` things from order_[first]; an inner node (count 0) has two children.
+  /// Node of the tree. A leaf has `count` objects from order_[first] on. An inner node has `count` 0.
   struct Node {
     Bounds bounds;
     std::size_t first = 0, count = 0;

@@ -13,7 +13,8 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-// Occluder in the mesh's own axes M, in which its tree is built. Distances along the line are the same there.
+// Occluder that tests lines in the mesh's own axes M. Its tree is built in M. Distances t along a line are the
+// same there.
 class MeshOccluder : public Occluder {
  public:
   MeshOccluder(std::shared_ptr<const draw::TriangleMesh> mesh, glm::dvec3 origin_C, const glm::dmat3& axes_C)
@@ -36,9 +37,9 @@ class MeshOccluder : public Occluder {
     return all;
   }
 
-  // Returns whether the line passes inside the triangle: if so, it turns the same way about all three edges.
-  // Triangles that share an edge get the same number with opposite signs, so that no line slips between
-  // neighbours.
+  // Returns whether the line passes through the triangle. A line inside turns about all three edges in the same
+  // direction. For two triangles with a common edge, the numbers of that edge differ only in sign, so no line can
+  // pass between neighbours.
   bool meets(const Triangle& triangle, const Line& line, double t) const {
     const auto corner = [&](std::size_t i) { return glm::dvec3(mesh_->vertices_M[triangle[i]]) - line.origin; };
     const glm::dvec3 a = corner(0), b = corner(1), c = corner(2);
@@ -46,7 +47,7 @@ class MeshOccluder : public Occluder {
                  w = turn(line, triangle[0], triangle[1], a, b);
     if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return false;
     const double sum = u + v + w;
-    if (sum == 0) return false;  // seen edge-on: the line meets the neighbours
+    if (sum == 0) return false;  // the triangle is seen edge-on; its neighbours hide what is behind
     const glm::dvec3 hit = (u * a + v * b + w * c) / sum;
     const double at = glm::dot(hit, line.direction) / glm::dot(line.direction, line.direction);
     return at > 0 && at < t;

@@ -11,7 +11,7 @@
 namespace poinsot::figure {
 namespace {
 
-// Tube as a chain of cylinders with balls at their joints. The ends are flat, as they are drawn.
+// Tube as a chain of cylinders with balls at the joints. The ends of the tube are flat, as in the renderer.
 class TubeOccluder : public Occluder {
  public:
   TubeOccluder(std::vector<glm::dvec3> points_C, bool closed, double radius, double lift, double near)
@@ -24,7 +24,7 @@ class TubeOccluder : public Occluder {
 
   bool hides(const SightLine& sight, double t) const override {
     const Line line{sight.origin_C, sight.direction_C};
-    const double limit = t + lift_;  // the tube is drawn that much nearer than it is
+    const double limit = t + lift_;  // the tube is drawn nearer to the eye by lift_
     return tree_.any(line, limit, [&](std::size_t k) {
       return !behind(k) && (meetsCylinder(k, sight, limit) || meetsJoint(k, sight, limit));
     });
@@ -62,7 +62,7 @@ class TubeOccluder : public Occluder {
     return enter > 0 && enter < t && height >= 0 && height <= 1;
   }
 
-  // Tests the ball at the far end of piece k, which exists if another piece follows.
+  // Tests the ball at the far end of piece k. There is a ball only if another piece follows.
   bool meetsJoint(std::size_t k, const SightLine& sight, double t) const {
     if (!closed_ && k + 1 == pieces()) return false;
     const SphereMap::Chord chord = SphereMap(point(k + 1), glm::dmat3(radius_)).chord(sight);

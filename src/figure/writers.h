@@ -14,10 +14,9 @@ struct Figure {
   const image::Image& imagePart;
   const FigureOptions& options;
 
-  double pointsPerPixel() const;  ///< in points of 1/72 inch
+  double pointsPerPixel() const;  ///< length of a pixel's side in points of 1/72 inch
   double dpi() const { return 72 / pointsPerPixel(); }
-  /// Returns whether the picture has paper. Without paper, a label has no halo of paper; its halo is a hole in the
-  /// image part.
+  /// Returns whether the picture has an opaque background. If not, halos of labels are holes in the image part.
   bool hasPaper() const { return imagePart.channels == 3; }
 };
 
@@ -26,7 +25,7 @@ using Bytes = std::vector<std::uint8_t>;
 Bytes pdfOf(const Figure& figure);
 std::string svgOf(const Figure& figure);
 
-/// @param imageName  name of the image part's PNG, which is beside the TeX file.
+/// @param imageName  name of the PNG with the image part, in the folder of the TeX file.
 std::string tikzOf(const Figure& figure, const std::string& imageName);
 
 }  // namespace poinsot::figure

@@ -8,7 +8,8 @@
 
 namespace poinsot::geometry {
 
-/// Returns the number whose bytes, in `order`, begin `bytes`. @pre at least sizeof(T) bytes.
+/// Returns the number of type T that is stored in the first bytes of `bytes`, in the byte order `order`.
+/// @pre at least sizeof(T) bytes.
 template <typename T>
 T fromBytes(std::string_view bytes, std::endian order) {
   std::array<char, sizeof(T)> own;

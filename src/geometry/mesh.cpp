@@ -22,8 +22,8 @@ struct Place {
   auto operator<=>(const Place&) const = default;  // NOLINT(modernize-use-nullptr): of what is made here
 };
 
-/// Returns, for each vertex, the first vertex at the same place. Sorts instead of hashing, so that a file cannot
-/// choose a slow case. Sorts copies of the places, because sorting indices to them is slower by half.
+/// Returns, for each vertex, the index of the first vertex at the same position. The positions are copied and
+/// sorted. Sorting indices instead would be slower, and hashing has slow cases that a hostile file could provoke.
 std::vector<std::uint32_t> firstAtEachPlace(const std::vector<Eigen::Vector3d>& vertices_M) {
   std::vector<Place> places;
   places.reserve(vertices_M.size());
@@ -41,7 +41,7 @@ std::vector<std::uint32_t> firstAtEachPlace(const std::vector<Eigen::Vector3d>& 
 }  // namespace
 
 std::string toString(const FilePlace& place) {
-  const std::uint64_t number = place.number;  // a reference cannot bind to a bit field
+  const std::uint64_t number = place.number;  // copied, because a reference cannot bind to a bit field
   return fmt::format("{} {}", place.isLine ? "line" : "byte", number);
 }
 
@@ -71,7 +71,7 @@ Mesh joined(Mesh a, const Mesh& b) {
 }
 
 Mesh transformed(Mesh mesh, const Eigen::Matrix3d& A, const Eigen::Vector3d& offset_M) {
-  const Eigen::Matrix3d scaled = A / A.cwiseAbs().maxCoeff();  // otherwise the product of small lengths underflows
+  const Eigen::Matrix3d scaled = A / A.cwiseAbs().maxCoeff();  // prevents underflow of the determinant
   POINSOT_EXPECT(scaled.determinant() > 0);
   for (Eigen::Vector3d& v : mesh.vertices_M) v = A.col(0) * v[0] + A.col(1) * v[1] + A.col(2) * v[2] + offset_M;
   return mesh;

@@ -21,7 +21,9 @@ std::string ends(const Mesh& mesh, Edge e) {
   return text(mesh.vertices_M[lowerEnd(e)]) + " to " + text(mesh.vertices_M[higherEnd(e)]);
 }
 
-/// Returns " (of the triangle at line 12)" for the words "of the triangle at"; empty for a mesh that was not read.
+/// Returns the file positions of triangles for a message, such as " (of the triangle at line 12)". Returns an
+/// empty text for a mesh that was not read from a file.
+/// @param words  text before the positions, such as "of the triangle at"
 std::string inFile(const Mesh& mesh, const char* words, const std::vector<std::size_t>& triangles) {
   if (mesh.places.empty()) return "";
   std::string places;
@@ -40,7 +42,8 @@ std::vector<std::size_t> trianglesAlong(const Mesh& mesh, Edge edge) {
   return found;
 }
 
-/// Returns 1 for one of the two ways that a triangle can face, and -1 for the other.
+/// Returns the orientation of a triangle as 1 or -1. Two triangles with the same corners face the same way if
+/// their values are equal.
 int facing(Mesh::Triangle t) {
   std::rotate(t.begin(), std::ranges::min_element(t), t.end());
   return t[1] < t[2] ? 1 : -1;
@@ -59,8 +62,8 @@ Mesh::Triangle sortedCorners(Mesh::Triangle t) {
   return t;
 }
 
-/// Rejects a triangle that is among `triangles` twice, facing the same way, because its volume would count twice.
-/// Triangles that face the other way cancel it.
+/// Rejects a triangle that occurs twice among `triangles` and faces the same way, because its volume would count
+/// twice. A copy that faces the other way cancels one occurrence.
 void expectDistinct(const Mesh& mesh, std::vector<std::size_t> triangles) {
   const auto corners = [&](std::size_t i) { return sortedCorners(mesh.triangles[i]); };
   std::ranges::sort(triangles, {}, [&](std::size_t i) { return std::pair(corners(i), i); });
@@ -102,11 +105,11 @@ void checkVolume(const Mesh& mesh) {
   const double volume = integrals(mesh).volume_m3, box = size[0] * size[1] * size[2];
   if (std::isinf(volume))
     throw core::sceneError(
-        "the mesh is too large for its volume to be a number; give its lengths in a larger unit");
+        "the volume of the mesh is beyond the range of a double; give its lengths in a larger unit");
   if (volume < -kNoVolume * box)
     throw core::sceneError(fmt::format(
         "the mesh is inside out: its volume is {} m³; flip its triangles (swap two corners of each)", volume));
-  if (!(volume > kNoVolume * box))  // NaN if the volume is exactly 0, because then no centre exists
+  if (!(volume > kNoVolume * box))  // also true for NaN, the result of integrals() for a volume of exactly 0
     throw core::sceneError(
         "the volume of the mesh is 0: its triangles lie in one plane, or each faces another at the same place; "
         "remove the triangles that face inward, or give the surface a thickness");
@@ -116,13 +119,13 @@ void checkParts(const Mesh& mesh) {
   const std::optional<std::size_t> triangle = strayCavity(mesh);
   if (!triangle) return;
   const Eigen::Vector3d& corner = mesh.vertices_M[mesh.triangles[*triangle][0]];
-  throw core::sceneError(fmt::format(
-      "the part of the mesh that has a corner at {}{} is inside out and lies in no other part; flip its "
-      "triangles (swap two corners of each)",
-      text(corner), inFile(mesh, "of the triangle at", {*triangle})));
+  throw core::sceneError(
+      fmt::format("the part of the mesh that has a corner at {}{} is inside out and is not inside another part; "
+                  "flip its triangles (swap two corners of each)",
+                  text(corner), inFile(mesh, "of the triangle at", {*triangle})));
 }
 
-/// Rejects triangles that the mesh has twice. If no directed edge is repeated, there are none.
+/// Rejects a mesh that contains a triangle twice. Only a mesh with a repeated directed edge can contain one.
 void checkDistinct(const Mesh& mesh, const std::vector<Edge>& edges) {
   if (std::ranges::adjacent_find(edges) == edges.end()) return;
   std::vector<std::size_t> all(mesh.triangles.size());

@@ -22,7 +22,7 @@ MeshReading parseMesh(std::string_view bytes, MeshFormat format, const std::stri
                       const MeshLimits& limits) {
   const std::string shown = core::printable(name);
   if (bytes.size() > limits.bytes)
-    throw core::limitError(fmt::format("{} has more than {} bytes, the most that are read", shown, limits.bytes));
+    throw core::limitError(fmt::format("{} has more than the allowed {} bytes", shown, limits.bytes));
   if (bytes.empty())
     throw core::Error(core::ErrorKind::kScene, "the file is empty; export the mesh again",
                       core::SourceLocation{shown});

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Neumaier's compensated sum, in which a million triangles lose no digits.
+/// Neumaier's compensated sum: adding up a million triangles loses no digits.
 class Sum {
  public:
   void add(double term) {
@@ -26,11 +26,11 @@ class Sum {
   double total_ = 0, rest_ = 0;
 };
 
-/// Moments of the inside about the origin of the triangles' coordinates.
+/// Integrals over the inside of a mesh, about the origin of the coordinates.
 struct Moments {
   Sum volume;                 // ∫dV
-  std::array<Sum, 3> first;   // ∫x, ∫y, ∫z
-  std::array<Sum, 6> second;  // ∫xx, ∫yy, ∫zz, ∫yz, ∫zx, ∫xy
+  std::array<Sum, 3> first;   // first moments ∫x, ∫y, ∫z
+  std::array<Sum, 6> second;  // second moments ∫xx, ∫yy, ∫zz, ∫yz, ∫zx, ∫xy
 
   void add(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
     const double det = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
@@ -72,7 +72,8 @@ Moments momentsAbout(const Mesh& mesh, const Frame& frame) {
   return moments;
 }
 
-/// Returns tr(C) 1 - C of the second moments C per volume, moved from the origin to the centre c (eq 14).
+/// Returns the inertia tensor per volume about the centre c: tr(C) 1 - C, where C contains the second moments per
+/// volume about c (eq 14).
 Matrix3d inertiaPerVolume(const Moments& moments, const Vector3d& c) {
   const double V = moments.volume.value();
   Matrix3d I;

@@ -8,29 +8,30 @@
 
 namespace poinsot::geometry {
 
-/// Integrals over the inside of a closed surface, in the mesh's axes M. They describe a homogeneous body of mass m
-/// completely: mass m, centre `centre_M`, inertia m·inertiaPerMass_M.
+/// Volume, centre and inertia of the space inside a closed surface, in the mesh's axes M. If a homogeneous body of
+/// mass m fills this space, its inertia is m·inertiaPerMass_M.
 struct MeshIntegrals {
   double volume_m3 = 0;
   Eigen::Vector3d centre_M = Eigen::Vector3d::Zero();
   Eigen::Matrix3d inertiaPerMass_M = Eigen::Matrix3d::Zero();  ///< about the centre, m² (eq 13); exactly symmetric
 };
 
-/// Computes the integrals by the divergence theorem, from the signed tetrahedra between a point and each triangle
-/// (a, b, c), with det = a·(b × c):
+/// Computes volume, centre and inertia by the divergence theorem. Each triangle (a, b, c) forms a tetrahedron with
+/// a common reference point. The sums run over all tetrahedra; a, b and c are measured from the reference point,
+/// and det = a·(b × c):
 ///   V = Σ det/6,   V centre = Σ det (a + b + c)/24,   ∫r r = Σ det (s s + a a + b b + c c)/120,  s = a + b + c
-/// The point is the centre of the bounding box and, in a second pass, the computed centre: a mesh 1e6 of its
-/// lengths from the origin keeps its digits. Sums are compensated and of fixed order, so that the bits are the
-/// same everywhere.
+/// The reference point is the centre of the bounding box and, in a second pass, the computed centre. A mesh that
+/// is 1e6 of its lengths away from the origin therefore loses no digits. The sums are compensated and have a fixed
+/// order, so that every machine computes the same bits.
 /// Source: the integrals of r and r r over a tetrahedron; B. Mirtich, J. Graphics Tools 1 (1996) 31.
-/// @warning Without meaning for a mesh that is not closed (checkClosed()).
+/// @warning The result is meaningless for a mesh that is not closed (checkClosed()).
 /// @pre at least one vertex; indices in range, coordinates finite.
 MeshIntegrals integrals(const Mesh& mesh);
 
-/// Checks that the mesh bounds a volume. Along each edge, as many triangles run one way as the other, so that
-/// parts may touch at an edge or a face. Outsides face outward, also of each part that lies in no other, and no
-/// triangle is there twice. Triangles with a repeated corner or without area are allowed.
-/// @throws core::Error(kScene) otherwise, naming an edge by its ends and a triangle by its place in the file.
+/// Checks that the mesh bounds a volume. Along each edge, as many triangles must run one way as the other. The
+/// mesh, and each part of it that is not a cavity, must face outward. No triangle may occur twice. Parts may touch
+/// at an edge or a face. Triangles with a repeated corner or without area are allowed.
+/// @throws core::Error(kScene) otherwise, naming an edge by its ends and a triangle by its position in the file.
 /// @pre indices in range, coordinates finite.
 void checkClosed(const Mesh& mesh);
 

@@ -11,17 +11,18 @@
 namespace poinsot::geometry {
 namespace {
 
-constexpr double kRoundingOfDoubles = 1e-9, kRoundingOfFloats = 1e-6;  // relative to the size of the mesh
+constexpr double kRoundingOfDoubles = 1e-9, kRoundingOfFloats = 1e-6;  // distances relative to the mesh's size
 
 struct Corner {
   Eigen::Vector3d place;
   std::uint32_t vertex;
 };
 
-/// Joins corners that lie together. A set of corners is divided at every gap along x, each part along y, then z,
-/// and again, until no axis divides it. There are no cells whose border could separate two neighbours. A chain of
-/// neighbours is not drawn together: a part wider than the reach does not change. Sorts instead of hashing, so
-/// that a file cannot choose a slow case.
+/// Joins corners that are close together. A set of corners is split at every gap along x, then each part along y,
+/// then along z, and so on in turn, until no axis splits a part. The corners of a part are joined, unless the part
+/// is wider than the reach, as a long chain of neighbours is. Cells of a grid would be unsuitable, because their
+/// borders could separate two neighbours. Sorting, unlike hashing, has no slow cases that a hostile file could
+/// provoke.
 class Joiner {
  public:
   Joiner(const Mesh& mesh, double reach) : reach_(reach), target_(mesh.vertices_M.size()) {
@@ -35,9 +36,10 @@ class Joiner {
   const std::vector<std::uint32_t>& target() const { return target_; }
 
  private:
-  static constexpr int kMostRounds = 12;  // each axis four times; for honest files, two rounds are enough
+  static constexpr int kMostRounds = 12;  // four rounds for each axis; two are enough for usual files
 
-  /// @param undivided  number of consecutive axes, up to the one before this, that did not divide these corners.
+  /// Splits corners at gaps along `axis`, then each part along the next axes. Joins the parts that no axis splits.
+  /// @param undivided  number of axes tried in succession that did not split these corners
   void divide(std::span<Corner> corners, int axis, int undivided, int rounds) {
     if (corners.size() < 2) return;
     if (undivided == 3 || rounds == 0) return joinAll(corners);

@@ -11,17 +11,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kMostComparisons = 100'000'000;  // takes about a second
+constexpr std::size_t kMostComparisons = 100'000'000;  // so many comparisons take about a second
 
 struct Part {
-  std::size_t triangle = 0;  ///< the part's first triangle
+  std::size_t triangle = 0;  ///< index of the part's first triangle
   Bounds bounds;
   double volume_m3 = 0;
 
   double noVolume_m3() const { return kNoVolume * bounds.size_m().prod(); }
 };
 
-/// Union-find of the vertices that triangles have in common.
+/// Union-find structure of the vertices: vertices that triangles connect have the same root.
 class Joined {
  public:
   explicit Joined(const Mesh& mesh) : parents_(mesh.vertices_M.size()) {
@@ -47,7 +47,8 @@ class Joined {
   std::vector<std::uint32_t> parents_;
 };
 
-/// Adds a triangle. Volumes are measured from a corner of the part, so that a distant part keeps its digits.
+/// Adds a triangle to a part. The volume is measured from a corner of the part, so that a part far from the origin
+/// loses no digits.
 void add(Part& part, const Mesh& mesh, const Mesh::Triangle& t) {
   const Vector3d& origin = mesh.vertices_M[mesh.triangles[part.triangle][0]];
   const Vector3d a = mesh.vertices_M[t[0]] - origin, b = mesh.vertices_M[t[1]] - origin,
@@ -62,7 +63,9 @@ void add(Part& part, const Mesh& mesh, const Mesh::Triangle& t) {
 std::vector<Part> partsOf(const Mesh& mesh) {
   Joined joined(mesh);
   std::vector<Part> parts;
-  std::vector<std::uint32_t> partAt(mesh.vertices_M.size());  // by root; counted from 1, and 0 if not made yet
+  // Number of the part that has this root vertex, counted from 1. A value of 0 means that the part does not exist
+  // yet.
+  std::vector<std::uint32_t> partAt(mesh.vertices_M.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const Mesh::Triangle& t = mesh.triangles[i];
     std::uint32_t& at = partAt[joined.root(t[0])];

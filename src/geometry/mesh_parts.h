@@ -8,14 +8,15 @@
 
 namespace poinsot::geometry {
 
-/// Volume, relative to the bounding box, below which only rounding is left: the surface is folded onto itself.
+/// Volume that counts as 0, as a fraction of the bounding box. A surface that is folded onto itself has such a
+/// volume, which consists only of rounding errors.
 inline constexpr double kNoVolume = 1e-14;
 
-/// Finds a part of a closed mesh that is inside out and lies in no other part. Such a part is no cavity, and its
-/// volume would count as negative. A part is joined by common vertices. Whether it lies in another is decided by
-/// bounding boxes, so that a true cavity is never reported.
-/// @returns a triangle of the part, or nullopt. Also nullopt for a mesh of so many parts that comparing them would
-/// take longer than reading it.
+/// Finds a part of a closed mesh that is inside out and does not lie in another part. Such a part is not a cavity,
+/// and its volume would count as negative. Triangles with common vertices belong to the same part. Bounding boxes
+/// decide whether a part lies in another, so that a true cavity is never reported.
+/// @returns the index of a triangle of the part, or nullopt if there is no such part. Also returns nullopt if the
+/// mesh has so many parts that comparing them would take longer than reading the file.
 /// @pre as many triangles run one way along each edge as the other; indices in range, coordinates finite.
 std::optional<std::size_t> strayCavity(const Mesh& mesh);
 

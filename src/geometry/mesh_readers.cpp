@@ -24,7 +24,7 @@ std::string withByte(const FilePlace& place, const std::string& message) {
   return place.isLine ? message : toString(place) + ": " + message;
 }
 
-/// Removes a plus sign, which std::from_chars() rejects; "+-1" stays invalid.
+/// Removes a leading plus sign, because std::from_chars() rejects it. "+-1" stays invalid.
 std::string_view withoutPlus(std::string_view word) {
   if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
   return word;
@@ -51,14 +51,12 @@ void MeshBuilder::refuseAmount(const FilePlace& place, const std::string& messag
 
 void MeshBuilder::expectTriangles(std::uint64_t count, const FilePlace& place) const {
   if (count > limits_.triangles)
-    refuseAmount(place,
-                 fmt::format("the mesh has more than {} triangles, the most that are read", limits_.triangles));
+    refuseAmount(place, fmt::format("the mesh has more than the allowed {} triangles", limits_.triangles));
 }
 
 void MeshBuilder::expectVertices(std::uint64_t count, const FilePlace& place) const {
   if (count > limits_.vertices())
-    refuseAmount(place,
-                 fmt::format("the mesh has more than {} vertices, the most that are read", limits_.vertices()));
+    refuseAmount(place, fmt::format("the mesh has more than the allowed {} vertices", limits_.vertices()));
 }
 
 void MeshBuilder::addVertex(const Eigen::Vector3d& v, const FilePlace& place) {
@@ -74,10 +72,9 @@ void MeshBuilder::addFace(std::span<const std::int64_t> corners, const FilePlace
     refuse(place, fmt::format("a face has three corners or more, got {}; remove the face", corners.size()));
   for (const std::int64_t corner : corners)
     if (corner < 0 || static_cast<std::uint64_t>(corner) >= vertexCount())
-      refuse(place,
-             fmt::format("a corner of a face is vertex {} (counted from 0) of {} so far; name one of these, and "
-                         "put vertices before faces",
-                         corner, vertexCount()));
+      refuse(place, fmt::format("a corner of a face refers to vertex {} (counted from 0), but there are only {} "
+                                "so far; refer to one of these, and put vertices before faces",
+                                corner, vertexCount()));
   expectTriangles(mesh_.triangles.size() + corners.size() - 2, place);
   const auto at = [&](std::size_t i) { return static_cast<std::uint32_t>(corners[i]); };
   for (std::size_t i = 2; i < corners.size(); ++i) {
@@ -146,9 +143,8 @@ double toNumber(std::string_view given, const FilePlace& place, const MeshBuilde
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error == std::errc::result_out_of_range)
-    builder.refuse(place,
-                   fmt::format("{} is beyond the numbers that a double holds; give lengths in a larger unit",
-                               core::printable(given)));
+    builder.refuse(place, fmt::format("{} is beyond the range of a double; give lengths in a larger unit",
+                                      core::printable(given)));
   if (given.empty() || error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
     refuseWord(given, "a number", place, builder);
   return value;

@@ -13,28 +13,34 @@
 
 namespace poinsot::geometry {
 
-/// Builder of a mesh from the data that a reader finds. Checks the data, and reports errors with their place.
+/// Builder of a mesh from the vertices and faces of a file. Checks the data, and reports errors with their
+/// position in the file.
 class MeshBuilder {
  public:
   MeshBuilder(std::string name, const MeshLimits& limits) : name_(std::move(name)), limits_(limits) {}
 
   std::size_t vertexCount() const { return mesh_.vertices_M.size(); }
 
-  /// @throws core::Error at `place` if a coordinate is not finite, or beyond the limit.
+  /// Adds a vertex.
+  /// @throws core::Error at `place` if a coordinate is not finite, or if the mesh has too many vertices.
   void addVertex(const Eigen::Vector3d& v, const FilePlace& place);
 
-  /// Adds a polygon as a fan of triangles from its first corner. @throws core::Error at `place` for fewer than
-  /// three corners, for a corner that is no vertex so far, or beyond the limit.
+  /// Adds a polygon as a fan of triangles from its first corner.
+  /// @throws core::Error at `place` for fewer than three corners, for a corner whose vertex was not added before,
+  /// or if the mesh has too many triangles.
   void addFace(std::span<const std::int64_t> corners, const FilePlace& place);
 
-  /// Rejects a count in a header that is beyond the limit, before any data are read by it.
+  /// Rejects a number of triangles beyond the limit; expectVertices() does the same for vertices. Readers check
+  /// declared counts in this way before they read any data.
   void expectTriangles(std::uint64_t count, const FilePlace& place) const;
   void expectVertices(std::uint64_t count, const FilePlace& place) const;
 
-  /// Notes data that are ignored at `place`. Notes with the same text become one, with the first place and count.
+  /// Adds a note that data at `place` are ignored. Notes with the same text become one note, with the first
+  /// position and the number of positions.
   void note(const FilePlace& place, const std::string& text);
 
-  /// Returns the mesh and leaves the builder empty. The mesh is welded, and corners are joined if that closes it.
+  /// Returns the mesh and leaves the builder empty. The mesh is welded. Its corners are joined if that closes the
+  /// surface.
   /// @throws core::Error if the mesh has no triangle.
   MeshReading finished();
 
@@ -61,8 +67,8 @@ void readObj(std::string_view text, MeshBuilder& builder);
 void readStl(std::string_view bytes, MeshBuilder& builder);
 void readPly(std::string_view bytes, MeshBuilder& builder);
 
-/// Reader of the lines of a text. A line ends at \n, and \r before it is white space. A UTF-8 byte-order mark at
-/// the start is skipped.
+/// Reader of the lines of a text. A line ends at \n; a \r before the \n counts as white space. A UTF-8 byte-order
+/// mark at the start is skipped.
 class LineReader {
  public:
   explicit LineReader(std::string_view text) : rest_(text) {
@@ -79,12 +85,12 @@ class LineReader {
   std::uint64_t number_ = 0;
 };
 
-/// Removes the first word from a line and returns the word; empty if there is none.
+/// Removes the first word from a line and returns the word, or an empty text if the line has no word.
 std::string_view takeWord(std::string_view& line);
 
-/// Returns the finite number that a word spells. @throws core::Error at `place` otherwise.
+/// Parses a word as a finite number. @throws core::Error at `place` if it is not one.
 double toNumber(std::string_view word, const FilePlace& place, const MeshBuilder& builder);
-/// Returns the whole number that a word spells. @throws core::Error at `place` otherwise.
+/// Parses a word as a whole number. @throws core::Error at `place` if it is not one.
 std::int64_t toWhole(std::string_view word, const FilePlace& place, const MeshBuilder& builder);
 
 }  // namespace poinsot::geometry

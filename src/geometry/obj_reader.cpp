@@ -8,15 +8,15 @@
 namespace poinsot::geometry {
 namespace {
 
-/// Returns the vertex of a corner "v", "v/vt", "v//vn" or "v/vt/vn", counted from 0. Negative numbers count back.
+/// Returns the vertex index, from 0, of a face's corner, which is written "v", "v/vt", "v//vn" or "v/vt/vn". A
+/// negative v counts back from the last vertex.
 std::int64_t cornerOf(std::string_view word, const FilePlace& place, const MeshBuilder& builder) {
   const std::int64_t number = toWhole(word.substr(0, word.find('/')), place, builder);
   const auto count = static_cast<std::int64_t>(builder.vertexCount());
   if (number == 0 || number > count || number < -count)
-    builder.refuse(place,
-                   fmt::format("a corner of a face is vertex {} of {} so far; count from 1, or back from the "
-                               "last with -1, and put vertices before faces",
-                               number, count));
+    builder.refuse(place, fmt::format("a corner of a face refers to vertex {}, but there are only {} so far; "
+                                      "count from 1, or back from the last with -1, and put vertices before faces",
+                                      number, count));
   return number > 0 ? number - 1 : count + number;
 }
 
@@ -31,12 +31,12 @@ void readFace(std::string_view rest, const FilePlace& place, MeshBuilder& builde
   for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
     corners.push_back(cornerOf(word, place, builder));
     builder.expectTriangles(corners.size() < 3 ? 0 : corners.size() - 2,
-                            place);  // checked before more corners are stored
+                            place);  // stops an endless face before it fills the memory
   }
   builder.addFace(corners, place);
 }
 
-/// Returns the line without its comment, joined with the lines that follow a backslash at its end.
+/// Returns the current line without its comment. If a line ends with a backslash, the next line is appended.
 std::string wholeLine(LineReader& lines) {
   std::string whole(lines.line());
   const auto continues = [&] {

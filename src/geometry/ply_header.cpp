@@ -36,7 +36,8 @@ class HeaderReader {
 
   PlyHeader read() {
     if (nextKey() != "ply")
-      refuse("a PLY file begins with a line \"ply\"; give the file the ending of its own format");
+      refuse(
+          "a PLY file begins with a line \"ply\"; if this is another format, rename the file with its extension");
     if (nextKey() != "format")
       refuse(
           "the second line of a PLY file is its format, such as \"format ascii 1.0\"; add it, or export the mesh "
@@ -74,14 +75,15 @@ class HeaderReader {
     PlyElement element;
     element.name = takeWord(line_);
     const std::int64_t count = toWhole(takeWord(line_), lines_.place(), builder_);
-    if (count < 0) refuse(fmt::format("an element has 0 rows or more, got {}; export the mesh again", count));
+    if (count < 0)
+      refuse(fmt::format("an element must have at least 0 rows, got {}; export the mesh again", count));
     element.count = static_cast<std::uint64_t>(count);
     element.place = lines_.place();
     header_.elements.push_back(std::move(element));
   }
 
   void readProperty() {
-    if (header_.elements.empty()) refuse("a property stands before the first element; export the mesh again");
+    if (header_.elements.empty()) refuse("a property comes before the first element; export the mesh again");
     PlyProperty property;
     std::string_view type = takeWord(line_);
     if (type == "list") {

@@ -15,11 +15,11 @@ enum class PlyScalar { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32
 
 inline bool isWhole(PlyScalar type) { return type != PlyScalar::kFloat32 && type != PlyScalar::kFloat64; }
 
-/// Property of an element: a number in each row, or a list of numbers after their count.
+/// Property of an element. Each row of the element has one number, or a list: a count followed by as many numbers.
 struct PlyProperty {
   std::string name;
   PlyScalar type = PlyScalar::kFloat32;
-  std::optional<PlyScalar> countType;  ///< type of a list's count; nullopt if the property is one number
+  std::optional<PlyScalar> countType;  ///< type of a list's count; nullopt if the property is not a list
 };
 
 struct PlyElement {
@@ -36,7 +36,7 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
-/// Reads the header. `lines` is then at the header's last line, end_header.
+/// Reads the header. Afterwards, `lines` is at the last line of the header, end_header.
 PlyHeader readPlyHeader(LineReader& lines, const MeshBuilder& builder);
 
 }  // namespace poinsot::geometry

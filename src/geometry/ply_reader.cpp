@@ -12,26 +12,26 @@
 namespace poinsot::geometry {
 namespace {
 
-constexpr const char* kEnd = "the file ends before the last row that its header counts; export the mesh again";
+constexpr const char* kEnd = "the file ends before the last row that its header declares; export the mesh again";
 
-/// Reader of the numbers of the body, one after another, in rows.
+/// Reader of the numbers in the body of a PLY file, row by row.
 class Values {
  public:
   virtual ~Values() = default;
   virtual void beginRow() {}
-  /// Skips the rest of the row, with a note.
+  /// Skips the rest of the row. Adds a note if the row has surplus numbers.
   virtual void endRow() {}
   /// Adds a note if data are left after the last row.
   virtual void finish() = 0;
   virtual double next(PlyScalar type) = 0;
   virtual std::int64_t nextWhole(PlyScalar type) = 0;
-  virtual FilePlace place() const = 0;  ///< place of the last number
+  virtual FilePlace place() const = 0;  ///< position of the last number that was read
 };
 
 bool isBlank(std::string_view line) { return takeWord(line).empty(); }
 
-/// Returns whether a text has a line for each row, as it should. Otherwise, rows continue across line ends, or
-/// several rows share a line.
+/// Returns whether the text has exactly one line for each row, as is usual. In other files, rows continue on the
+/// next line, or one line contains several rows.
 bool isByLines(LineReader lines, const PlyHeader& header) {
   std::uint64_t rows = 0, filled = 0;
   for (const PlyElement& element : header.elements) rows += element.count;
@@ -59,7 +59,7 @@ class AsciiValues : public Values {
   void endRow() override {
     if (!byLines_) return;
     if (!isBlank(line_))
-      builder_.note(place(), "the line has more numbers than the header promises; the rest is passed over");
+      builder_.note(place(), "the line has more numbers than the header declares; the rest is ignored");
     line_ = {};
   }
   void finish() override {
@@ -67,7 +67,7 @@ class AsciiValues : public Values {
       if (!lines_.next()) return;
       line_ = lines_.line();
     }
-    builder_.note(place(), "what follows the last row that the header counts is passed over");
+    builder_.note(place(), "the text after the last row that the header declares is ignored");
   }
   FilePlace place() const override { return lines_.place(); }
 
@@ -82,7 +82,7 @@ class AsciiValues : public Values {
   std::string_view nextWord() {
     if (isBlank(line_) && byLines_)
       builder_.refuse(place(),
-                      "the line has fewer numbers than the header promises; add them, or export the mesh again");
+                      "the line has fewer numbers than the header declares; add them, or export the mesh again");
     if (isBlank(line_)) nextLine();
     return takeWord(line_);
   }
@@ -119,11 +119,11 @@ class BinaryValues : public Values {
     }
     return take<double>();
   }
-  /// Whole types have at most 32 bits, which a double holds exactly.
+  /// Returns an exact value: integers of a PLY file have at most 32 bits, which a double represents exactly.
   std::int64_t nextWhole(PlyScalar type) override { return static_cast<std::int64_t>(next(type)); }
   void finish() override {
     if (at_ < bytes_.size())
-      builder_.note(atByte(at_), fmt::format("{} bytes after the last row that the header counts are passed over",
+      builder_.note(atByte(at_), fmt::format("{} bytes after the last row that the header declares are ignored",
                                              bytes_.size() - at_));
   }
   FilePlace place() const override { return atByte(last_); }
@@ -168,7 +168,7 @@ class BodyReader {
 
   void readVertices(const PlyElement& element) {
     builder_.expectVertices(element.count, element.place);
-    std::vector<int> axes;  // axis of each property; -1 if ignored
+    std::vector<int> axes;  // axis of each property, 0 to 2; -1 if the property is ignored
     for (const PlyProperty& p : element.properties)
       axes.push_back(p.countType ? -1 : p.name == "x" ? 0 : p.name == "y" ? 1 : p.name == "z" ? 2 : -1);
     for (int axis = 0; axis < 3; ++axis)
@@ -208,7 +208,7 @@ class BodyReader {
   void readFace(const PlyProperty& property) {
     const std::uint64_t count = countOf(property);
     const FilePlace place = values_.place();
-    builder_.expectTriangles(count, place);  // checked before so many corners are stored
+    builder_.expectTriangles(count, place);  // rejects a huge count before its corners are stored
     std::vector<std::int64_t> corners;
     for (std::uint64_t i = 0; i < count; ++i) corners.push_back(values_.nextWhole(property.type));
     builder_.addFace(corners, place);
@@ -223,7 +223,7 @@ class BodyReader {
     const std::int64_t count = values_.nextWhole(*list.countType);
     if (count < 0)
       builder_.refuse(values_.place(),
-                      fmt::format("a list has 0 numbers or more, got {}; export the mesh again", count));
+                      fmt::format("a list must have at least 0 numbers, got {}; export the mesh again", count));
     return static_cast<std::uint64_t>(count);
   }
 

@@ -17,11 +17,11 @@ using Eigen::Vector3d;
 
 constexpr double kPhi = std::numbers::phi;
 
-/// Adds (x, y, z) with every choice of signs of its nonzero coordinates, each point once.
+/// Adds the points (±x, ±y, ±z) with all combinations of signs, each point once.
 void addSigns(std::vector<Vector3d>& points, const Vector3d& v) {
   for (int signs = 0; signs < 8; ++signs) {
     const Vector3d flip(signs & 1 ? -1 : 1, signs & 2 ? -1 : 1, signs & 4 ? -1 : 1);
-    const Vector3d point = v.cwiseProduct(flip) + Vector3d::Zero();  // + 0 turns -0 into 0
+    const Vector3d point = v.cwiseProduct(flip) + Vector3d::Zero();  // adding 0 turns -0 into 0
     if (std::ranges::find(points, point) == points.end()) points.push_back(point);
   }
 }
@@ -45,16 +45,17 @@ std::vector<Vector3d> dodecahedronCorners() {
 }
 std::vector<Vector3d> tetrahedronCorners() { return {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}; }
 
-/// Returns the corners farthest along a normal, counter-clockwise about the normal.
+/// Returns the corners of the face with this normal, counter-clockwise. They are the corners farthest along the
+/// normal.
 std::vector<std::uint32_t> faceAlong(const std::vector<Vector3d>& corners, const Vector3d& normal) {
-  constexpr double kSame = 1e-9;  // corners of one face agree to rounding; others are far off
+  constexpr double kSame = 1e-9;  // corners of a face differ only by rounding; other corners differ much more
   double farthest = 0;
   for (const Vector3d& corner : corners) farthest = std::max(farthest, corner.dot(normal));
   std::vector<std::uint32_t> face;
   for (std::uint32_t i = 0; i < corners.size(); ++i)
     if (corners[i].dot(normal) > farthest - kSame) face.push_back(i);
-  // Angles are measured from opposite the first corner. That corner gets -4, below every angle, so that rounding
-  // cannot move it from the first place.
+  // Angles are measured from the direction opposite to the first corner. The first corner itself would be at -pi
+  // or +pi, depending on rounding. It gets the angle -4 instead, so that it always comes first.
   const std::uint32_t start = face[0];
   const Vector3d e1 = (corners[start] - normal * (farthest / normal.squaredNorm())).normalized();
   const Vector3d e2 = normal.normalized().cross(e1);
@@ -64,7 +65,9 @@ std::vector<std::uint32_t> faceAlong(const std::vector<Vector3d>& corners, const
   return face;
 }
 
-/// Returns a polyhedron with edges of edge_m, from corners that are `edge` apart and the normals of its faces.
+/// Returns a polyhedron, scaled so that its edges have the length edge_m.
+/// @param edge  distance between neighbouring points of `corners`
+/// @param normals  one normal for each face, of any length
 Mesh polyhedron(const std::vector<Vector3d>& corners, double edge, const std::vector<Vector3d>& normals,
                 double edge_m) {
   Mesh mesh;
@@ -76,7 +79,8 @@ Mesh polyhedron(const std::vector<Vector3d>& corners, double edge, const std::ve
   return mesh;
 }
 
-/// Splits each triangle into four. New vertices are the middles of edges, moved out to the unit sphere.
+/// Splits each triangle into four. The middle of each edge becomes a new vertex, which is moved out to the unit
+/// sphere.
 Mesh subdivided(const Mesh& mesh) {
   Mesh result{mesh.vertices_M, {}};
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
@@ -117,7 +121,7 @@ Mesh icosahedronMesh(double edge_m) { return polyhedron(icosahedronCorners(), 2,
 Mesh boxMesh(const Vector3d& edges_m) { return transformed(cubeMesh(1), edges_m.asDiagonal().toDenseMatrix()); }
 
 Mesh ellipsoidMesh(const Vector3d& semiAxes_m, int subdivisions) {
-  POINSOT_EXPECT(0 <= subdivisions && subdivisions <= 8);  // 8 gives 1.3 million triangles
+  POINSOT_EXPECT(0 <= subdivisions && subdivisions <= 8);  // 8 subdivisions give 1.3 million triangles
   Mesh mesh = icosahedronMesh(1);
   for (Vector3d& v : mesh.vertices_M) v.normalize();
   for (int i = 0; i < subdivisions; ++i) mesh = subdivided(mesh);

@@ -8,7 +8,8 @@ namespace poinsot::geometry {
 
 namespace {
 
-/// Returns whether an edge runs counter-clockwise about the first corner, or straight away from it.
+/// Returns whether the edge from `from` to `to` runs counter-clockwise around the first corner of the outline. An
+/// edge on a line through the first corner is accepted, too.
 bool firstSees(std::span<const Vector2> outline_xy, const Vector2& from, const Vector2& to) {
   const Vector2 a = from - outline_xy[0], b = to - outline_xy[0];
   return a[0] * b[1] - a[1] * b[0] >= 0;

@@ -10,11 +10,11 @@
 namespace poinsot::geometry {
 namespace {
 
-// Binary STL: 80 bytes of any content, the number of triangles, then 50 bytes for each triangle: a normal and
-// three corners as floats, and two bytes of any content.
+// Layout of a binary STL: 80 bytes of any content, then the number of triangles. Each triangle takes 50 bytes: a
+// normal and three corners as floats, and two bytes of any content.
 constexpr std::size_t kHeaderBytes = 84, kCountAt = 80, kTriangleBytes = 50, kNormalBytes = 12;
 
-// Bytes that are searched for the first word, which may follow blank lines.
+// Number of bytes in which the first word is searched for. Blank lines may come before the first word.
 constexpr std::size_t kLongestStart = 4096;
 
 void addTriangle(MeshBuilder& builder, const FilePlace& place) {
@@ -42,11 +42,11 @@ void readBinary(std::string_view bytes, std::uint32_t count, MeshBuilder& builde
   }
   const std::size_t end = kHeaderBytes + kTriangleBytes * std::size_t{count};
   if (bytes.size() > end)
-    builder.note(atByte(end), fmt::format("{} bytes after the last of {} triangles are passed over",
-                                          bytes.size() - end, count));
+    builder.note(atByte(end),
+                 fmt::format("{} bytes after the last of {} triangles are ignored", bytes.size() - end, count));
 }
 
-/// Reader of an ASCII file, line by line. Keywords may be in capitals, and "end" may be a word of its own.
+/// Reader of an ASCII STL, line by line. Accepts keywords in capitals, and "end facet" for "endfacet".
 class Ascii {
  public:
   explicit Ascii(MeshBuilder& builder) : builder_(builder) {}
@@ -84,7 +84,7 @@ class Ascii {
     Eigen::Vector3d v;
     for (double& coordinate : v) coordinate = toNumber(takeWord(line), place, builder_);
     if (!takeWord(line).empty())
-      builder_.note(place, "what follows the three coordinates of a vertex is passed over");
+      builder_.note(place, "the text after the three coordinates of a vertex is ignored");
     builder_.addVertex(v, place);
     ++corners_;
   }
@@ -118,8 +118,8 @@ std::string_view firstWord(std::string_view text) {
   return "";
 }
 
-/// Returns whether a file is ASCII. Many binary files begin with "solid", too, but their count of triangles has a
-/// zero byte.
+/// Returns whether a file is ASCII. Many binary files begin with "solid", too, but their count of triangles
+/// contains a zero byte.
 bool isAscii(std::string_view bytes) {
   return core::lowered(firstWord(bytes.substr(0, kLongestStart))) == "solid" &&
          bytes.substr(0, kHeaderBytes).find('\0') == bytes.npos;
@@ -127,23 +127,24 @@ bool isAscii(std::string_view bytes) {
 
 [[noreturn]] void refuseUnknown(std::string_view bytes, std::uint32_t count, std::uint64_t length,
                                 const MeshBuilder& builder) {
-  constexpr const char* kAscii = "an ASCII STL begins with \"solid\", this file with";
+  constexpr const char* kAscii = "an ASCII STL begins with \"solid\", but this file begins with";
   const std::string start = core::printable(firstWord(bytes.substr(0, kHeaderBytes)).substr(0, 20));
   if (bytes.size() < kHeaderBytes)
-    builder.refuse(atByte(bytes.size()),
-                   fmt::format("the file ends within the {} bytes that begin a binary STL; {} "
-                               "\"{}\"; export the mesh again",
-                               kHeaderBytes, kAscii, start));
+    builder.refuse(
+        atByte(bytes.size()),
+        fmt::format("the file ends within the {} bytes of a binary STL header; {} \"{}\"; export the mesh again",
+                    kHeaderBytes, kAscii, start));
   builder.refuse(
       atByte(kCountAt),
-      fmt::format("the file is cut short or no STL: here a binary one counts its triangles, and {} take {} "
-                  "bytes, the file has {}; {} \"{}\"; export the mesh again",
+      fmt::format("the file is truncated or is not an STL: a binary STL has its count of triangles here, and {} "
+                  "triangles take {} bytes, but the file has {}; {} \"{}\"; export the mesh again",
                   count, length, bytes.size(), kAscii, start));
 }
 
 }  // namespace
 
-// A length that fits the count decides before the first word, because a binary file may begin with "solid", too.
+// If the file has exactly the length that its triangle count requires, it is binary. The first word is checked
+// later, because a binary file may begin with "solid", too.
 void readStl(std::string_view bytes, MeshBuilder& builder) {
   const bool hasHeader = bytes.size() >= kHeaderBytes;
   const auto count = hasHeader ? fromBytes<std::uint32_t>(bytes.substr(kCountAt), std::endian::little) : 0;

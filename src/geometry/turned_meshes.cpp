@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Vertices that one corner of the outline sweeps: a ring, or a single vertex on the axis.
+/// Vertices of one corner of the outline: a ring around the axis, or a single vertex on the axis.
 struct Ring {
   std::uint32_t first = 0;
   std::uint32_t count = 1;
@@ -30,7 +30,8 @@ Ring addRing(Mesh& mesh, const Vector2& corner_rz, int segments) {
   return ring;
 }
 
-/// Adds the band between two neighbouring corners. At the axis, one of the two triangles of a step vanishes.
+/// Adds the triangles between two neighbouring rings. If one ring is a single vertex, each step adds one triangle
+/// instead of two.
 void addBand(Mesh& mesh, const Ring& low, const Ring& high, int segments) {
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(segments); ++i) {
     if (low.count > 1) mesh.triangles.push_back({low.at(i), low.at(i + 1), high.at(i + 1)});
@@ -46,7 +47,7 @@ void addArc(std::vector<Vector2>& outline, const Vector2& centre, double radius,
   }
 }
 
-/// Returns the steps of a quarter circle, as fine as those of the full circles.
+/// Returns the number of segments of a quarter circle, if a full circle has `segments`. Rounds up.
 int quarter(int segments) { return (segments + 3) / 4; }
 
 }  // namespace
@@ -74,7 +75,7 @@ Mesh torusMesh(double radius_m, double tubeRadius_m, int segments) {
 Mesh hemisphereMesh(double radius_m, int segments) {
   std::vector<Vector2> outline{{0, 0}};
   addArc(outline, {0, 0}, radius_m, 0, kPi / 2, quarter(segments));
-  outline.back() = {0, radius_m};  // exactly on the axis
+  outline.back() = {0, radius_m};  // puts the end of the arc exactly on the axis
   return turnedMesh(outline, segments);
 }
 

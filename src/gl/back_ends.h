@@ -10,16 +10,16 @@ namespace poinsot::gl {
 
 using FunctionLoader = void (*(*)(const char*))();
 
-// Base of both back ends' contexts. It keeps the context's place among the contexts of its thread.
+// Base class of both back ends' contexts. It keeps track of which context was current before.
 class NestedContext : public OffscreenContext {
  public:
-  // Records what is current on this thread, and leaves nothing current.
+  // Records which context is current on this thread, and makes no context current.
   NestedContext();
-  // Makes the earlier context current again, unless another context has become current since.
+  // Makes the context that was current before this one current again, unless a third context has become current.
   ~NestedContext() override;
 
   bool isCurrent() const final;
-  // Also loads this thread's table of OpenGL functions.
+  // Makes the context current and loads this thread's table of OpenGL functions.
   void makeCurrent() final;
 
  protected:
@@ -39,27 +39,25 @@ class NestedContext : public OffscreenContext {
 
   std::shared_ptr<Place> place_;
   bool begun_ = false;
-  bool restores_ = true;  // whether its end makes the earlier context current again
+  bool restores_ = true;  // whether the destructor makes the previous context current again
 };
 
 // Makes a new context current and checks that it draws (drawing_check.h).
 // @throws core::Error(kGraphics) if the context is older than OpenGL 3.3 or does not draw.
 void makeReady(NestedContext& context);
 
-// Returns a function that restores the EGL (or OSMesa) context that is current on this thread; null if there is
-// none. releasedEglContext() also releases that context. Neither function opens a library.
+// Each function returns a function that makes the caller's current EGL or OSMesa context current again, or null if
+// no such context is current. releasedEglContext() also releases the context. Neither function opens a library.
 //
-// Mesa's EGL and OSMesa record the current context in one place, and OSMesa reports any context found there as its
-// own. So OSMesa's report counts only after EGL's context was released.
+// Mesa's EGL and OSMesa record the current context in the same variable, so OSMesa reports EGL's context as its
+// own. The report of OSMesa is therefore valid only after EGL's context was released.
 std::function<void()> releasedEglContext();
 std::function<void()> callersOsMesaContext();
 
-// Returns the context that OSMesa reports as current on this thread, which may be EGL's; null if OSMesa is not
-// open.
+// Returns the context that OSMesa reports as current on this thread; it may be EGL's. Null if OSMesa is not open.
 const void* osMesasWord();
 
-// Each of these functions is defined in the one file that knows its library. Contexts are current and ready on
-// return.
+// Opens a context, makes it current and checks it. Each back end has its own source file.
 // @throws core::Error(kGraphics) if the library or the context cannot be opened.
 std::unique_ptr<OffscreenContext> openOsMesaContext();
 void openOsMesaLibrary();

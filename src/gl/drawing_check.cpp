@@ -17,7 +17,8 @@ using Rgba = std::array<std::uint8_t, 4>;
 constexpr int kSide = 8;
 constexpr Rgba kGround{255, 0, 51, 255}, kTriangle{0, 255, 102, 255}, kUnread{85, 85, 85, 85};
 
-/// Covers the pixels with x + y < kSide - 1 completely, and none beyond the diagonal.
+/// The vertices of a triangle over half the picture. All pixels with x + y < kSide - 1 are completely inside;
+/// pixels with x + y >= kSide are outside.
 constexpr const char* kVertexShader =
     "void main() {\n"
     "  gl_Position = vec4(gl_VertexID == 1 ? 1.0 : -1.0, gl_VertexID == 2 ? 1.0 : -1.0, 0.0, 1.0);\n"
@@ -49,11 +50,11 @@ void expectDraws() {
   const Framebuffer target({kSide, kSide}, {GL_RGBA8}, 0);
   target.bind();
   drawTriangle();
-  // Both pixels are away from every edge, so a driver that draws only outlines fails.
+  // One pixel lies inside and one outside, away from all edges, so a driver that draws only outlines fails.
   if (pixelAt(2, 2) == kTriangle && pixelAt(kSide - 2, kSide - 2) == kGround) return;
   throw core::graphicsError(
-      "the back end reports success but does not draw: a triangle did not come out as drawn; "
-      "choose another --backend or reinstall Mesa; `poinsot doctor` tests the back ends");
+      "the back end reports success but does not draw: a test triangle has the wrong pixels; choose another "
+      "--backend or reinstall Mesa; `poinsot doctor` tests the back ends");
 }
 
 }  // namespace poinsot::gl

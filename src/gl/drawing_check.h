@@ -3,8 +3,8 @@
 
 namespace poinsot::gl {
 
-/// Draws a triangle over a ground of another colour, and reads both back. With some debugging settings, a driver
-/// reports success for every call and draws nothing, or only outlines; no later check would notice that.
+/// Checks that OpenGL draws: draws a triangle on a background of another colour and reads a pixel of each. With
+/// some debugging settings, a driver reports success for every call but draws nothing, or only outlines.
 /// @pre a context is current and its functions are loaded.
 /// @throws core::Error(kGraphics) if a pixel has a wrong colour.
 void expectDraws();

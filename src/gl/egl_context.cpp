@@ -52,8 +52,8 @@ const EglFunctions& egl() {
   return functions;
 }
 
-/// Surfaceless EGL display. A process has only one, so contexts of the caller may use it too. It is terminated
-/// with our last context, unless it was initialised before our first.
+/// EGL display without a window system. A process has only one such display, which the caller may use too. It is
+/// terminated with our last context, unless it was already initialised before our first context.
 class SurfacelessDisplay {
  public:
   SurfacelessDisplay() {
@@ -117,7 +117,8 @@ class EglContext final : public NestedContext {
 
  private:
   bool bind() override {
-    unbind();  // else EGL does nothing if OSMesa has replaced this context, which EGL still takes for current
+    // EGL may still consider this context current after OSMesa has replaced it. EGL would then do nothing.
+    unbind();
     egl().bindApi(EGL_OPENGL_API);
     const bool bound = egl().makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
     osMesasWord_ = osMesasWord();
@@ -125,7 +126,8 @@ class EglContext final : public NestedContext {
   }
   void unbind() override { egl().makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
   bool isBound() const override {
-    // An OSMesa context may have replaced this one. If OSMesa was opened later, its report cannot be compared.
+    // An OSMesa context may have replaced this one. The check compares what OSMesa reports now with what it
+    // reported in bind(). If OSMesa was not open in bind(), no comparison is possible.
     return egl().getCurrentContext() == context_ && (!osMesasWord_ || osMesasWord_ == osMesasWord());
   }
   FunctionLoader loader() const override { return reinterpret_cast<FunctionLoader>(egl().getProcAddress); }

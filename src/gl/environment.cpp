@@ -12,18 +12,18 @@
 namespace poinsot::gl {
 namespace {
 
-/// Prefixes of the environment variables that Mesa reads. The program has removed all of them already; a process
-/// that uses the library may need the rest of its environment.
+/// Prefixes of the environment variables that Mesa reads. The poinsot program has removed them at its start. A
+/// process that uses the library has not, and may need the rest of its environment.
 constexpr std::string_view kMesas[] = {
-    "DRAW_",                 // vertices: code path (one of them crashes)
-    "EGL_",     "__EGL_",    // EGL library and vendor
-    "GALLIUM_", "GALLIVM_",  // driver, CPU features, precision; layers that trace or draw nothing
-    "GLSL_",    "NIR_",      // the shader compiler
-    "LIBGL_",                // the driver's folder
-    "LP_",                   // llvmpipe: threads, vector width, no rasterisation
-    "MESA_",                 // versions, extensions, replaced shaders, caches
-    "ST_DEBUG",              // the state tracker: wireframe
-    "TGSI_",                 // shaders of the older kind
+    "DRAW_",                 // processing of vertices: selects the code path, one of which crashes
+    "EGL_",     "__EGL_",    // EGL: library and vendor
+    "GALLIUM_", "GALLIVM_",  // driver, CPU features and precision; debugging layers, some of which draw nothing
+    "GLSL_",    "NIR_",      // compilation of shaders
+    "LIBGL_",                // folder of the drivers
+    "LP_",                   // llvmpipe: number of threads, vector width, switch that disables rasterisation
+    "MESA_",                 // versions, extensions, replacement of shaders, caches
+    "ST_DEBUG",              // debugging of the state tracker, such as wireframe
+    "TGSI_",                 // older intermediate representation of shaders
 };
 
 bool isMesas(std::string_view name) {
@@ -43,11 +43,11 @@ void pinShaderCache(bool reproducible) {
 
 void pinEnvironment(bool reproducible, int rasterThreads) {
   core::clearEnvironment([](std::string_view name) { return !isMesas(name); });
-  pin("GALLIUM_DRIVER", "llvmpipe");     // never softpipe by accident
-  pin("LIBGL_ALWAYS_SOFTWARE", "true");  // EGL: never a GPU by accident
+  pin("GALLIUM_DRIVER", "llvmpipe");     // selects llvmpipe, never the slower softpipe
+  pin("LIBGL_ALWAYS_SOFTWARE", "true");  // EGL must not select a GPU
   pin("EGL_PLATFORM", "surfaceless");
   pin("LP_NUM_THREADS", std::to_string(rasterThreads));
-  // Pixels differ between x86 machines because some use FMA. SSE4.1 has none.
+  // Some x86 machines have fused multiply-add instructions, which change pixels. SSE4.1 excludes them.
   if (reproducible) pin("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1");
   pinShaderCache(reproducible);
 }

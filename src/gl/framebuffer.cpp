@@ -12,8 +12,8 @@ struct ClientFormat {
   GLenum format, type;
 };
 
-// Returns the format and type that glTexImage2D requires besides the internal format. No data is sent, so only the
-// class of the format counts.
+// Returns the format and type arguments of glTexImage2D for an internal format. No data is passed, so these
+// arguments only need to be compatible with the internal format.
 ClientFormat clientFormat(GLenum internal) {
   switch (internal) {
     case GL_DEPTH_COMPONENT32F:
@@ -26,7 +26,7 @@ ClientFormat clientFormat(GLenum internal) {
 }
 
 void requireComplete(glm::ivec2 size) {
-  // llvmpipe reports a texture that is too large here, as GL_OUT_OF_MEMORY.
+  // llvmpipe reports an oversized texture here, as GL_OUT_OF_MEMORY.
   const GLenum error = glGetError();
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (error == GL_NO_ERROR && status == GL_FRAMEBUFFER_COMPLETE) return;

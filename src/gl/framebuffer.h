@@ -8,8 +8,8 @@
 
 namespace poinsot::gl {
 
-/// Framebuffer with its own textures: colour attachments in the order of `colorFormats` (sized internal formats)
-/// and, unless `depthFormat` is 0, a depth texture. Shaders read all of them with texelFetch only.
+/// Framebuffer that owns its textures: one colour texture for each of `colorFormats` (sized internal formats), and
+/// a depth texture unless `depthFormat` is 0. Shaders must read the textures with texelFetch.
 class Framebuffer {
  public:
   /// @throws core::Error(kGraphics) if the size or a format is not available.

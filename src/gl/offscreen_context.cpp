@@ -26,7 +26,8 @@ BackendReport probe(const char* name, std::unique_ptr<OffscreenContext> (*open)(
   }
 }
 
-/// Releases the caller's own context. Returns a function that makes it current again, or null if there is none.
+/// Releases the context that the caller's own code made current. Returns a function that makes this context
+/// current again, or null if there was none.
 std::function<void()> releasedCallersContext() {
   const auto egl = releasedEglContext(), osMesa = callersOsMesaContext();
   if (!egl && !osMesa) return nullptr;
@@ -38,8 +39,8 @@ std::function<void()> releasedCallersContext() {
 
 }  // namespace
 
-/// Context (null after its end), and what was current on its thread before: an earlier poinsot context, otherwise
-/// the caller's context.
+/// Entry of a context in the chain of its thread. `context` is null after the context has ended. `earlier` is the
+/// poinsot context that was current before. If there was none, `callers` restores the caller's context.
 struct NestedContext::Place {
   NestedContext* context = nullptr;
   std::shared_ptr<Place> earlier;
@@ -48,7 +49,7 @@ struct NestedContext::Place {
 
 thread_local std::shared_ptr<NestedContext::Place> NestedContext::latest_;
 
-/// Unlinks earlier contexts that have ended.
+/// Removes contexts that have ended from the chain of earlier contexts.
 NestedContext::Place& NestedContext::settled(Place& place) {
   while (place.earlier && !place.earlier->context) {
     const std::shared_ptr<Place> ended = place.earlier;
@@ -76,7 +77,7 @@ NestedContext::~NestedContext() {
   try {
     if (before.earlier) before.earlier->context->makeCurrent();
     if (before.callers) before.callers();
-  } catch (const Error&) {  // nothing is current then, and the next picture reports it
+  } catch (const Error&) {  // no context is current now; the next picture reports an error
   }
 }
 
@@ -101,7 +102,7 @@ std::string OffscreenContext::renderer() const { return glString(GL_RENDERER); }
 std::string OffscreenContext::version() const { return glString(GL_VERSION); }
 
 std::string OffscreenContext::driver() const {
-  const std::string text = version();  // "4.5 (Core Profile) Mesa 22.3.6"
+  const std::string text = version();  // example: "4.5 (Core Profile) Mesa 22.3.6"
   const std::size_t profile = text.find(") ");
   return profile == std::string::npos ? text.substr(text.find(' ') + 1) : text.substr(profile + 2);
 }
@@ -131,7 +132,7 @@ void preload(Backend backend) {
   if (backend == Backend::kEgl) return;
   try {
     openOsMesaLibrary();
-  } catch (const Error&) {  // openContext() reports it
+  } catch (const Error&) {  // openContext() reports the error
   }
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of OSMesa's interface that are used here, with the names and values of Mesa 22.3. Mesa 25.1 dropped OSMesa
-// and its header GL/osmesa.h. The sources build with any version, because the library is opened at run time, if
-// present.
+// Declarations of the OSMesa functions that poinsot uses, with the names and values of Mesa 22.3. The header
+// GL/osmesa.h is not used, because Mesa 25.1 has removed OSMesa. The library, if present, is opened at run time.
 #pragma once
 
 #include <glad/gl.h>

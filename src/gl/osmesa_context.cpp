@@ -66,7 +66,7 @@ class OsMesaContext final : public NestedContext {
   const char* backendName() const override { return "osmesa"; }
 
  private:
-  // OSMesa needs a window of its own. Drawing goes to framebuffer objects, so one pixel is enough.
+  // OSMesa requires memory for a window. One pixel is enough, because drawing goes to framebuffer objects.
   bool bind() override { return osMesa().makeCurrent(context_, windowPixel_.data(), GL_UNSIGNED_BYTE, 1, 1); }
   void unbind() override { osMesa().makeCurrent(nullptr, nullptr, 0, 0, 0); }
   bool isBound() const override { return osMesa().getCurrentContext() == context_; }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Run after glad, with FOLDER. Every name of glad's gets the prefix poinsot_: a program that draws has a glad of its own
-# with the same names, and the linker would make one table of function pointers of the two. Each thread has a table of
-# its own: EGL and OSMesa, which threads may use side by side, have different functions.
+# Changes the files that glad wrote into FOLDER. Every name of glad gets the prefix poinsot_, because a program that draws
+# has its own glad, and the linker would merge the tables of function pointers. The table becomes thread-local, because
+# threads may use EGL and OSMesa, which have different functions, at the same time.
 foreach(file src/gl.c include/glad/gl.h)
   file(READ ${FOLDER}/${file} text)
   string(REPLACE glad poinsot_glad text "${text}")

@@ -29,7 +29,7 @@ std::string_view setting(const char* name) {
   return value ? value : "";
 }
 
-/// Returns the folder for caches; empty if there is none. Relative paths are not used (XDG base directories).
+/// Returns the folder for caches, or an empty path. Relative paths are ignored (XDG base directories).
 fs::path cacheHome() {
   if (const auto own = setting("POINSOT_CACHE"); !own.empty()) return own.starts_with('/') ? own : fs::path();
   if (const auto xdg = setting("XDG_CACHE_HOME"); xdg.starts_with('/')) return fs::path(xdg) / "poinsot";
@@ -37,13 +37,13 @@ fs::path cacheHome() {
   return {};
 }
 
-/// Returns family, model and features of the CPU. Mesa's cache key has most features, but LLVM depends on the
-/// model too.
+/// Returns the family, model and features of the CPU. Compiled shaders depend on the model, but the key of Mesa's
+/// cache contains only most of the features.
 std::array<unsigned, 6> processor() {
   std::array<unsigned, 6> facts{};
 #if defined(__x86_64__)
   unsigned unused = 0;
-  // EBX of leaf 1 is left out: it has the number of the current core.
+  // EBX of leaf 1 is left out, because it contains the number of the current core.
   __get_cpuid(1, &facts[0], &unused, &facts[1], &facts[2]);
   __get_cpuid_count(7, 0, &unused, &facts[3], &facts[4], &facts[5]);
 #endif
@@ -58,7 +58,8 @@ std::string folderName(bool reproducible) {
   return "shaders-" + core::toHex(hash.finish()).substr(0, 12);
 }
 
-/// Makes a folder and its parents, unless that would be in a folder of another user (sudo keeps HOME).
+/// Creates a folder and missing parents. Returns false if the folder or its first existing parent belongs to
+/// another user, which can happen because sudo keeps HOME.
 bool make(const fs::path& folder) {
   struct stat facts {};
   if (::stat(folder.c_str(), &facts) == 0) return facts.st_uid == ::geteuid();
@@ -70,15 +71,16 @@ bool isOursAlone(const struct stat& facts) {
   return facts.st_uid == ::geteuid() && (facts.st_mode & (S_IWGRP | S_IWOTH)) == 0;
 }
 
-/// Reports whether only this user may write to the folder. Symbolic links are no folders, unless `flags` follow
-/// them.
+/// Reports whether the path is a folder that only this user owns and may write to.
+/// @param flags  AT_SYMLINK_NOFOLLOW to reject symbolic links, 0 to follow them
 bool isFolderOfOursAlone(const fs::path& folder, int flags) {
   struct stat facts {};
   return ::fstatat(AT_FDCWD, folder.c_str(), &facts, flags) == 0 && S_ISDIR(facts.st_mode) && isOursAlone(facts) &&
          ::access(folder.c_str(), R_OK | W_OK | X_OK) == 0;
 }
 
-/// Checks everything in the folder. Entries come and go while other processes use the cache.
+/// Reports whether only this user owns and may write to everything in the folder. Entries that vanish during the
+/// check are ignored, because other processes may use the cache.
 bool holdsOurOwnOnly(const fs::path& folder) {
   std::error_code failure;
   fs::recursive_directory_iterator entry(folder, failure);

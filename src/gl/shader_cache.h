@@ -5,16 +5,18 @@
 
 namespace poinsot::gl {
 
-/// Reports whether the user turned the cache off with POINSOT_CACHE=off.
+/// Reports whether the user disabled the cache with POINSOT_CACHE=off.
 bool isShaderCacheOff();
 
-/// Returns the folder in which Mesa keeps compiled shaders from one process to the next, and makes it if
-/// necessary. Empty if there is none; compiling then takes each process 0.5 to 3 s.
+/// Returns the folder in which Mesa keeps compiled shaders for later processes. Creates the folder if necessary.
+/// Returns an empty path if no folder can be used; each process then compiles its shaders, which takes 0.5 to 3 s.
 ///
 /// The folder is $POINSOT_CACHE/shaders-..., otherwise $XDG_CACHE_HOME/poinsot/..., otherwise
-/// $HOME/.cache/poinsot/.... Its name ends in a hash of the profile and of the CPU's features, because many
-/// machines may share a home folder. Code is run from the folder, so it is not used if another user owns or may
-/// write to $POINSOT_CACHE (or what replaces it) or anything beneath. POINSOT_CACHE=off means no folder.
+/// $HOME/.cache/poinsot/.... POINSOT_CACHE=off means no folder. The name ends in a hash of the profile and of the
+/// CPU's features, because several machines may have a home folder in common.
+///
+/// Mesa executes code from the folder. The folder is therefore not used if another user owns, or may write to,
+/// $POINSOT_CACHE (or the folder that replaces it) or anything in it.
 std::filesystem::path shaderCacheFolder(bool reproducible);
 
 }  // namespace poinsot::gl

@@ -38,7 +38,7 @@ ShaderProgram::ShaderProgram(const std::string& label, const std::string& vertex
   for (const GLuint shader :
        {compile(GL_VERTEX_SHADER, label, vertexSource), compile(GL_FRAGMENT_SHADER, label, fragmentSource)}) {
     glAttachShader(program_.id(), shader);
-    glDeleteShader(shader);  // lives on while attached
+    glDeleteShader(shader);  // only marks the shader for deletion; the program still uses it
   }
   glLinkProgram(program_.id());
   requireOk(program_.id(), GL_LINK_STATUS, label + " (linking)", glGetProgramiv, glGetProgramInfoLog);

@@ -12,11 +12,11 @@
 
 namespace poinsot::gl {
 
-/// Linked program of a vertex and a fragment shader. set() requires the program to be in use; it ignores uniforms
-/// that the compiler removed.
+/// Linked program of a vertex shader and a fragment shader. Call set() only while the program is in use. Uniforms
+/// that the compiler has removed are ignored.
 class ShaderProgram {
  public:
-  /// Compiles and links two sources, which are complete except for the #version line.
+  /// Compiles and links two sources. The #version line is added here.
   /// @param label  name of the program in error messages
   /// @throws core::Error(kGraphics) with the compiler's log.
   ShaderProgram(const std::string& label, const std::string& vertexSource, const std::string& fragmentSource);

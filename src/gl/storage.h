@@ -5,8 +5,8 @@
 
 namespace poinsot::gl {
 
-/// Checks that the back end allocated memory. Must be called after each call that allocates.
-/// @param what  what the memory is for, such as "a buffer"
+/// Checks that the back end has allocated memory. Call this function after each OpenGL call that allocates.
+/// @param what  purpose of the memory in messages, such as "a buffer"
 /// @throws core::Error(kGraphics) if memory ran out or the call failed otherwise.
 void expectStored(const char* what, std::size_t bytes);
 

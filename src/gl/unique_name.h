@@ -8,8 +8,8 @@
 
 namespace poinsot::gl {
 
-/// Scope in which OpenGL names of this thread are not deleted, but left to their context, which frees them at its
-/// end. Used by owners that end while another context is current, because deleting would hit that context's names.
+/// Scope in which owners of OpenGL names on this thread do not delete them. The context frees the names at its
+/// end. Used if owners are destroyed while another context is current, which may use the same names.
 class AbandonedNames {
  public:
   explicit AbandonedNames(bool abandoned) { abandoned_ = abandoned; }
@@ -23,8 +23,8 @@ class AbandonedNames {
   static inline thread_local bool abandoned_ = false;
 };
 
-/// Owner of one OpenGL name; 0 is empty. Move-only. When it is destroyed, the name's context must be current, or
-/// an AbandonedNames must be active.
+/// Owner of one OpenGL name, such as a texture's, which it deletes. Can be moved but not copied; 0 means no name.
+/// When the owner is destroyed, the name's context must be current, or an AbandonedNames must exist.
 template <typename Traits>
 class UniqueName {
  public:

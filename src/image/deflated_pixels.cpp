@@ -15,20 +15,22 @@
 namespace poinsot::image {
 namespace {
 
-// A filtered row seldom repeats more than its last pixels. With a window of 8 bytes files are a tenth smaller than
-// with the usual 32 KiB, whose matches save less than the code for their distance costs. Measured on eight
-// pictures of 1920x1080 (ISA-L 2.30, one core of a virtual AMD EPYC), including filters: 3 to 7 ms and 122 to 421
-// kB; libdeflate 1.14 at level 4 without filters: 17 to 21 ms, files 8 % smaller on average.
+// Base-2 logarithm of the size of the compression window in bytes. A filtered row seldom repeats more than its
+// last pixels. With a window of 8 bytes, files are a tenth smaller than with the usual 32 KiB, because distant
+// matches save less than the code of their distance costs. Measured on eight pictures of 1920x1080, with filters,
+// on one core of a virtual AMD EPYC: ISA-L 2.30 takes 3 to 7 ms and writes 122 to 421 kB. libdeflate 1.14 at level
+// 4 without filters takes 17 to 21 ms; files are 8 % smaller on average.
 constexpr std::uint16_t kWindowBits = 3;
 constexpr std::uint32_t kTableBytes = ISAL_DEF_LVL1_DEFAULT;
-// Bytes given to ISA-L at once. ISA-L copies smaller input, and much larger input leaves the CPU's caches in
-// between.
+// Number of bytes passed to ISA-L at once. ISA-L copies smaller inputs, which costs time. Much larger inputs no
+// longer fit the CPU's caches.
 constexpr std::size_t kBatchBytes = 1 << 16;
 constexpr std::size_t kPieceBytes = 1 << 16;
-// Bytes given to ISA-L first, on their own. With longer input, ISA-L (2.30 to 2.32) enters the third byte into its
-// tables under a hash of its stream's address instead of the following bytes: `.write_first_byte` of
-// igzip_icf_body_h1_gr_bt.asm reads a register that still holds that address. About one picture in thirty then has
-// different bytes from run to run. With so few bytes ISA-L takes another path, which is right.
+// Number of bytes passed to ISA-L in the first call. With a longer first input, about one picture in thirty has
+// different bytes from run to run, because of an error in ISA-L 2.30 to 2.32. Short inputs take another path,
+// which is correct.
+// The error: `.write_first_byte` of igzip_icf_body_h1_gr_bt.asm reads a register that still contains the address
+// of the stream. It therefore hashes this address instead of the bytes that follow the third byte.
 constexpr std::size_t kFirstBytes = 4;
 
 class Deflater {
@@ -78,7 +80,7 @@ class Deflater {
       stream_.next_out = out_.data() + size;
       stream_.avail_out = kPieceBytes;
       const int result = isal_deflate(&stream_);
-      POINSOT_EXPECT(result == COMP_OK);  // only settings made above could cause an error
+      POINSOT_EXPECT(result == COMP_OK);  // an error could come only from the settings above
       out_.resize(out_.size() - stream_.avail_out);
     } while (stream_.avail_out == 0);
   }

@@ -8,15 +8,15 @@
 
 namespace poinsot::image {
 
-/// One picture of a sequence, valid for the time of a call.
+/// One picture of a sequence, valid during the call to which it is passed.
 struct Frame {
-  /// @param which  number of the picture in the sequence, from 1; 0 if the picture stands alone.
+  /// @param which  number of the picture in the sequence, from 1; 0 if the picture belongs to no sequence
   Frame(const AnyImage& shown, std::uint64_t which = 0, std::span<const PixelRect> where = {})
       : picture(shown), number(which), changed(where) {}
 
   const AnyImage& picture;
   std::uint64_t number;
-  std::span<const PixelRect> changed;  ///< where it may differ from the picture numbered before it
+  std::span<const PixelRect> changed;  ///< rectangles that may differ from the picture with the previous number
 };
 
 }  // namespace poinsot::image

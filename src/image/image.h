@@ -17,7 +17,7 @@ struct PixelSize {
   friend bool operator==(const PixelSize&, const PixelSize&) = default;
 };
 
-/// Rectangle of pixels; `right` and `bottom` are exclusive.
+/// Rectangle of pixels. The column `right` and the row `bottom` are outside.
 struct PixelRect {
   int left = 0, top = 0, right = 0, bottom = 0;
   bool empty() const { return right <= left || bottom <= top; }
@@ -28,7 +28,7 @@ inline PixelRect wholeOf(PixelSize size) { return {0, 0, size.width, size.height
 /// sRGB picture with 3 (RGB) or 4 (RGBA, straight alpha) channels. Row 0 is at the top; rows have no padding.
 template <typename Sample>
 struct BasicImage {
-  /// Largest value of a sample: full light, or opaque.
+  /// Largest value of a sample: full light in a colour channel, opaque in the alpha channel.
   static constexpr Sample kMost = std::numeric_limits<Sample>::max();
 
   PixelSize size;
@@ -36,7 +36,7 @@ struct BasicImage {
   std::vector<Sample> pixels;
 
   BasicImage() = default;
-  /// Makes a picture with all samples zero. @pre width, height > 0, channels 3 or 4.
+  /// Creates a picture whose samples are all 0. @pre width, height > 0, channels 3 or 4.
   BasicImage(PixelSize size, int channels);
 
   /// Returns the first sample of pixel (x, y). @pre inside the picture.
@@ -51,14 +51,14 @@ struct BasicImage {
 };
 
 using Image = BasicImage<std::uint8_t>;
-/// Picture with 16 bits a sample, for gradients that are processed further.
+/// Picture with 16 bits per sample. The finer steps avoid bands in gradients that are processed further.
 using DeepImage = BasicImage<std::uint16_t>;
 using AnyImage = std::variant<Image, DeepImage>;
 
 extern template struct BasicImage<std::uint8_t>;
 extern template struct BasicImage<std::uint16_t>;
 
-/// Returns the picture with 16 bits a sample: 255 of 8 bits becomes 65535.
+/// Returns the picture with 16 bits per sample. The 8-bit value v becomes 257 v.
 DeepImage deepened(const AnyImage& picture);
 
 }  // namespace poinsot::image

@@ -7,8 +7,8 @@
 
 namespace poinsot::image {
 
-/// Returns the SHA-256 of a picture's size, channels and samples, in hexadecimal. The digest is the same before a
-/// picture is written as PNG and after it is read back, regardless of the compression.
+/// Returns the SHA-256 of a picture's size, channels and samples, in hexadecimal. A picture that is written as PNG
+/// and read back has the same digest, whatever its compression.
 std::string pixelDigest(const AnyImage& picture);
 
 }  // namespace poinsot::image

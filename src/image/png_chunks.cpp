@@ -21,7 +21,8 @@ PngChunks::PngChunks(std::span<const std::uint8_t> file) {
 }
 
 std::optional<PngChunk> PngChunks::next() {
-  constexpr std::size_t kHead = 8, kAround = 12;  // bytes of length and type; the same with the checksum
+  // Number of bytes before a chunk's data (length and type), and before and after it together (also the checksum).
+  constexpr std::size_t kHead = 8, kAround = 12;
   if (rest_.empty() || cutOff_) return std::nullopt;
   if (rest_.size() < kAround || bigEndian32(rest_) > rest_.size() - kAround) {
     cutOff_ = true;

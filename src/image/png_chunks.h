@@ -18,13 +18,13 @@ struct PngChunk {
   std::span<const std::uint8_t> data;
 };
 
-/// Walks through the chunks of a PNG file in order, without decoding them.
+/// Reads the chunks of a PNG file in order, without decoding them.
 class PngChunks {
  public:
   explicit PngChunks(std::span<const std::uint8_t> file);
-  /// Returns the next chunk; nullopt after IEND, at the end, at a truncated chunk, or in a file without signature.
+  /// Returns the next chunk, or nullopt after IEND, at the end, at a truncated chunk or without a PNG signature.
   std::optional<PngChunk> next();
-  /// Reports whether the walk stopped at a chunk that is longer than the rest of the file.
+  /// Reports whether next() stopped at a chunk that is longer than the rest of the file.
   bool isCutOff() const { return cutOff_; }
 
  private:

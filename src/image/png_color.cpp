@@ -28,7 +28,7 @@ constexpr int kSrgbPrimaries = 1, kSrgbTransfer = 13;
 
 ColorTag cicpTag(const std::array<std::uint8_t, 4>& codes) {
   const auto [primaries, transfer, matrix, range] = codes;
-  const bool plain = matrix == 0 && range == 1;  // RGB of full range
+  const bool plain = matrix == 0 && range == 1;  // RGB with the full range of values
   if (plain && primaries == kSrgbPrimaries && transfer == kSrgbTransfer) return {};
   const std::string digits = fmt::format("{}-{}-{}-{}", primaries, transfer, matrix, range);
   std::string name = digits;

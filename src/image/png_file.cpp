@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The only file that includes png.h.
 //
-// libpng reports errors by longjmp, and a jump over a live C++ object is undefined. So each function that calls
-// setjmp (writeFile, readPixels, ...) and each callback has trivially destructible locals only. The objects that
-// own memory live in the callers, which see a plain bool.
+// libpng reports errors by longjmp, which runs no destructors; skipping the destructor of a C++ object is
+// undefined behaviour. Functions that call setjmp, such as writeFile(), and callbacks therefore have only local
+// variables that need no destructor. Their callers own all memory and get a bool as result.
 #include "image/png_file.h"
 
 #include <fmt/format.h>
@@ -33,7 +33,8 @@ namespace {
 using core::Error;
 using core::ErrorKind;
 
-/// Last message of libpng, set by onError(). A plain array, because the jump that follows runs no destructor.
+/// Last error message of libpng, set by onError(). The text is a plain array, because onError() ends in a longjmp,
+/// which runs no destructors.
 struct Complaint {
   std::array<char, 160> text{};
 };
@@ -44,7 +45,8 @@ void onError(png_structp png, png_const_charp message) {
   png_longjmp(png, 1);
 }
 
-void onWarning(png_structp, png_const_charp) {}  // ignored; readHeader() makes wrong checksums errors
+// Warnings are ignored; readHeader() turns wrong checksums into errors
+void onWarning(png_structp, png_const_charp) {}
 
 class Writer {
  public:
@@ -89,8 +91,8 @@ struct Header {
   png_uint_32 pixelsPerMetre;
 };
 
-/// Writes a whole file around `data`, the compressed pixels. libpng's zlib would take several times as long to
-/// compress them.
+/// Writes a complete PNG file with the compressed pixels `data`. libpng could compress the pixels itself, but its
+/// zlib takes several times as long.
 bool writeFile(png_structp png, png_infop info, const Header& header, png_textp texts, int textCount,
                std::span<const std::uint8_t> data) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
@@ -113,7 +115,7 @@ bool printableAscii(std::string_view text) {
 png_text textChunk(PngText& text) {
   POINSOT_EXPECT(!text.key.empty() && text.key.size() <= 79 && printableAscii(text.key));
   png_text chunk{};
-  // A tEXt chunk is Latin-1. Text beyond ASCII goes into an iTXt chunk, which is UTF-8.
+  // A tEXt chunk is encoded in Latin-1, an iTXt chunk in UTF-8. Text beyond ASCII is written as iTXt.
   chunk.compression = printableAscii(text.value) ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
   chunk.key = text.key.data();
   chunk.text = text.value.data();
@@ -158,11 +160,11 @@ class Reader {
 
 bool readHeader(png_structp png, png_infop info) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
-  // libpng keeps decompressed texts. The product of these limits is the memory that a small file can take besides
-  // its pixels.
+  // libpng keeps decompressed texts in memory. The product of these two limits is the most memory that a small
+  // file can use in addition to its pixels.
   constexpr png_alloc_size_t kLargestChunk = 1 << 20;
   constexpr png_uint_32 kMostChunks = 64;
-  png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // checkSize() has our own limits and message
+  png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // checkSize() applies our own limits
   png_set_chunk_malloc_max(png, kLargestChunk);
   png_set_chunk_cache_max(png, kMostChunks);
   png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
@@ -172,7 +174,7 @@ bool readHeader(png_structp png, png_infop info) {
 
 bool prepareRows(png_structp png, png_infop info, bool keep16) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
-  png_set_expand(png);  // palette, 1 to 4 bit grey and tRNS to 8-bit samples and alpha
+  png_set_expand(png);  // converts palettes, grey of 1 to 4 bits and tRNS chunks to 8-bit samples and alpha
   if (!keep16)
     png_set_scale_16(png);
   else if (std::endian::native == std::endian::little)
@@ -196,7 +198,7 @@ void checkSize(png_structp png, png_infop info, std::string_view name) {
   if (width <= kLargestPngSide && height <= kLargestPngSide && width * height * pixelBytes <= kLargestPngBytes)
     return;
   throw core::limitError(
-      fmt::format("{}: the picture is {}x{} pixels; at most {} a side and {} MiB decoded are read",
+      fmt::format("{}: the picture is {}x{} pixels; at most {} per side and {} MiB decoded are read",
                   core::printable(name), width, height, kLargestPngSide, kLargestPngBytes >> 20));
 }
 
@@ -209,7 +211,7 @@ std::vector<png_bytep> rowsOf(BasicImage<Sample>& picture) {
 
 std::string fileBytes(const std::filesystem::path& path) {
   try {
-    // No PNG within the limits of decodePng() is longer, so reading less only cuts files that are rejected anyway.
+    // PNG files within the limits of decodePng() are never longer. A longer file is cut here and rejected later.
     return core::bytesOf(core::openForReading(path), kLargestPngBytes * 2, ErrorKind::kIo);
   } catch (const Error& error) {
     throw core::FileError(ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()), error.message()),
@@ -255,7 +257,7 @@ PngStorage storageOf(png_structp png, png_infop info) {
           png_get_bit_depth(png, info) == 16};
 }
 
-/// Returns the codes of the cICP chunk, which libpng 1.6.39 (Debian 12) does not support.
+/// Returns the codes in the cICP chunk of a file. libpng 1.6.39 (Debian 12) does not support this chunk.
 std::optional<std::array<std::uint8_t, 4>> cicpOf(Remaining file) {
   PngChunks chunks(file);
   for (auto chunk = chunks.next(); chunk && chunk->type != "IDAT"; chunk = chunks.next()) {
@@ -267,8 +269,7 @@ std::optional<std::array<std::uint8_t, 4>> cicpOf(Remaining file) {
   return std::nullopt;
 }
 
-/// Returns the colour chunks of a file, except cICP, after its header was read. The reader owns the profile's
-/// bytes.
+/// Returns the colour chunks of a file except cICP. The header must have been read. The reader owns the profile.
 PngColorChunks colorChunksOf(png_structp png, png_infop info) {
   PngColorChunks chunks;
   chunks.isSrgb = png_get_valid(png, info, PNG_INFO_sRGB) != 0;
@@ -304,19 +305,19 @@ std::string firstOfTypes(Remaining file, std::initializer_list<std::string_view>
   return "";
 }
 
-/// Reports whether the last chunk is cut off. libpng would allocate the length that the chunk declares, up to 2
-/// GiB, before it finds the bytes missing.
+/// Reports whether the file ends within a chunk. Without this check, libpng would allocate memory for the complete
+/// chunk, up to 2 GiB, before it notices that bytes are missing.
 bool endsWithinAChunk(Remaining bytes) {
   PngChunks chunks(bytes);
   while (chunks.next()) continue;
-  return chunks.isCutOff();  // libpng itself reports a missing chunk
+  return chunks.isCutOff();  // libpng reports a missing chunk, so only a truncated one is reported here
 }
 
-/// Returns why the bytes must not be given to libpng; empty if they may be a PNG file.
+/// Returns the reason if the bytes are certainly not a complete PNG file; empty if libpng may read them.
 std::string_view faultOf(Remaining bytes) {
   if (bytes.empty()) return "the file is empty";
   if (startsWith(bytes, "version https://git-lfs.github.com/spec/"))
-    return "it is a Git LFS pointer; `git lfs pull` brings the picture";
+    return "the file is a Git LFS pointer; get the picture with `git lfs pull`";
   if (!startsWith(bytes, kPngSignature.substr(0, std::min(bytes.size(), kPngSignature.size()))))
     return "Not a PNG file";
   return bytes.size() < kPngSignature.size() || endsWithinAChunk(bytes) ? "the file ends too early" : "";
@@ -361,7 +362,8 @@ PngPicture decodePngAsStored(std::span<const std::uint8_t> bytes, std::string_vi
 }
 
 bool isAnimatedPng(const std::filesystem::path& path) try {
-  constexpr std::uint64_t kHead = 64 << 10;  // nearly always reaches the first pixels
+  // Number of bytes read first; nearly always enough to reach the pixels
+  constexpr std::uint64_t kHead = 64 << 10;
   const std::string head = core::bytesOf(core::openForReading(path), kHead, ErrorKind::kIo);
   const auto type = firstOfTypes(asBytes(head), {"acTL", "IDAT"});
   if (!type.empty() || head.size() < kHead) return type == "acTL";
@@ -401,7 +403,7 @@ bool isPngName(const std::filesystem::path& file) {
 }
 
 bool isOwnPng(const std::filesystem::path& path, std::string_view key) try {
-  constexpr std::uint64_t kHead = 64 << 10;  // the Software text is in the first 200 bytes
+  constexpr std::uint64_t kHead = 64 << 10;  // number of bytes read; the Software text is within the first 200
   const std::string head = core::bytesOf(core::openForReading(path), kHead, ErrorKind::kIo);
   PngChunks chunks(asBytes(head));
   const std::string keyed = std::string(key) + '\0';

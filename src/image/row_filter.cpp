@@ -13,12 +13,13 @@ namespace {
 
 enum FilterNumber : std::uint8_t { kSub = 1, kUp = 2, kPaeth = 4 };
 
-// Bytes compared at once. Most of a picture is paper, whose chunks need no filtering.
+// Number of bytes that are compared at once. Most of a picture is background, where all pixels are equal and need
+// no filter.
 constexpr std::size_t kChunk = 192;
 
-/// Returns the pixel to the left, above, or above left that is nearest to a plane through the three.
+/// Returns one of three neighbouring pixels: the one nearest to left + above - corner (Paeth).
 std::uint8_t paethPredictor(std::int16_t left, std::int16_t above, std::int16_t corner) {
-  // All arithmetic is in 16 bits, because a register holds twice as many values as with 32 bits.
+  // All arithmetic has 16 bits, because a CPU register then contains twice as many values as with 32 bits.
   const auto fromLeft = static_cast<std::int16_t>(std::abs(above - corner));
   const auto fromAbove = static_cast<std::int16_t>(std::abs(left - corner));
   const auto fromCorner = static_cast<std::int16_t>(std::abs(left + above - 2 * corner));
@@ -26,7 +27,7 @@ std::uint8_t paethPredictor(std::int16_t left, std::int16_t above, std::int16_t 
   return static_cast<std::uint8_t>(fromLeft <= std::min(fromAbove, fromCorner) ? left : nearer);
 }
 
-/// Writes filter(i) for each of `size` bytes. Returns the number of bytes that are not 0.
+/// Writes the bytes filter(0), filter(1), ..., filter(size - 1). Returns how many of them are not 0.
 template <typename Filter>
 std::size_t write(std::size_t size, std::uint8_t* to, const Filter& filter) {
   for (std::size_t i = 0; i < size; ++i) to[i] = filter(i);
@@ -70,7 +71,7 @@ void RowFilter::filterChunk(std::size_t begin, std::size_t size) {
     std::fill_n(up, size, 0);
   else
     up_.others += write(size, up, [&](std::size_t i) { return static_cast<std::uint8_t>(row[i] - above[i]); });
-  // If both rows are flat, Paeth's plane gives the pixel to the left.
+  // If all pixels are equal in both rows, the prediction is the pixel to the left.
   if (flat != 0 && flatAbove_[begin / kChunk] != 0) {
     std::fill_n(sub, size, 0);
     std::fill_n(paeth, size, 0);

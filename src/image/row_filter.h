@@ -8,27 +8,28 @@
 
 namespace poinsot::image {
 
-/// Filters the rows of a picture, from the top, into differences from neighbours to the left or above (PNG
-/// specification, clause 9). Paper becomes zeros, and a slow gradient becomes small numbers. Of the filters Sub,
-/// Up and Paeth, each row gets the one that leaves the fewest bytes other than 0; ties go to the first in this
-/// order.
+/// Filters the rows of a picture from top to bottom: replaces pixels by their differences from neighbours (PNG
+/// specification, clause 9). A plain background becomes zeros, and gradients become small numbers, which compress
+/// well. For each row, the filters Sub, Up and Paeth are tried. The one with the fewest bytes other than 0 is
+/// used, the first of equals.
 class RowFilter {
  public:
-  /// @param rowBytes  bytes of a row, without the filter's number
-  /// @param pixelBytes  bytes of a pixel, which is the distance to the byte on the left. @pre both > 0
+  /// @param rowBytes  number of bytes in a row, without the number of the filter
+  /// @param pixelBytes  number of bytes in a pixel. @pre both > 0
   RowFilter(std::size_t rowBytes, std::size_t pixelBytes);
 
-  /// Returns where to write the `rowBytes` bytes of the next row. The previous row becomes the row above.
+  /// Returns the memory to which the caller writes the next row of `rowBytes` bytes. The last row becomes the row
+  /// above.
   std::uint8_t* next();
 
-  /// Returns the filter's number and the filtered bytes of the current row, valid until the next call.
+  /// Returns the number of the filter and the filtered bytes of the current row. Valid until the next call.
   std::span<const std::uint8_t> filtered();
 
  private:
-  /// Row after one pixel of zeros, which stands to the left of the first pixel.
+  /// Row of pixels with one pixel of zeros before the first, because the first pixel has no left neighbour.
   using PaddedRow = std::vector<std::uint8_t>;
 
-  /// Filter number and the row filtered with it; `others` counts the bytes that are not 0.
+  /// Number of a filter and the row filtered with it. `others` is the number of bytes that are not 0.
   struct Candidate {
     std::vector<std::uint8_t> bytes;
     std::size_t others = 0;
@@ -38,7 +39,8 @@ class RowFilter {
 
   std::size_t rowBytes_, pixelBytes_;
   PaddedRow row_, above_;
-  std::vector<char> flat_, flatAbove_;  ///< by chunk: whether each pixel equals the one before it
+  /// For each chunk of a row: whether every pixel equals the pixel to its left
+  std::vector<char> flat_, flatAbove_;
   Candidate sub_, up_, paeth_;
 };
 

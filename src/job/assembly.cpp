@@ -25,7 +25,7 @@ std::vector<request::FrameRange> joined(const std::vector<request::FrameRange>& 
   return ranges;
 }
 
-/// Returns the text that identifies a job's film; each job has a different one.
+/// Returns the text that identifies the film of a job in the film's metadata. No two jobs have the same text.
 std::string originText(const JobRecord& job) {
   return fmt::format("frames {}-{} of scene sha256 {}; job sha256 {}; ", job.frames.first, job.frames.last,
                      job.scene, job.digest);
@@ -39,7 +39,7 @@ std::string gapsText(const JobStatus& status) {
       text += fmt::format("{}frames {} are {}", text.empty() ? "" : "; ", framesText(segments), word);
   };
   add(SegmentState::kMissing, "missing");
-  add(SegmentState::kStale, "of another scene or of other settings");
+  add(SegmentState::kStale, "from another scene or other settings");
   add(SegmentState::kCorrupt, "damaged");
   return text;
 }
@@ -89,13 +89,13 @@ void assemble(core::FileBatch& batch, const path& workFolder, const JobRecord& j
   if (!status.complete())
     throw core::ioError(
         fmt::format("{}: {}; {}", core::printable(target.native()), gapsText(status),
-                    isFinished(job, output.path) ? "the film itself is whole" : makeText(job, status, output)));
+                    isFinished(job, output.path) ? "the film itself is complete" : makeText(job, status, output)));
   if (job.kind != request::OutputKind::kFilm) return;
   std::vector<path> files;
   for (const request::FrameRange& segment : status.segments)
     files.push_back(segmentFile(workFolder, job.film.container, segment));
   const auto first = SegmentRecords(workFolder, output).find(status.segments.front());
-  const bool beside = core::folderOf(target) == core::folderOf(workFolder);  // other folders may be on other disks
+  const bool beside = core::folderOf(target) == core::folderOf(workFolder);  // other folders: maybe another disk
   const path temporaryFolder = beside ? workFolder : path();
   const output::FilmTexts texts{job.title, job.description, originText(job), first->renderer};
   batch.add(output::joinedSegments(files, target, job.film, texts, temporaryFolder));

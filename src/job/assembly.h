@@ -10,7 +10,7 @@
 
 namespace poinsot::job {
 
-/// Progress of a render: its segments in frame order, each with its state.
+/// Progress of a render: the segments in frame order, and the state of each segment.
 struct JobStatus {
   std::vector<request::FrameRange> segments;
   std::vector<SegmentState> states;
@@ -20,26 +20,27 @@ struct JobStatus {
 };
 
 /// Reads the records in the work folder and checks the files of each segment.
-/// @param output  the render's target, which determines the names of the files
+/// @param output  target of the render, which determines the file names
 JobStatus statusOf(const std::filesystem::path& workFolder, const JobRecord& job,
                    const request::OutputTarget& output);
 
-/// Returns the frames of segments as text, adjacent segments joined: "0-29, 60-89 and 12 more".
-/// @param most  how many ranges the text lists
+/// Returns the frame ranges of the segments as text, such as "0-29, 60-89 and 12 more". Adjacent segments become
+/// one range.
+/// @param most  number of ranges to list
 std::string framesText(const std::vector<request::FrameRange>& segments, std::size_t most = 8);
 
-/// Compares every byte of the film `target` with the digest in its metadata. Returns kOther if `target` is not a
-/// film of this job, and for a sequence.
+/// Checks every byte of the film `target` against the digest in its metadata. Returns kOther if `target` is a
+/// sequence or not a film of this job.
 output::FilmState filmState(const JobRecord& job, const std::filesystem::path& target);
 
 /// Returns whether `target` is a film of this job and unchanged since it was written.
 bool isFinished(const JobRecord& job, const std::filesystem::path& target);
 
-/// Joins the segments of a job and adds the film to a batch, with its metadata and its subtitle file. Adds nothing
-/// for a sequence, whose frames already have their final names.
-/// @param output  the target that the render was started with
-/// @param target  name of the film, which may differ from that of `output`
-/// @throws core::Error(kIo) if frames are missing, stale or corrupt, with their numbers, or if writing fails
+/// Joins the segments of a job and adds the film to a batch, with its metadata and its subtitle file. For a
+/// sequence, adds nothing, because the frames already have their final names.
+/// @param output  target that the render was started with
+/// @param target  path of the film, which may differ from the path of `output`
+/// @throws core::Error(kIo) with the frame numbers if frames are missing, stale or corrupt, or if writing fails
 void assemble(core::FileBatch& batch, const std::filesystem::path& workFolder, const JobRecord& job,
               const request::OutputTarget& output, const std::filesystem::path& target);
 

@@ -38,8 +38,8 @@ constexpr const char* kScene =
     "[output]\n"
     "size = [1280, 720]\n";
 
-/// Returns the text of `work` as a good finding. If `work` throws a core::Error, returns the message as a finding
-/// of state `failed`.
+/// Runs `work` and returns its text as a good finding. If `work` throws a core::Error, returns the error's message
+/// as a finding with state `failed`.
 template <class Work>
 Finding finding(const std::string& subject, State failed, const Work& work) {
   try {
@@ -60,13 +60,12 @@ Finding machine() {
 Finding shaderCache() {
   const std::filesystem::path folder = gl::shaderCacheFolder(false);
   if (!folder.empty()) return {State::kGood, "shader cache", core::printable(folder.string())};
-  return {
-      State::kAbsent, "shader cache",
-      "there is none, so that each process compiles its shaders, 0.5 to 3 s; set POINSOT_CACHE to a folder that "
-      "is yours alone to write"};
+  return {State::kAbsent, "shader cache",
+          "none, so each process compiles its shaders again, which takes 0.5 to 3 s; set POINSOT_CACHE to a "
+          "folder that only you can write to"};
 }
 
-/// Checks each codec once, in the first container that supports it.
+/// Checks each codec once, in the first container format that supports the codec.
 std::vector<Finding> films() {
   using enum output::FilmContainer;
   std::vector<Finding> found;
@@ -114,7 +113,8 @@ Finding film() {
                                          frames, {.segmentFrames = 10});
     render.workers = availableCpus();
     RenderJob job(std::move(render), [](std::int64_t, std::int64_t, double) {});
-    return fmt::format("a second of {}x{} in {:.1f} s", scene.size().width, scene.size().height, job.run().wall_s);
+    return fmt::format("one second of film at {}x{} in {:.1f} s", scene.size().width, scene.size().height,
+                       job.run().wall_s);
   });
 }
 
@@ -122,7 +122,7 @@ Finding film() {
 
 std::vector<Finding> checkup() {
   gl::pinEnvironment(false);
-  // Workers are forks, so the film must come before this process opens OpenGL.
+  // Makes the film first: workers are forks, which must start before this process opens OpenGL.
   std::vector<Finding> all{machine(), shaderCache(), sandbox(), film()};
   for (auto& more : {films(), backends()}) all.insert(all.end(), more.begin(), more.end());
   return all;

@@ -4,24 +4,23 @@
 #include <string>
 #include <vector>
 
-/// Checks of what poinsot needs from this machine, as `poinsot doctor` prints them.
+/// Checks of the machine, such as OpenGL, codecs and memory, which `poinsot doctor` prints.
 namespace poinsot::job {
 
 struct Finding {
   enum class State {
     kGood,
-    kAbsent,  ///< an optional part is missing
-    kBad,     ///< films cannot be made
+    kAbsent,  ///< an optional feature is unavailable
+    kBad,     ///< no film can be made
   };
 
   State state = State::kGood;
-  std::string subject;  ///< for example "film hevc"
-  std::string
-      text;  ///< what was found, or what is wrong and the package, variable or kernel that fixes the problem
+  std::string subject;  ///< name of the check, for example "film hevc"
+  std::string text;     ///< result, or the problem and its fix: a package, environment variable or kernel
 };
 
-/// Runs all checks, which include rendering a film of one second. Takes some seconds if shaders have to be
-/// compiled. Opens OpenGL in this process.
+/// Runs all checks, including the render of a film of one second. Takes some seconds if shaders must be compiled.
+/// Opens OpenGL in this process.
 std::vector<Finding> checkup();
 
 }  // namespace poinsot::job

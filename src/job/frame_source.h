@@ -8,14 +8,14 @@
 
 namespace poinsot::job {
 
-/// Source of frames. Each frame depends on its number alone, so frames may be made in any order.
+/// Source of frames. A frame depends only on its number, so frames may be requested in any order.
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
   /// Returns frame k, which is valid until the next call. @throws core::Error
   virtual image::Frame frame(std::int64_t k) = 0;
-  /// Returns the digest of everything that decides the bytes of frame k. Costs far less than frame(). @throws
-  /// core::Error
+  /// Returns a digest of all input that determines the bytes of frame k. Costs far less than frame().
+  /// @throws core::Error
   virtual core::Digest digest(std::int64_t k) = 0;
 };
 

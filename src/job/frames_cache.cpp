@@ -9,7 +9,8 @@
 namespace poinsot::job {
 namespace {
 
-// Each turn of the preview's camera makes a new scene; playback needs only one. Four suffice for a few users.
+// Number of cached scenes. Playback needs only one scene, but each camera movement in the preview creates a new
+// scene. Four scenes are enough for a few users.
 constexpr std::size_t kMostEntries = 4;
 
 }  // namespace

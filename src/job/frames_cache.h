@@ -13,20 +13,20 @@
 
 namespace poinsot::job {
 
-/// Cache of the most recently used scenes, ready to draw on one OpenGL context. The first scene opens the context.
-/// Construct, use and destroy the cache on the same thread.
+/// Cache of recently used scenes that are ready to draw, on one OpenGL context. The first scene opens the context.
+/// Create, use and destroy the cache on the same thread.
 class FramesCache {
  public:
   struct Entry {
     std::string key;
-    std::int64_t count = 0;  ///< frames in the film
+    std::int64_t count = 0;  ///< number of frames in the film
     std::unique_ptr<SceneFrames> frames;
   };
 
   explicit FramesCache(gl::Backend backend) : backend_(backend) {}
 
   /// Returns the frames of a scene from the cache, or loads the scene. The result is valid until the next call.
-  /// @param key  identifies the scene and `form`; the same key returns the same entry
+  /// @param key  identifies the scene and `form`; equal keys return the same entry
   /// @throws core::Error from `load` or the back end; core::Error(kLimit) if a picture needs more memory than
   /// allowed
   Entry& of(const std::string& key, const std::function<request::RequestedScene()>& load,
@@ -37,7 +37,7 @@ class FramesCache {
  private:
   gl::Backend backend_;
   std::unique_ptr<gl::OffscreenContext> context_;
-  std::list<Entry> entries_;  // most recently used first; destroyed before the context
+  std::list<Entry> entries_;  // most recently used entry first; destroyed before the context
 };
 
 }  // namespace poinsot::job

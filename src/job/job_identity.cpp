@@ -15,7 +15,7 @@
 namespace poinsot::job {
 namespace {
 
-/// Adds the length of a text and the text, so that different lists of texts never give the same bytes.
+/// Adds a text to the hash, preceded by its length. The length keeps "ab", "c" apart from "a", "bc".
 void addText(core::Sha256& sum, std::string_view text) {
   sum.add(fmt::format("{}:", text.size()));
   sum.add(text);
@@ -66,7 +66,7 @@ std::string renderSettings(const RenderRequest& render) {
   settings["chroma"] = scene.output.chroma;
   settings["effort"] = scene.output.effort;
   settings["crf"] = film.crf;
-  settings["segment"] = render.segmentFrames;  // each segment begins with a key frame
+  settings["segment"] = render.segmentFrames;  // segments change the film, because each begins with a key frame
   for (const output::LibraryVersion& library : output::libraryVersions()) settings[library.name] = library.version;
   return settings.dump();
 }

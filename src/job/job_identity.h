@@ -8,28 +8,28 @@
 #include "job/job_record.h"
 #include "job/render_request.h"
 
-/// Digests by which a later render recognises finished work and resumes it.
+/// Digests by which a later render detects finished work that it can reuse.
 namespace poinsot::job {
 
-/// Returns the digest of a scene's text, its overrides, the files that it names, its sweep and its selected view.
+/// Returns the digest of a requested scene: text, overrides, files that the scene names, sweep and selected view.
 core::Digest sceneDigest(const request::RequestedScene& requested);
 
-/// Returns, as JSON, everything besides picture and renderer that decides the bytes of a frame: the size; for a
-/// film also the frame rate, the encoder with its settings and the segment length; the versions of poinsot and of
-/// the libraries that write the files.
+/// Returns the settings that determine the bytes of a frame besides the picture and the renderer, as JSON.
+/// Settings are the picture size, and the versions of poinsot and of the libraries that write the files. For a
+/// film, the frame rate, the encoder with its settings and the segment length are included.
 std::string renderSettings(const RenderRequest& render);
 
-/// Returns the digest of a scene and its settings. Renders with the same job digest may share their segments.
+/// Returns the digest of a scene and its settings. Renders with equal job digests may share segments.
 core::Digest jobDigest(const core::Digest& scene, const std::string& settings);
 
-/// Returns the record of a render of a film or sequence. @throws core::Error(kPhysics) as pictureWords()
+/// Returns the record of a render of a film or sequence. @throws core::Error(kPhysics) like pictureWords()
 JobRecord jobRecordOf(const RenderRequest& render);
 
-/// Computes the digest of a frame from its picture, the render settings and the renderer.
+/// Computes the digest of a frame from the picture, the render settings and the renderer.
 class FrameDigester {
  public:
-  /// @param settings  text of renderSettings()
-  /// @param renderer  GL_RENDERER
+  /// @param settings  text from renderSettings()
+  /// @param renderer  OpenGL's GL_RENDERER string
   FrameDigester(const std::string& settings, const std::string& renderer);
 
   core::Digest operator()(const draw::Picture& picture);

@@ -57,7 +57,7 @@ std::string manifestText(const path& workFolder, const JobRecord& job, const req
   const SegmentRecords records(workFolder, target);
   for (const request::FrameRange& segment : job.segments()) {
     const auto record = records.find(segment);
-    if (!record) continue;  // removed or damaged since the segment was completed
+    if (!record) continue;  // file was removed or damaged after the segment was completed
     for (std::int64_t k = segment.first; k <= segment.last; ++k)
       digests[std::to_string(k)] = record->digests[static_cast<std::size_t>(k - segment.first)];
     renderers.insert(record->renderer);

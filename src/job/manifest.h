@@ -12,9 +12,10 @@ namespace poinsot::job {
 
 output::FileKind manifestKind();
 
-/// Returns the manifest of a finished film or sequence as JSON: the inputs and settings, the digest of each frame,
-/// the SHA-256 of each file, and the time and memory spent. Call it before the work folder is removed.
-/// @param film  file with the content of the film, which may still have a temporary name
+/// Returns the manifest of a finished film or sequence as JSON. The manifest lists inputs and settings, the digest
+/// of each frame, the SHA-256 of each file, and the time and memory used. Call this function before the work
+/// folder is removed.
+/// @param film  file with the content of the film, possibly under a temporary name
 /// @throws core::Error(kIo).
 std::string manifestText(const std::filesystem::path& workFolder, const JobRecord& job,
                          const request::OutputTarget& target, const std::filesystem::path& film,

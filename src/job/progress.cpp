@@ -12,7 +12,7 @@
 namespace poinsot::job {
 namespace {
 
-/// Returns the time between two updates: smooth to the eye on a terminal, sparse in a log, steady for a program.
+/// Returns the time between two updates: short on a terminal, long in a log, medium for a program.
 double interval_s(ProgressStyle style) {
   switch (style) {
     case ProgressStyle::kBar:
@@ -61,7 +61,7 @@ std::string barLine(const ProgressState& state, int columns) {
   const std::string figures =
       fmt::format(" {:3} %  {}/{} frames  {:.1f} frames/s  {} left", percent(state), state.done, state.total,
                   state.framesPerSecond, clockText(state.left_s()));
-  // A bar of more than 40 cells shows no more detail. With fewer than 10 cells the figures alone are clearer.
+  // The bar has at most 40 cells, which show enough detail. It is omitted if there is no room for 10 cells.
   const int cells = std::min(40, columns - static_cast<int>(figures.size()) - 2);
   const std::string line = cells >= 10 ? bar(state, cells) + figures : figures.substr(1);
   return line.substr(0, static_cast<std::size_t>(std::max(columns, 0)));
@@ -87,7 +87,7 @@ std::string jsonLine(const core::FileError& error) {
 
 Progress::Progress(ProgressStyle style, std::int64_t totalFrames, int columns, Writer write)
     : style_(style), total_(totalFrames), columns_(columns), write_(std::move(write)) {
-  // Bar and JSON show the first frame at once. In a log, a short render needs only its last line.
+  // A bar and JSON start with the first frame. In a log, a short render prints only its last line.
   if (style == ProgressStyle::kBar || style == ProgressStyle::kJson) shownAt_s_ = -interval_s(style);
 }
 
@@ -101,7 +101,7 @@ double Progress::rate(std::int64_t made, bool last, double elapsed_s) const {
 void Progress::update(std::int64_t done, std::int64_t reused, double elapsed_s) {
   const std::int64_t made = done - reused;
   if (firstMade_ == 0) {
-    // The first frame includes compiling shaders, which takes seconds, so the rate starts after that frame.
+    // Measures the rate from here on, because the first frame includes several seconds of compiling shaders.
     firstMade_ = made;
     firstAt_s_ = elapsed_s;
   }
@@ -112,7 +112,7 @@ void Progress::update(std::int64_t done, std::int64_t reused, double elapsed_s) 
   const ProgressState state{done, total_, elapsed_s, rate(made, done == total_, elapsed_s)};
   if (style_ == ProgressStyle::kJson) return write_(jsonLine(state) + "\n");
   if (style_ == ProgressStyle::kPlain) return write_("poinsot: " + plainLine(state) + "\n");
-  // Overwriting the line and then erasing the rest avoids flicker and leftovers of a longer line.
+  // Writes the new line over the old one and then erases the rest of the old line. This order avoids flicker.
   write_("\r" + barLine(state, columns_ - 1) + "\x1b[K");
   lineOpen_ = true;
 }

@@ -22,17 +22,16 @@
 namespace poinsot::job {
 namespace {
 
-// Time for workers to end: a worker checks for signals after each frame, which takes far less. All must end in 2
-// s.
+// Time limit for stopping workers, which check for signals after each frame. The limit is long compared with a
+// frame, but lets the program end within 2 s.
 constexpr double kPatience_s = 1.5;
 
-/// Returns a hint that memory ran out, if a worker died of a signal that suggests so. LLVM aborts if an allocation
-/// fails, the kernel kills a process that takes too much memory, and a page that cannot be provided causes a bus
-/// error.
+/// Returns a hint about lack of memory if a worker died of a typical signal. LLVM aborts if an allocation fails,
+/// the kernel kills a process that uses too much memory, and a page that cannot be provided causes a bus error.
 std::string perhapsMemory(const std::string& how, double estimate_bytes) {
   const auto by = [&](int signal) { return how.find(fmt::format("by signal {} ", signal)) != std::string::npos; };
   if (!by(SIGABRT) && !by(SIGKILL) && !by(SIGBUS)) return "";
-  return fmt::format("; perhaps memory ran out: it was expected to take about {}",
+  return fmt::format("; perhaps memory ran out: the worker was expected to need about {}",
                      request::memoryText(estimate_bytes));
 }
 
@@ -110,9 +109,9 @@ void RenderJob::traced(const char* name, const std::function<void()>& work) {
   if (trace_) trace_->add(kParentProcess, {name, begin_ns, core::monotonic_ns()});
 }
 
-/// Returns the state of an earlier film of this job. A render that was stopped during its cleanup left a whole
-/// film, so nothing remains to be made. With --manifest the film does not count, because the manifest needs the
-/// segments.
+/// Returns the state of an earlier film of this job at the target. Such a film exists if an earlier render was
+/// stopped during its cleanup; then nothing is left to render. With --manifest the film does not count, because
+/// the manifest needs the segments.
 output::FilmState RenderJob::stateBefore() const {
   const bool resumed = request_.resume && !request_.shard && !request_.manifest && request_.record;
   return resumed ? filmState(*request_.record, request_.target.path) : output::FilmState::kOther;
@@ -120,8 +119,8 @@ output::FilmState RenderJob::stateBefore() const {
 
 void RenderJob::startWorkers() {
   const int count = std::min<int>(request_.workers, static_cast<int>(segments_.size()));
-  if (count == 0) return;  // with more shards than segments, some shards are empty
-  // With fewer segments than CPUs, the rasteriser's threads use the other CPUs; they do not change a pixel.
+  if (count == 0) return;  // if there are more shards than segments, some shards are empty
+  // Uses CPUs without a worker for threads of the rasteriser. These threads do not change the pixels.
   const int perWorker = request_.workers / count;
   const WorkerTask task{request_, folder_.path(), perWorker > 1 ? perWorker : 0};
   if (count > 1) gl::preload(request_.backend);
@@ -176,7 +175,8 @@ void RenderJob::handle(WorkerProcess& worker, const WorkerReport& report) {
   }
 }
 
-/// Adds the size of a completed segment to the total. Skips stills, whose size is known before the render.
+/// Adds the file sizes of a completed segment to the total size of the output. Ignores stills, whose size is known
+/// before the render.
 /// @throws core::Error(kLimit) if the total exceeds Limit::kOutput
 void RenderJob::countWritten(const request::FrameRange& segment) {
   if (!request_.record) return;
@@ -202,7 +202,7 @@ void RenderJob::handOut(WorkerProcess& worker) {
 void RenderJob::sendOn(const request::FrameRange& segment) try {
   stream_->add(segment);
 } catch (const core::Error&) {
-  process::throwIfInterrupted();  // a signal also ends a write
+  process::throwIfInterrupted();  // reports a signal instead of the write error that it causes
   throw;
 }
 
@@ -229,8 +229,8 @@ void RenderJob::addManifest(core::FileBatch& results) const {
   addAbout(results, std::move(file));
 }
 
-/// Adds a file that describes the output, such as a manifest, beside the output. For a sequence the batch is
-/// empty, because the frames already have their final names.
+/// Adds a file that describes the output, such as a manifest. The file is a companion of the output, except for a
+/// sequence: its batch is empty, because the frames already have their final names.
 void RenderJob::addAbout(core::FileBatch& results, core::AtomicFile file) {
   if (results.empty())
     results.add(std::move(file));
@@ -238,9 +238,9 @@ void RenderJob::addAbout(core::FileBatch& results, core::AtomicFile file) {
     results.addBeside(std::move(file));
 }
 
-/// Removes the manifest of an earlier run, which the first new frame of a sequence makes wrong.
+/// Removes the manifest of an earlier run, because the first new frame of a sequence invalidates it.
 void RenderJob::removeOldManifest() const {
-  std::error_code ignored;  // a manifest that cannot be removed is replaced at the end
+  std::error_code ignored;  // ignored, because the manifest is replaced at the end
   if (request_.manifest && request_.target.kind == request::OutputKind::kSequence)
     std::filesystem::remove(*request_.manifest, ignored);
 }

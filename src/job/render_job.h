@@ -21,41 +21,40 @@
 
 namespace poinsot::job {
 
-/// Callback after every frame, with the number of frames done, how many of these existed already, and the wall
-/// time since the start.
+/// Callback after every frame. Receives the number of frames that are done, how many of them existed before the
+/// render, and the wall time since the start.
 using FrameListener = std::function<void(std::int64_t done, std::int64_t reused, double elapsed_s)>;
 
 /// Returns the number of CPUs that this process may use, at least 1.
 int availableCpus();
 
-/// Render that hands segments to worker processes and joins the results. The number of workers does not change a
-/// byte of the output. The job itself opens no OpenGL context. If the render throws, the target is not written,
-/// and the completed segments stay for a later render to resume.
+/// Render that distributes segments to worker processes and joins the results. The output does not depend on the
+/// number of workers. The main process opens no OpenGL context. If the render throws, the target is not written.
+/// The completed segments stay, so that a later render can resume.
 class RenderJob {
  public:
-  /// @throws core::Error(kIo) if the work folder cannot be made.
+  /// @throws core::Error(kIo) if the work folder cannot be created.
   RenderJob(RenderRequest request, FrameListener listener);
   ~RenderJob();
   RenderJob(RenderJob&&) = delete;
 
-  /// Runs the whole render: begin(), takeReports() until no worker is left, and end().
+  /// Runs the complete render: begin(), then takeReports() until all workers have finished, then end().
   /// @throws core::Error from a worker; core::Error(kGraphics) if a worker died; Interrupted
   RenderSummary run();
 
   /// Starts the workers, unless the target is already finished.
   void begin();
-  /// Returns whether a worker may still send reports.
+  /// Returns whether workers are still running and may send reports.
   bool isMaking() const { return !workers_.empty(); }
   /// Handles the reports that have arrived, without waiting for more.
   void takeReports();
-  /// Joins the segments and gives all output files their final names together.
+  /// Joins the segments, and renames all output files to their final names together.
   RenderSummary end();
-  /// Signals the workers to stop, without waiting; the destructor waits. A caller with several jobs can thus stop
-  /// all of them at once.
+  /// Sends a signal to stop to all workers, without waiting. The destructor waits. A caller with several jobs can
+  /// thus stop all jobs at the same time.
   void askToStop();
 
-  /// Returns the number of frames in completed segments, which a later render can reuse; 0 for a still or a
-  /// stream.
+  /// Returns the number of frames that a later render can reuse. Returns 0 for a still or a stream.
   std::int64_t framesKept() const;
 
  private:
@@ -63,7 +62,7 @@ class RenderJob {
 
   output::FilmState stateBefore() const;
   bool isFinished() const { return found_ == output::FilmState::kWhole; }
-  /// Runs `work` and records its time in the trace, as work of this process.
+  /// Runs `work` and records its duration in the trace, under the number of the main process.
   void traced(const char* name, const std::function<void()>& work);
   void startWorkers();
   void watch(std::vector<pollfd>& watched) const;

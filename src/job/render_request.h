@@ -15,51 +15,50 @@
 
 namespace poinsot::job {
 
-/// Options of a render besides the scene, the target and the frames.
+/// Options of a render. Scene, target and frames are in RenderRequest.
 struct RenderChoices {
-  std::optional<double> time_s = {};  ///< stills only: film time that overrides the frame's own
+  std::optional<double> time_s = {};  ///< stills only: film time that replaces the time of the frame
   gl::Backend backend = gl::Backend::kAuto;
-  bool reproducible = false;  ///< always set for a shard, because the machines of a cluster differ
+  bool reproducible = false;  ///< always true for a shard, because the machines of a cluster differ
   request::PictureOptions form = {};
   std::int64_t segmentFrames = request::kSegmentFrames;
-  bool resume = false;  ///< reuses existing segments if they match
+  bool resume = false;  ///< reuses matching segments of an earlier render
   bool keepWork = false;
-  std::optional<request::Shard> shard = {};            ///< makes only this shard's segments and does not join them
+  std::optional<request::Shard> shard = {};            ///< renders this shard's segments, without joining
   std::optional<std::filesystem::path> manifest = {};  ///< films and sequences only
   std::optional<std::filesystem::path> trace = {};
   bool digestsPixels = false;  ///< stills only: the worker reports the pixelDigest()
 };
 
-/// Complete description of one render. The same value passes from the options to the workers, which inherit it by
-/// fork().
+/// Complete description of one render. Workers inherit a copy by fork().
 struct RenderRequest : RenderChoices {
   request::RequestedScene scene = {};
   request::OutputTarget target = {};
   request::FrameRange frames = {};
-  int workers = 1;                       ///< most worker processes
-  double worker_bytes = 0;               ///< estimated memory of a worker
-  std::optional<JobRecord> record = {};  ///< for films, sequences and shards, which are made in segments
+  int workers = 1;                       ///< maximum number of worker processes
+  double worker_bytes = 0;               ///< estimated memory of one worker
+  std::optional<JobRecord> record = {};  ///< set for films, sequences and shards, which are made in segments
 
-  /// Returns all segments, or only those of the shard.
+  /// Returns all segments, or the segments of the shard if there is one.
   std::vector<request::FrameRange> segments() const {
     return request::segmentsOf(shard.value_or(request::Shard()), request::segmentsOf(frames, segmentFrames));
   }
 };
 
-/// Makes a request with its memory estimate and its job record; do not fill in a RenderRequest by hand. The caller
-/// sets `workers`, which depends on the machine.
-/// @throws core::Error(kPhysics) as describe::pictureWords().
+/// Returns a request with its memory estimate and its job record. Do not fill in a RenderRequest by hand. The
+/// caller sets `workers`, which depends on the machine.
+/// @throws core::Error(kPhysics) like describe::pictureWords().
 RenderRequest renderRequest(request::RequestedScene scene, const request::OutputTarget& target,
                             const request::FrameRange& frames, const RenderChoices& choices = {});
 
-/// @throws core::Error(kLimit) if a worker would take more memory than the scene's limits allow.
+/// @throws core::Error(kLimit) if a worker would need more memory than the scene's limits allow.
 void expectWithinMemory(const RenderRequest& request);
 
-/// Values that all workers of a render inherit.
+/// Values that all workers of a render inherit from the main process.
 struct WorkerTask {
   const RenderRequest& render;
   std::filesystem::path workFolder;
-  int rasterThreads = 0;  ///< extra threads of llvmpipe; 0 rasterises on the worker's own thread
+  int rasterThreads = 0;  ///< extra threads of llvmpipe; 0 draws on the worker's own thread
 
   bool resumes() const { return render.resume || render.shard; }
 };

@@ -16,19 +16,19 @@
 
 namespace poinsot::job {
 
-/// Source of a scene's frames: a composer makes the picture of a frame, and a renderer draws the picture. The
-/// OpenGL context must stay current as long as the object lives.
+/// Source of a scene's frames. A composer creates the picture of each frame, and a renderer draws the picture. The
+/// OpenGL context must stay current during the lifetime of this object.
 class SceneFrames : public FrameSource {
  public:
-  /// @param steps  ledger that receives the time spent
+  /// @param steps  ledger to which the time of each step is added
   /// @throws core::Error(kPhysics, kGraphics)
   SceneFrames(const RenderRequest& render, gl::OffscreenContext& context, core::StepLedger* steps);
-  /// Makes frames for display only: digest() then includes no render settings.
+  /// Makes frames only for display, for example in the preview. digest() then omits the render settings.
   /// @throws core::Error(kPhysics, kGraphics)
   SceneFrames(const request::RequestedScene& requested, const request::PictureOptions& form,
               gl::OffscreenContext& context);
 
-  /// Sets RenderChoices::time_s, the film time of every frame; nullopt restores each frame's own time.
+  /// Sets RenderChoices::time_s, the film time of every frame. nullopt restores the time of each frame.
   void setTime(std::optional<double> time_s) {
     time_s_ = time_s;
     composed_.reset();
@@ -36,7 +36,7 @@ class SceneFrames : public FrameSource {
 
   image::Frame frame(std::int64_t k) override;
   core::Digest digest(std::int64_t k) override;
-  /// Returns the picture of the last frame, with the parts that a figure draws as vectors.
+  /// Returns the picture of the last frame, including the parts that a figure draws as vector graphics.
   const draw::Picture& picture() const { return picture_; }
   const std::string& renderer() const { return rendererName_; }
 

@@ -32,7 +32,8 @@ using std::filesystem::path;
       fmt::format("cannot read {}: {}", core::printable(file.native()), core::systemReason(code)), file, code);
 }
 
-// Relative to the work folder, so that folder and frames can be moved together or mounted elsewhere.
+// Returns a path relative to the work folder, because a user may move or mount the folder and the frames
+// elsewhere.
 std::string nameOf(const path& file, const path& folder) {
   return core::utf8FromBytes(file.lexically_relative(folder).native());
 }
@@ -48,7 +49,7 @@ Json toJson(const SegmentRecord& record, const path& folder) {
           {"files", std::move(files)}};
 }
 
-/// Reads a record without the paths of its files, which parse() checks.
+/// Reads a record from JSON. Does not read the file paths; parse() checks them.
 SegmentRecord fromJson(const Json& json) {
   SegmentRecord record;
   record.frames = {core::wholeNumber(json.at("frames").at(0)), core::wholeNumber(json.at("frames").at(1))};
@@ -97,7 +98,7 @@ std::optional<SegmentRecord> SegmentRecords::parse(std::string_view text, const 
     return std::nullopt;
   const std::vector<path> files = segmentFiles(folder_, target_, frames);
   if (record.files.size() != files.size()) return std::nullopt;
-  // Records may come from anyone, and must not make the program open files outside the segment.
+  // A record may come from an untrusted source. Rejects paths of files outside the segment.
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (json.at("files").at(i).at("path").get<std::string>() != nameOf(files[i], folder_)) return std::nullopt;
     record.files[i].path = files[i];

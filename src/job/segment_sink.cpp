@@ -81,7 +81,7 @@ std::unique_ptr<output::FrameSink> pictureSink(const WorkerTask& task, SceneFram
   if (render.target.kind == request::OutputKind::kPicture)
     return std::make_unique<SinglePicture>(stagedFiles(task.workFolder, render.target).front(), std::move(texts),
                                            render.form.print ? print.dpi : 0, digestOf, steps);
-  // Frames carry no title or description, so that a change of these texts does not make the frames stale.
+  // Omits title and description from frames, so that a new title does not make the frames stale.
   return std::make_unique<output::PngSequence>(
       output::FramePattern(path.string()),
       output::SequenceOptions{{}, digestOf, task.resumes(), task.workFolder, &steps});

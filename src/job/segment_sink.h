@@ -7,13 +7,14 @@
 
 namespace poinsot::job {
 
-/// Returns the paths in the work folder where a still's worker writes the files of figure::figureFiles(). The
-/// render then gives all of them their final names together.
+/// Returns the temporary paths of the files of a still (figure::figureFiles()) in the work folder. A worker writes
+/// these files, and the render later renames them together.
 std::vector<std::filesystem::path> stagedFiles(const std::filesystem::path& workFolder,
                                                const request::OutputTarget& target);
 
-/// Returns the maker of sinks for a render. Film segments and stills go to the work folder, frames of a sequence
-/// to their final names. All three arguments must outlive the sinks, which enter their time into `steps`.
+/// Returns a function that creates the sink of a segment. Film segments and stills are written to the work folder,
+/// frames of a sequence to their final names. All arguments must outlive the sinks. The sinks add their time to
+/// `steps`.
 SinkMaker sinkMaker(const WorkerTask& task, SceneFrames& frames, core::StepLedger& steps);
 
 }  // namespace poinsot::job

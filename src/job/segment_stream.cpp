@@ -28,7 +28,8 @@ int awaitRoom() {
   return watched[1].revents != 0 ? ECANCELED : 0;
 }
 
-/// Writes in pieces of at most PIPE_BUF, which a ready pipe takes at once. @returns 0 or an errno
+/// Writes all bytes, in pieces of at most PIPE_BUF, because a ready pipe accepts that size without blocking.
+/// @returns 0 or an errno
 int writeOut(Bytes bytes) {
   while (!bytes.empty()) {
     if (const int code = awaitRoom(); code != 0) return code;
@@ -82,7 +83,7 @@ void SegmentStream::sendFile(const std::filesystem::path& file) const {
 
 void SegmentStream::finish() {
   if (film_) film_->finish();
-  // Pipes and terminals cannot be synced and need not be.
+  // Ignores failure for pipes and terminals, which cannot be synced.
   if (fsync(STDOUT_FILENO) != 0 && errno != EINVAL && errno != EROFS && errno != ENOTSUP) failStream(errno);
 }
 

@@ -9,16 +9,16 @@
 
 namespace poinsot::job {
 
-/// Writes segments to standard output in frame order and removes them: PNG pictures one after the other, or an MP4
-/// in fragments.
+/// Writer of finished segments to standard output, in frame order. Writes PNG pictures one after the other, or a
+/// fragmented MP4. Removes the file of each written segment.
 class SegmentStream {
  public:
   SegmentStream(const request::OutputTarget& target, const JobRecord& job, std::filesystem::path workFolder);
 
-  /// Accepts a finished segment. Segments may finish in any order; output is written in frame order.
-  /// @throws core::Error(kIo), also if a signal arrives while the reader does not read; core::BrokenPipe
+  /// Accepts a finished segment. Segments may finish in any order, but are written in frame order.
+  /// @throws core::Error(kIo) if writing fails, or if a signal arrives while the reader blocks; core::BrokenPipe
   void add(const request::FrameRange& segment);
-  /// Ends the output after the last segment. If standard output is a file, the file is then synced to disk.
+  /// Ends the output after the last segment. If standard output is a file, syncs the file.
   void finish();
 
  private:
@@ -29,7 +29,7 @@ class SegmentStream {
   std::filesystem::path workFolder_;
   std::optional<output::FilmStream> film_;
   std::vector<request::FrameRange> ready_;
-  std::int64_t next_;  // first frame that is not sent yet
+  std::int64_t next_;  // first frame that is not written yet
 };
 
 }  // namespace poinsot::job

@@ -29,7 +29,7 @@ Statistics& Statistics::operator+=(const Statistics& other) {
 double processPeakMemory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);  // Linux counts kilobytes
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);  // ru_maxrss is in kilobytes on Linux
 }
 
 std::string statisticsText(const Statistics& sum, double wall_s) {
@@ -44,7 +44,7 @@ std::string statisticsText(const Statistics& sum, double wall_s) {
   };
   for (std::size_t i = 0; i < core::kSteps; ++i) {
     const auto step = static_cast<core::Step>(i);
-    // Making a worker's first frame is listed separately, converting and writing it are not.
+    // Drawing the first frame of each worker is listed on a line of its own, so these frames do not count here.
     const auto frames = step <= core::Step::kText ? sum.frames - sum.workers : sum.frames;
     line(core::nameOf(step), perFrame(sum.steps[step], frames));
   }

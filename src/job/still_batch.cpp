@@ -9,7 +9,7 @@
 namespace poinsot::job {
 namespace {
 
-/// Runs the renders of a batch, several at a time. Uses a single thread, because workers are forks of it.
+/// Batch of renders, with several running at a time. Has only one thread, because it forks the workers.
 class Batch {
  public:
   Batch(std::vector<RenderRequest> requests, const StillListener& listener)
@@ -56,7 +56,7 @@ class Batch {
     });
   }
 
-  /// Runs `work`. Records and reports an error, and returns false then.
+  /// Runs `work`. If it throws an error, records and reports the error and returns false.
   template <typename Work>
   bool attempt(std::size_t index, const Work& work) {
     try {

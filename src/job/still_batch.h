@@ -10,16 +10,16 @@
 
 namespace poinsot::job {
 
-/// Callback after each picture, with its index in the batch and the error if the picture failed.
+/// Callback after each picture, with its index in the batch, and with the error if the picture failed.
 using StillListener = std::function<void(std::size_t index, const std::optional<core::Error>& failure)>;
 
 struct MadeStill {
   std::optional<core::Error> failure;
-  RenderSummary summary;  ///< valid only without `failure`
+  RenderSummary summary;  ///< valid only if `failure` is empty
 };
 
-/// Makes pictures of several scenes, `jobs` workers at a time. A failed picture does not stop the others. Pictures
-/// may finish in any order; the order does not change them.
+/// Renders pictures of several scenes with `jobs` workers at a time. If a picture fails, continues with the
+/// others. The order in which pictures finish does not affect them.
 /// @pre every request is of one frame.
 /// @returns one result per request, in the same order
 /// @throws Interrupted

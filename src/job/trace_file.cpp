@@ -16,7 +16,7 @@ constexpr std::size_t kEnough_bytes = 64 << 10;
 
 enum class Row { kJob = 1, kSegments, kPictures, kFiles };
 
-// Returns the row of a worker's span. All spans of the parent are in kJob.
+// Returns the row of a worker's span in the trace. The main process uses only the row kJob.
 Row rowOf(std::string_view name) {
   using core::Step;
   constexpr std::array kFileSteps{Step::kConvert, Step::kEncode, Step::kWrite};

@@ -14,20 +14,20 @@ namespace poinsot::job {
 
 output::FileKind traceKind();
 
-/// Number of the parent process in a trace; workers have numbers from 1.
+/// Number of the main process in a trace. Workers are numbered from 1.
 inline constexpr int kParentProcess = 0;
 
-/// Trace of a render's processes in Chrome's trace format, which chrome://tracing and ui.perfetto.dev show. Events
-/// are written as they arrive, so a long trace needs no more memory.
+/// Trace of the processes of a render, in Chrome's trace format. Open the file in chrome://tracing or
+/// ui.perfetto.dev. Events are written as they arrive, so the memory does not grow with the trace.
 class TraceFile {
  public:
-  /// Starts a trace; times count from this call. Until complete, the file lies in `folder` if that is beside the
-  /// target.
-  /// @throws core::Error(kIo), as do the members below.
+  /// Starts a trace, whose times count from this call. The temporary file is in `folder` if that is beside the
+  /// target, otherwise in the target's folder.
+  /// @throws core::Error(kIo); all members below throw the same.
   TraceFile(const std::filesystem::path& target, const std::filesystem::path& folder);
 
   void add(int process, const core::Span& span);
-  /// Completes the file. @returns the file, which still has its temporary name
+  /// Completes the trace. @returns the file, still under its temporary name
   core::AtomicFile finish();
 
  private:

@@ -30,7 +30,8 @@ namespace {
   fail(folder, core::systemReason(code), code);
 }
 
-/// Returns whether the name still refers to the opened folder, which an earlier lock holder may have removed.
+/// Returns whether `folder` is still the name of the opened folder. A previous owner of the lock may have removed
+/// it.
 bool stillThere(int fd, const std::filesystem::path& folder) {
   struct stat opened {
   }, named{};
@@ -52,7 +53,8 @@ core::FileHandle openLocked(const std::filesystem::path& folder, WorkFolderUse u
   }
 }
 
-/// Shortens a name so that the work folder's name stays within 255 bytes. A digest keeps shortened names distinct.
+/// Shortens a file name so that the name of its work folder has at most 255 bytes. Adds a digest, so that
+/// different names stay different.
 std::string shortEnough(const std::string& name) {
   constexpr std::size_t kMost = 255 - std::string_view("..poinsot").size(), kKept = 200;
   if (name.size() <= kMost) return name;
@@ -74,14 +76,14 @@ WorkFolder::~WorkFolder() {
   try {
     leave();
   } catch (const std::bad_alloc&) {
-    // The next render takes over or removes the folder.
+    // Leaves the folder to the next render, which reuses or removes it.
   }
 }
 
 void WorkFolder::leave() const {
-  if (!discarded_ && (shared_ || holdsSegments())) return;  // other shards may have just begun
+  if (!discarded_ && (shared_ || holdsSegments())) return;  // another shard may have just started
   removeContents();
-  std::error_code ignored;  // fails if other files are in the folder, which must stay
+  std::error_code ignored;  // ignored: removal fails if the folder contains other files, which must stay
   std::filesystem::remove(path_, ignored);
 }
 
@@ -92,7 +94,7 @@ bool WorkFolder::holdsSegments() const {
   return false;
 }
 
-// Files with the ending ".tmp" are temporary files, which a killed process may have left.
+// Removes job.json, the segments, and the files named *.tmp, which a killed process may have left.
 void WorkFolder::removeContents() const {
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(path_, ignored)) {

@@ -7,29 +7,29 @@
 
 namespace poinsot::job {
 
-/// Treatment of files that an earlier render left in the work folder.
+/// How to treat files that an earlier render left in the work folder.
 enum class WorkFolderUse {
   kFresh,    ///< deletes the files
   kResumed,  ///< reuses the files
-  kShared,   ///< reuses the files, and shares the folder with other processes that do the same
+  kShared,   ///< reuses the files, and lets other processes do the same at the same time
 };
 
-/// Returns the path `.NAME.poinsot` beside a target.
+/// Returns the path of the work folder: `.NAME.poinsot` in the target's folder.
 std::filesystem::path workFolderOf(const std::filesystem::path& target);
 
-/// Folder beside a target for incomplete files, on the target's file system, so that the result can be renamed
-/// into place. A lock keeps two renders of the same target apart. The folder of a killed run has no lock, so the
-/// next run takes it over.
+/// Folder for incomplete files. It lies beside the target, because files can be renamed only within a file system.
+/// A lock prevents two renders of the same target at a time. If a render is killed, its lock ends, and the next
+/// render takes over the folder.
 class WorkFolder {
  public:
-  /// @throws core::Error(kIo) if the folder cannot be made, or if another render has locked it
+  /// @throws core::Error(kIo) if the folder cannot be created, or if another render has locked it
   WorkFolder(const std::filesystem::path& target, WorkFolderUse use);
-  /// Removes the folder, unless it is shared or holds segments that a later render can reuse.
+  /// Removes the folder, unless it is shared or contains segments that a later render can reuse.
   ~WorkFolder();
   WorkFolder(WorkFolder&&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// Lets the destructor remove the folder in any case.
+  /// Makes the destructor remove the folder in any case.
   void discard() { discarded_ = true; }
 
  private:

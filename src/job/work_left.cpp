@@ -57,11 +57,12 @@ std::string nothingUnderWayText(const request::OutputTarget& output, const fs::p
   if (fs::is_directory(workFolder, ignored))
     return fmt::format("{}/job.json is missing or damaged; {} --resume writes it again and keeps whole segments",
                        core::printable(workFolder.native()), render);
-  if (isReadyFilm(output)) return "the film itself is whole";
+  if (isReadyFilm(output)) return "the film itself is complete";
   if (output.kind != request::OutputKind::kFilm || !fs::exists(output.path, ignored))
-    return "there is nothing of that name; make it: " + render;
+    return "nothing with that name exists; make it: " + render;
   if (output::isOwnFilm(output.path))
-    return fmt::format("the film itself is not as it was written; {} --resume makes it again", render);
+    return fmt::format("the film itself was damaged or changed after it was written; {} --resume makes it again",
+                       render);
   return fmt::format(
       "the file there was written by another program, or is too damaged to be recognised; {} --force replaces it",
       render);

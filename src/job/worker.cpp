@@ -21,7 +21,7 @@ namespace poinsot::job {
 
 namespace {
 
-/// Sends a report. If the parent is gone, throws Interrupted, because no work is left to do.
+/// Sends a report to the main process. Throws Interrupted if the main process has ended.
 void report(int reports, const WorkerReport& what) {
   if (!process::writeLine(reports, toLine(what))) throw process::Interrupted(SIGHUP);
 }
@@ -89,7 +89,7 @@ void work(const WorkerTask& task, process::LineReader& segments, int reports) {
   process::forbidProcessesInSandbox();
   const RenderRequest& render = task.render;
   gl::pinEnvironment(render.reproducible, task.rasterThreads);
-  unsetenv("HOME");  // a .drirc there may change what EGL's driver does; later code does not need HOME
+  unsetenv("HOME");  // hides ~/.drirc, which could change the OpenGL driver; HOME is not needed later
   beginHeap(render.worker_bytes);
   const auto context = gl::openContext(render.backend);
   core::StepLedger steps;
@@ -108,7 +108,7 @@ int failed(int reports, const WorkerFailed& failure) {
   return EXIT_FAILURE;
 }
 
-/// @throws std::bad_alloc
+/// Does the work of the process and reports errors to the main process. @throws std::bad_alloc
 int workTellingFailures(const WorkerTask& task, int segments, int reports) {
   process::LineReader lines(segments);
   try {
@@ -151,7 +151,7 @@ int runWorker(const WorkerTask& task, int segments, int reports) {
   const std::string outOfMemory = toLine(WorkerFailed{core::ErrorKind::kGraphics, "out of memory"}) + '\n';
   try {
     return workTellingFailures(task, segments, reports);
-  } catch (const std::bad_alloc&) {  // perhaps while reporting another failure
+  } catch (const std::bad_alloc&) {  // memory may have run out while another error was reported
     process::writeText(reports, outOfMemory);
     return EXIT_FAILURE;
   }

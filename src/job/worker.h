@@ -18,13 +18,13 @@ namespace poinsot::job {
 
 using SinkMaker = std::function<std::unique_ptr<output::FrameSink>(const request::FrameRange& segment)>;
 
-/// Finds segments that a worker can reuse, and records the segments that the worker completes.
+/// Detects segments that a worker can reuse, and records the segments that the worker completes.
 class SegmentKeeper {
  public:
   SegmentKeeper(const WorkerTask& task, std::string renderer);
 
-  /// Returns whether a finished segment can be reused. The segment must come from the same job and renderer, or
-  /// show the same pictures; in the second case its record is updated to this job.
+  /// Returns whether a finished segment can be reused. The segment must have been made by the same job and
+  /// renderer, or have the same frame digests. In the latter case, assigns the segment's record to this job.
   bool has(const request::FrameRange& segment, FrameSource& source) const;
   /// Records a completed segment. @throws core::Error(kIo).
   void keep(const request::FrameRange& segment, std::vector<std::string> digests) const;
@@ -37,9 +37,9 @@ class SegmentKeeper {
   std::string jobDigest_, renderer_;
 };
 
-/// Makes the segments that arrive from the parent until no more come, and reports each frame and segment. Reuses
-/// the segments that the keeper has and the frames that a sink has.
-/// @param steps  ledger of the source and the sinks, whose spans are reported
+/// Makes the segments that arrive from the main process, and reports each frame and segment. Returns when the main
+/// process sends no more. Reuses segments that `keeper` finds and frames that a sink already has.
+/// @param steps  ledger of the source and the sinks; its spans are reported
 /// @param keeper  null if segments are neither reused nor recorded
 /// @param digestsPixels  adds the pixelDigest() to the report of each frame
 /// @throws core::Error of the source or a sink; Interrupted.
@@ -47,9 +47,9 @@ Statistics makeSegments(process::LineReader& segments, int reports, FrameSource&
                         core::StepLedger& steps, const SegmentKeeper* keeper = nullptr,
                         bool digestsPixels = false);
 
-/// Runs a worker process: reads segments from the descriptor `segments`, and writes reports to `reports`. Opens
+/// Runs a worker process. Reads segments from the descriptor `segments`, and writes reports to `reports`. Opens
 /// the only OpenGL context of this process.
-/// @returns the exit status; an error has been reported before the function returns
+/// @returns the exit status; any error has already been reported
 int runWorker(const WorkerTask& task, int segments, int reports);
 
 }  // namespace poinsot::job

@@ -36,11 +36,11 @@ Pipe makePipe() {
   return {core::FileHandle(ends[0]), core::FileHandle(ends[1])};
 }
 
-/// Closes the parent's descriptors. A worker that kept them would keep the pipes of other workers open.
+/// Closes all inherited descriptors, because open copies would keep the pipes of other workers open.
 void closeAllButStandardStreams() {
   constexpr unsigned kFirst = STDERR_FILENO + 1;
   if (close_range(kFirst, ~0U, 0) == 0) return;
-  rlimit limit{};  // kernels before 5.9 lack close_range()
+  rlimit limit{};  // fallback for kernels before 5.9, without close_range()
   getrlimit(RLIMIT_NOFILE, &limit);
   for (auto fd = static_cast<int>(kFirst); fd < static_cast<int>(limit.rlim_cur); ++fd) close(fd);
 }
@@ -50,7 +50,8 @@ void closeAllButStandardStreams() {
   dup2(segments, STDIN_FILENO);
   dup2(reports, STDOUT_FILENO);
   closeAllButStandardStreams();
-  // A return would destroy the parent's objects on the stack. std::exit() does not, but lets Mesa finish its work.
+  // Calls std::exit() instead of returning, because a return would destroy the parent's objects on the stack.
+  // std::exit() still lets Mesa finish its work.
   std::exit(runWorker(task, STDIN_FILENO, STDOUT_FILENO));
 }
 
@@ -65,7 +66,7 @@ std::string inWords(int status) {
 WorkerProcess::WorkerProcess(const WorkerTask& task, int number) : number_(number) {
   Pipe segments = makePipe(), reports = makePipe();
   const pid_t parent = getpid();
-  std::fflush(nullptr);  // or both processes would write the buffered text
+  std::fflush(nullptr);  // otherwise both processes would write the buffered text
   const process::SignalsHeld held;
   pid_ = fork();
   if (pid_ < 0) cannotStart("fork");
@@ -85,8 +86,8 @@ void WorkerProcess::give(const request::FrameRange& segment) {
   tell(toLine(segment));
 }
 
-/// Sends a line. A worker that misses a line would wait for ever, so failure throws. EPIPE is ignored, because the
-/// end of the reports already reveals that the worker is gone.
+/// Sends a line to the worker. Throws on failure, because a worker that misses a line would wait for ever. Ignores
+/// EPIPE: if the worker has ended, its reports end, too.
 void WorkerProcess::tell(const std::string& line) const {
   const int code = process::writeText(segments_.get(), line + '\n');
   if (code != 0 && code != EPIPE)

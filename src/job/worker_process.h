@@ -14,19 +14,19 @@
 
 namespace poinsot::job {
 
-/// Worker process: a fork of this process, in the same process group, killed if its parent ends. A worker executes
-/// no program, so it works in a sandbox that forbids this (sandbox.h). Destroying a running worker kills it.
+/// Worker process, started by fork(). It is in the same process group, and is killed if its parent ends. A worker
+/// executes no other program, and its sandbox forbids that (sandbox.h). The destructor kills a running worker.
 class WorkerProcess {
  public:
-  /// @param number  distinguishes the workers of a task
+  /// @param number  number of the worker in its task
   /// @warning Forks: this process must have one thread and must never have opened an OpenGL context, because a
-  /// fork lacks Mesa's threads.
+  /// fork has no copies of Mesa's threads.
   /// @throws core::Error(kGraphics) if no process can be started.
   WorkerProcess(const WorkerTask& task, int number);
   ~WorkerProcess();
   WorkerProcess(WorkerProcess&&) = delete;
 
-  /// Sends a segment to the worker. Does not fail if the worker is gone, which readReports() detects.
+  /// Sends a segment to the worker. If the worker has ended, does nothing; readReports() detects that.
   /// @throws core::Error(kGraphics) if the message cannot be sent.
   void give(const request::FrameRange& segment);
   void giveNoMore();
@@ -34,21 +34,21 @@ class WorkerProcess {
 
   int number() const { return number_; }
 
-  /// Returns the descriptor to poll(), which is readable after a report or at the end of the reports.
+  /// Returns the descriptor for poll(). It is readable if a report has arrived, and at the end of all reports.
   int reportsFd() const { return reports_.get(); }
-  /// Reads once, waiting if no report is there. Returns false if the worker closed its end.
+  /// Reads available reports, or waits for one. Returns false if the worker has closed its end of the pipe.
   bool readReports() { return reader_.fill(); }
   std::optional<WorkerReport> takeReport();
-  /// Returns whether setFinished() was called, after the worker reported its end.
+  /// Returns whether the worker has reported its end, as recorded by setFinished().
   bool finished() const { return finished_; }
   void setFinished() { finished_ = true; }
 
-  /// Sends SIGTERM, so that the worker cleans up and ends.
+  /// Sends SIGTERM to the worker, which then cleans up and ends.
   void askToStop();
   /// Waits up to `wait_s` seconds for the end of the worker.
-  /// @returns how the worker ended, in words; nullopt if it still runs
+  /// @returns a phrase on how the worker ended; nullopt if it is still running
   std::optional<std::string> ended(double wait_s);
-  /// Waits like ended(), without a result, for callers that must not throw.
+  /// Waits up to `wait_s` seconds for the end of the worker. Unlike ended(), never throws.
   void awaitEnd(double wait_s) noexcept;
   void kill();
 
@@ -57,7 +57,7 @@ class WorkerProcess {
 
   int number_;
   pid_t pid_ = -1;
-  int status_ = 0;  ///< from waitpid(); valid once pid_ is -1
+  int status_ = 0;  ///< status from waitpid(); valid if pid_ is -1
   core::FileHandle segments_, reports_;
   process::LineReader reader_{-1};
   std::optional<request::FrameRange> segment_;

@@ -18,7 +18,7 @@ request::FrameRange rangeOf(const WireJson& json) {
   return {json.at(0).get<std::int64_t>(), json.at(1).get<std::int64_t>()};
 }
 
-// Lists the fields in the order in which statisticsOf() reads them.
+// Lists the fields in the same order as statisticsOf() reads them.
 WireJson toJson(const Statistics& s) {
   WireJson steps = WireJson::array();
   for (std::size_t i = 0; i < core::kSteps; ++i) steps.push_back(s.steps[static_cast<core::Step>(i)]);
@@ -51,12 +51,14 @@ std::vector<core::Span> spansOf(const WireJson& json) {
   return spans;
 }
 
-/// Parses a line and passes the JSON to `reading`. Both ends are the same program, so only a truncated line fails.
+/// Parses a line and passes the JSON to `reading`. Fails only for truncated lines, because both ends are one
+/// program.
 template <class Reading>
 auto readingLine(std::string_view line, Reading reading) try {
   return reading(WireJson::parse(line));
 } catch (const WireJson::exception&) {
-  throw core::graphicsError("a message between the render and a worker process was lost or damaged; run it again");
+  throw core::graphicsError(
+      "a message between the render and a worker process was lost or damaged; run the command again");
 }
 
 WorkerReport reportOf(const WireJson& json) {
@@ -77,7 +79,7 @@ struct Overloaded : Each... {
   using Each::operator()...;
 };
 template <class... Each>
-Overloaded(Each...) -> Overloaded<Each...>;  // needed by clang 14
+Overloaded(Each...) -> Overloaded<Each...>;  // deduction guide, which clang 14 needs
 
 }  // namespace
 

@@ -12,19 +12,19 @@
 #include "job/statistics.h"
 #include "request/frame_plan.h"
 
-/// Protocol between a render and its workers, one JSON object per line. The render sends segments, and closes the
-/// stream if there are no more. Workers send reports.
+/// Protocol between the main process of a render and its workers, with one JSON object per line. The main process
+/// sends segments, and closes the stream after the last. Workers send reports.
 namespace poinsot::job {
 
 struct FrameDone {
   std::int64_t k = 0;
-  bool reused = false;      ///< an identical frame existed already
+  bool reused = false;      ///< an identical frame existed before the render
   std::string pixels = {};  ///< pixelDigest() of the new frame, if requested
 };
 struct SegmentDone {
   request::FrameRange frames;
 };
-/// Report of the worker's spans of work since the previous SpansDone.
+/// Report of the worker's time spans since its previous SpansDone.
 struct SpansDone {
   std::vector<core::Span> spans;
 };
@@ -36,13 +36,13 @@ struct WorkerFinished {
 struct WorkerFailed {
   core::ErrorKind kind = core::ErrorKind::kGraphics;
   std::string message;
-  std::filesystem::path file = {};  ///< core::FileError::file(), if the error is of that type
-  int code = 0;                     ///< core::FileError::code(), an errno
+  std::filesystem::path file = {};  ///< core::FileError::file() of a FileError; empty for other errors
+  int code = 0;                     ///< core::FileError::code() of a FileError, an errno
 };
 using WorkerReport = std::variant<FrameDone, SegmentDone, SpansDone, WorkerFinished, WorkerFailed>;
 
-/// Conversion to and from lines without the newline. Reading throws core::Error(kGraphics) if a line is incomplete
-/// or of another type than expected.
+/// Conversion to and from lines, without the newline. Reading throws core::Error(kGraphics) if a line is
+/// incomplete or contains another type than expected.
 std::string toLine(const request::FrameRange& segment);
 std::string toLine(const WorkerReport& report);
 request::FrameRange segmentFromLine(std::string_view line);

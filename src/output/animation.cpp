@@ -19,12 +19,14 @@ namespace {
 using core::ErrorKind;
 using std::filesystem::path;
 
-// One of the 256 indices marks pixels that have not changed since the previous picture.
+// One of the 256 indices of a GIF marks pixels that are unchanged since the previous picture.
 constexpr int kMostColors = 255;
-// The palette is computed from about this many pictures, spread evenly. More would cost time and not change it.
+// The palette is computed from about this many pictures, spread evenly over the film. More pictures take longer
+// and give the same palette.
 constexpr std::int64_t kPicturesForPalette = 100;
 
-// Largest picture that is decoded, in pixels: the most that OpenGL draws here if a user raises every limit.
+// Largest picture that is decoded, in pixels. OpenGL draws no larger picture here, even if a user raises every
+// limit.
 constexpr std::int64_t kMostPixels = std::int64_t{16384} * 16384;
 
 using PictureListener = std::function<void(const image::Image&)>;
@@ -45,7 +47,7 @@ CodecContextPtr decoderOf(const AVCodecParameters& parameters) {
 
 void readSegment(const path& file, const PictureListener& listen) {
   TrackReader reader(file, FileFormat::kMatroska);
-  if (reader.mark() != ownMark()) refuse(file, "is no segment written by this version of poinsot");
+  if (reader.mark() != ownMark()) refuse(file, "is not a segment written by this version of poinsot");
   const auto decoder = decoderOf(reader.parameters());
   const auto packet = checkAlloc(PacketPtr(ffmpeg().av_packet_alloc()));
   const auto frame = checkAlloc(FramePtr(ffmpeg().av_frame_alloc()));
@@ -59,7 +61,7 @@ void readSegment(const path& file, const PictureListener& listen) {
   }
 }
 
-/// Passes all pictures to `listen`, which allocates for the first one. Throws if a size or channel count differs.
+/// Passes all pictures to `listen`. Throws if a picture's size or channel count differs from the first picture's.
 void readAll(const std::vector<path>& segments, const PictureListener& listen) {
   std::optional<image::PixelSize> size;
   int channels = 0;

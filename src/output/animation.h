@@ -8,7 +8,7 @@
 
 namespace poinsot::output {
 
-/// Encodes a GIF or an APNG from lossless segments, in the order given.
+/// Encodes a GIF or an APNG from lossless segments, in the given order.
 /// @returns the complete film, which gets its name by commit().
 core::AtomicFile animate(const std::vector<std::filesystem::path>& segments, const std::filesystem::path& target,
                          const FilmTrack& track, const FilmTexts& texts,

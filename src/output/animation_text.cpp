@@ -15,7 +15,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::string_view kPngSignature{"\x89PNG\r\n\x1a\n", 8};
-// Header of an iTXt chunk: the keyword, then no compression, no language and no translated keyword.
+// Header of an iTXt chunk: the keyword "Comment", no compression, no language, and no translated keyword.
 constexpr std::string_view kPngTextHead{"Comment\0\0\0\0\0", 12};
 constexpr std::uint8_t kTrailer = 0x3B, kExtension = 0x21, kImage = 0x2C, kComment = 0xFE;
 
@@ -48,7 +48,7 @@ Bytes gifComment(std::string_view text) {
   return bytes;
 }
 
-// The readers below throw std::ios_base::failure if a file ends too early or has unexpected content.
+// The code below throws std::ios_base::failure if a file ends too early or has unexpected content.
 
 class Reader {
  public:
@@ -81,7 +81,7 @@ class Reader {
   std::ifstream in_;
 };
 
-// Texts stand before the pictures. Older versions of this program wrote them at the end.
+// The texts are stored before the pictures. Older versions of this program stored them at the end of the file.
 using Texts = std::vector<std::string>;
 
 void readPng(Reader reader, Texts& texts) {
@@ -124,7 +124,7 @@ void readGif(Reader reader, Texts& texts) {
       if (!texts.empty()) return;
       const std::string place = reader.bytes(9);
       skipGifColors(reader, static_cast<std::uint8_t>(place[8]));
-      reader.skip(1);  // minimum code size of LZW
+      reader.skip(1);  // LZW's minimum code size
       gifBlocks(reader);
     } else {
       const bool comment = reader.byte() == kComment;
@@ -157,7 +157,7 @@ void insertTexts(core::AtomicFile& film, FileFormat format, const std::vector<st
   for (const std::string& text : texts) inserted += animationText(format, text);
   const auto size = static_cast<std::int64_t>(inserted.size());
   const std::int64_t place = placeOfTexts(format, film.readAt(0, kHead));
-  // Moves blocks from the end backwards, because old and new positions overlap in the same file.
+  // Moves the last block first, because old and new positions overlap in the same file.
   for (std::int64_t end = film.size(); end > place;) {
     const std::int64_t begin = std::max<std::int64_t>(place, end - static_cast<std::int64_t>(kBlock));
     film.writeAt(begin + size, film.readAt(begin, static_cast<std::size_t>(end - begin)));

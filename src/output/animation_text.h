@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Metadata texts of a GIF (comments) and an APNG (text chunks), into which libavformat writes none. The texts
-// stand before the pictures, so that a truncated film still has them.
+// Metadata texts of a GIF (comments) and of an APNG (text chunks), which libavformat cannot write. They are stored
+// before the pictures, so that a truncated film still has them.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ namespace poinsot::output {
 /// Returns whether the format is GIF or APNG, whose texts insertTexts() writes.
 bool isAnimation(FileFormat format);
 
-/// Returns the bytes of a text in the file: a comment extension in a GIF, an iTXt chunk in an APNG.
+/// Returns the bytes that store a text in the file: a comment extension in a GIF, an iTXt chunk in an APNG.
 std::string animationText(FileFormat format, const std::string& text);
 
 /// Inserts texts into a film that libavformat has written.
@@ -23,7 +23,7 @@ std::string animationText(FileFormat format, const std::string& text);
 void insertTexts(core::AtomicFile& film, FileFormat format, const std::vector<std::string>& texts);
 
 /// Reads the texts of a .gif or an .apng.
-/// @throws core::Error(kIo) with the path if the file is no such film, or damaged before its first text.
+/// @throws core::Error(kIo) with the path if the file is not such a film, or is damaged before its first text.
 std::vector<std::string> animationTexts(const std::filesystem::path& file);
 
 }  // namespace poinsot::output

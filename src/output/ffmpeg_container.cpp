@@ -55,13 +55,14 @@ IoPtr openIo(ByteTarget& target) {
 
 struct FormatFacts {
   const char *muxer, *demuxer;
-  /// Metadata keys of our mark, to write and to read. In Matroska, libav keeps its own name under "encoder".
+  /// Metadata keys for the mark of this program, to write and to read it.
   const char *markKey, *readMarkKey;
   const char *wordsKey = "description", *originKey = "comment";
 };
 
-// In a .mov, libavformat writes "comment" both as comment and as description, and ignores "description". Therefore
-// "comment" holds the description of the film, and "model" its origin, beside our mark in "make".
+// In a .mov, libavformat writes the key "comment" both as comment and as description, and ignores "description". A
+// .mov therefore stores the film's description as "comment", its origin as "model", and the mark of this program
+// as "make".
 const FormatFacts& factsOf(FileFormat format) {
   static constexpr std::array<FormatFacts, 6> kFacts{{{"mp4", "mp4", "encoding_tool", "encoder"},
                                                       {"mov", "mov", "make", "make", "comment", "model"},
@@ -86,7 +87,7 @@ void setText(AVDictionary** texts, const char* key, const std::string& value) {
   checkAv(ffmpeg().av_dict_set(texts, key, value.c_str(), 0), "setting a text");
 }
 
-/// Sets this program's texts only: with "bitexact", libav adds neither its name nor the time.
+/// Sets the film's metadata. The flag "bitexact" keeps libav from adding its own name and the time.
 void describe(AVFormatContext& context, FileFormat format, const FilmTexts& texts) {
   context.flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_FLUSH_PACKETS;
   const FormatFacts& facts = factsOf(format);
@@ -97,7 +98,8 @@ void describe(AVFormatContext& context, FileFormat format, const FilmTexts& text
     setText(&context.metadata, facts.originKey, sealText(texts.origin) + "; " + texts.renderer);
 }
 
-/// Returns the texts of an animation. The origin is a text of its own, because that text ends with the digest.
+/// Returns the texts of an animation. The origin is a separate text, because the text with the origin must end
+/// with the digest.
 std::vector<std::string> textsOfAnimation(const FilmTexts& texts) {
   std::vector<std::string> all{ownMark()};
   for (const std::string& line : {texts.renderer, texts.title, texts.description})
@@ -109,7 +111,8 @@ std::vector<std::string> textsOfAnimation(const FilmTexts& texts) {
 void addTrack(AVFormatContext& format, const AVCodecParameters& parameters, const core::Rational& fps) {
   AVStream* stream = checkAlloc(ffmpeg().avformat_new_stream(&format, nullptr));
   checkAv(ffmpeg().avcodec_parameters_copy(stream->codecpar, &parameters), "describing the track");
-  // The muxer chooses the codec tag. HEVC and ProRes have several tags, so there the encoder's choice stays.
+  // The muxer chooses the codec tag, except for HEVC and ProRes: these have several tags, and the encoder has
+  // chosen one.
   if (parameters.codec_id != AV_CODEC_ID_HEVC && parameters.codec_id != AV_CODEC_ID_PRORES)
     stream->codecpar->codec_tag = 0;
   stream->codecpar->bit_rate = 0;  // measured by the muxer, not copied from the first segment
@@ -162,12 +165,13 @@ FileFormat segmentFormat(FilmContainer container) {
 }
 
 FrameClock frameClock(const core::Rational& fps) {
-  constexpr std::int64_t kFineEnough = 10000, kLargest = 1'000'000'000;  // the container has 32 bits for each
+  constexpr std::int64_t kFineEnough = 10000, kLargest = 1'000'000'000;  // the container has 32-bit numbers
   POINSOT_EXPECT(fps.num > 0 && fps.den > 0);
   std::int64_t factor = 1;
   while (fps.num * factor < kFineEnough) factor *= 2;
   if (fps.num * factor > kLargest || fps.den > kLargest / factor)
-    throw core::usageError(fmt::format("{} frames a second: no exact clock in an MP4", core::toString(fps)));
+    throw core::usageError(
+        fmt::format("{} frames per second: an MP4 has no exact clock for this rate", core::toString(fps)));
   return {static_cast<int>(fps.num * factor), static_cast<int>(fps.den * factor)};
 }
 
@@ -198,7 +202,8 @@ int TrackMuxer::check(int code, std::string_view doing) const {
   return checkAv(code, fmt::format("{}: {}", core::printable(target_.name), doing), ErrorKind::kIo);
 }
 
-/// Returns the time of a frame in the track's unit: exact in MP4, rounded to a millisecond in Matroska.
+/// Returns the time of a frame in the track's time unit. The time is exact in MP4, and rounded to a millisecond in
+/// Matroska.
 std::int64_t TrackMuxer::ticksAt(std::int64_t frame) const {
   return ffmpeg().av_rescale_q(frame, frame_s_, format_->streams[0]->time_base);
 }
@@ -261,7 +266,7 @@ TrackReader::TrackReader(const std::filesystem::path& path, FileFormat format) :
 std::string TrackReader::mark() const { return tag(factsOf(kind_).readMarkKey); }
 
 bool TrackReader::namesOtherWriter() const {
-  const std::string writer = tag("encoder");  // "Lavf" alone: Matroska needs one, and "bitexact" has no version
+  const std::string writer = tag("encoder");  // "Lavf" in Matroska files of this program
   return !writer.empty() && writer != "Lavf" && !writer.starts_with("poinsot ");
 }
 
@@ -277,7 +282,7 @@ bool TrackReader::next(AVPacket& packet) {
   const int code = ffmpeg().av_read_frame(format_.get(), &packet);
   if (code == AVERROR_EOF) return false;
   checkAv(code, core::printable(path_.native()), ErrorKind::kIo);
-  // libavformat reads a truncated file as if it ended there. Only this flag of the packet reveals the damage.
+  // libavformat reads a truncated file without an error. Only this flag of the last packet reveals the damage.
   if ((packet.flags & AV_PKT_FLAG_CORRUPT) != 0)
     throw core::ioError(fmt::format("{}: ends too early", core::printable(path_.native())));
   return true;

@@ -12,51 +12,52 @@
 
 namespace poinsot::output {
 
-/// File formats for one track of packets. Segments of a GIF or an APNG are Matroska files.
+/// File format of a film or of a segment. Segments of a GIF or an APNG are Matroska files.
 enum class FileFormat { kMp4, kMov, kWebm, kGif, kApng, kMatroska };
 
 FileFormat fileFormat(FilmContainer container);
 FileFormat segmentFormat(FilmContainer container);
 
-/// Clock of an MP4: `timescale` ticks per second, and a whole number of `ticks` per frame.
+/// Clock of an MP4. A second has `timescale` ticks, and each frame lasts `ticks` of them.
 struct FrameClock {
   int timescale = 0;
   int ticks = 0;
   friend bool operator==(const FrameClock&, const FrameClock&) = default;
 };
 
-/// Returns an exact clock for a frame rate. The timescale is the rate's numerator, doubled until it is at least
-/// 10000, which is what libavformat would choose.
+/// Returns an exact clock for a frame rate. The timescale is the numerator of the rate, doubled until it is at
+/// least 10000, as libavformat would choose it.
 /// @throws core::Error(kUsage) for a rate without an exact clock, such as 1/1000000.
 FrameClock frameClock(const core::Rational& fps);
 
-/// Returns the encoder name that this program writes into its films: "poinsot 0.1.0".
+/// Returns the mark that this program stores in its films: its name and version, such as "poinsot 0.1.0".
 std::string ownMark();
 
 /// Position of the index that a player reads before it can show the film.
 enum class Index {
   kAtEnd,
   kAtStart,   ///< playback can start before the whole file has arrived
-  kInPieces,  ///< MP4 only: an index with each piece from key frame to key frame; written bytes never change
+  kInPieces,  ///< MP4 only: one index per group of frames; written bytes never change
 };
 
 struct ByteTarget {
   ByteSink sink;
   std::string name;
-  int descriptor = -1;              ///< file descriptor to seek in; -1 for a stream
-  std::filesystem::path file = {};  ///< path to read the file again, needed for an index at the start
+  int descriptor = -1;              ///< file descriptor for seeking; -1 for a stream
+  std::filesystem::path file = {};  ///< path of the file; required for Index::kAtStart, which reads it again
 };
 
 class TrackMuxer {
  public:
-  /// @throws core::Error(kIo) with the target's name, or core::BrokenPipe; so do the members below.
+  /// @throws core::Error(kIo) with the target's name, or core::BrokenPipe; as do the members below.
   TrackMuxer(ByteTarget target, FileFormat format, const AVCodecParameters& parameters, const core::Rational& fps,
              Index index, const FilmTexts& texts);
   TrackMuxer(const TrackMuxer&) = delete;
   TrackMuxer& operator=(const TrackMuxer&) = delete;
 
-  /// Writes the next packet in decoding order. `frame` is the packet's place in presentation order. Changes only
-  /// the times, position and stream index of the packet.
+  /// Writes a packet. Packets must come in decoding order. Changes only the times, position and stream index of
+  /// the packet.
+  /// @param frame  number of the packet's frame in presentation order
   void write(AVPacket& packet, std::int64_t frame);
   /// Writes the index after the last packet, and flushes all bytes to the system.
   void finish();
@@ -66,7 +67,7 @@ class TrackMuxer {
   std::int64_t ticksAt(std::int64_t frame) const;
 
   ByteTarget target_;
-  // Declared before format_, which uses the buffer until its own destruction.
+  // Must be declared before format_, which uses this buffer until it is destroyed.
   IoPtr io_;
   FormatOutputPtr format_;
   AVRational frame_s_;
@@ -74,10 +75,11 @@ class TrackMuxer {
   std::int64_t packets_ = 0;
 };
 
-/// File that a TrackMuxer writes. If the texts name an origin, the file also stores the digest of its bytes.
+/// Writes a film's file with a TrackMuxer. If the texts name an origin, the file also stores a digest of its own
+/// bytes.
 class TrackWriter {
  public:
-  /// @throws core::Error(kIo) with the path; so do the members below.
+  /// @throws core::Error(kIo) with the path; as do the members below.
   TrackWriter(const std::filesystem::path& target, FileFormat format, const AVCodecParameters& parameters,
               const core::Rational& fps, Index index, const FilmTexts& texts,
               const std::filesystem::path& temporaryFolder = {});
@@ -85,7 +87,7 @@ class TrackWriter {
   TrackWriter& operator=(const TrackWriter&) = delete;
 
   void write(AVPacket& packet, std::int64_t frame) { muxer_.write(packet, frame); }
-  /// Ends the file after the last packet. @returns the complete file, which has no name until commit().
+  /// Finishes the file. Call after the last packet. @returns the complete file, which gets its name by commit().
   [[nodiscard]] core::AtomicFile finish();
 
  private:
@@ -95,7 +97,7 @@ class TrackWriter {
   TrackMuxer muxer_;
 };
 
-/// Reader of the packets of a file's only video track.
+/// Reads the packets of a file that has one video track and no other tracks.
 class TrackReader {
  public:
   /// @throws core::Error(kIo) with the path if the file is unreadable, of another format, or not one video track.
@@ -103,13 +105,13 @@ class TrackReader {
 
   const AVCodecParameters& parameters() const { return *format_->streams[0]->codecpar; }
   AVRational timeBase() const { return format_->streams[0]->time_base; }
-  /// Returns the encoder that the file names; empty if it names none.
+  /// Returns the program that wrote the file, such as "poinsot 0.1.0", from the file's metadata; may be empty.
   std::string mark() const;
   /// Returns whether another program wrote the file but copied the texts of a film, as `ffmpeg -c copy` does.
   bool namesOtherWriter() const;
-  /// Returns the text that holds the film's origin; empty if there is none.
+  /// Returns the text that contains the film's origin; empty if there is none.
   std::string comment() const;
-  /// Reads the next packet, with times as stored, without edit lists. Returns false after the last packet.
+  /// Reads the next packet. Returns false after the last packet. Times are as stored; edit lists are ignored.
   bool next(AVPacket& packet);
 
  private:

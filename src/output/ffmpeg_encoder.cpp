@@ -13,13 +13,14 @@
 namespace poinsot::output {
 namespace {
 
-// Longest distance between key frames, to be decoded in a seek. Segments are shorter and have one key frame each.
+// Most frames from one key frame to the next. A player that seeks has to decode all of them. Segments are shorter
+// and have one key frame each.
 constexpr int kMostFramesToKey = 250;
 constexpr double kWorstFactor = 51;
 
 struct EncoderFacts {
   const char* name;
-  const char* segments;  ///< name of the encoder for segments
+  const char* segments;  ///< name of the encoder of the film's segments
   AVPixelFormat (*pixels)(const FilmFormat& format);
   void (*set)(const FilmFormat& format, AVCodecContext& context, AvOptions& options);
 };
@@ -32,37 +33,41 @@ const char* wordFor(Effort effort, const std::array<const char*, 3>& words) {
   return words[static_cast<std::size_t>(effort)];
 }
 
-/// Returns the rate factor that gives, without macroblock trees, the error that x264 has at `crf` with them: 3
-/// more. Measured on ten scenes of the gallery (720p, medium, crf 12 to 28): 3.1 by PSNR and 3.0 by SSIM. The
-/// least of a scene is 0.9, where almost nothing moves; the most is 4.8.
+/// Converts x264's rate factor for use without macroblock trees: adds 3, so that the error stays the same.
+/// Measured on ten scenes of the gallery (720p, medium, crf 12 to 28): the mean is 3.1 by PSNR and 3.0 by SSIM.
+/// Single scenes have from 0.9, with almost no motion, to 4.8.
+/// @param more  further amount to add
 double factorWithoutTrees(double crf, double more = 0) {
   constexpr double kTrees = 3;
   return crf > 0 ? std::min(kWorstFactor, crf + kTrees + more) : 0;
 }
 
-/// Returns the rate factor at which another encoder has the error of x264 without trees at `factor`. Measured on
-/// the racket's film (720p, PSNR, 12 to 28), where a straight line fits to 1.
+/// Converts x264's rate factor (without macroblock trees) to another encoder's scale, so that the error stays the
+/// same: offset + slope * factor. Measured on the racket's film (720p, PSNR, factors 12 to 28); the straight line
+/// fits to 1.
 std::string rateFactor(double factor, double offset, double slope) {
   return fmt::format("{}", std::clamp(std::lround(offset + slope * factor), 1L, 63L));
 }
 
-/// Options that give key frames more bits and B-frames fewer, which replaces macroblock trees: a segment's key
-/// frame holds everything that stands still, and no frame is predicted from most B-frames. At the same error,
-/// x264's films become a tenth smaller and x265's a twentieth, in no more time (docs/performance.md).
+/// Options that give key frames more bits and B-frames fewer bits. They replace macroblock trees: a segment's key
+/// frame contains everything that does not move, and most B-frames are not used to predict other frames. At the
+/// same error, x264's films become a tenth smaller and x265's a twentieth, in no more time
+/// (bench/journal/2026-11.md).
 constexpr const char* kFrameKinds = ":ipratio=3:pbratio=1.5";
 
-/// Options by which effort medium differs from x264's preset, which decides by trial encoding, as camera film
-/// needs. Without trials, but with a wider motion search and chroma as fine, eleven films take two thirds of the
-/// time for the same size at the same error. With one reference frame they take an eighth less time again, for 2.5
-/// % more size (docs/performance.md).
+/// Options for effort medium, in addition to x264's preset "medium". The preset decides by trial encoding, which
+/// suits camera films. These options omit trials, search motion more widely and keep chroma equally fine. Eleven
+/// films then took two thirds of the time, for the same size at the same error. With a single reference frame,
+/// they took an eighth less time again, for 2.5 % more size (bench/journal/2026-11.md).
 constexpr const char* kMediumAnalysis = ":subme=2:me=umh:ref=1:b-adapt=0:chroma-qp-offset=-2";
 
 void setX264(const FilmFormat& format, AVCodecContext&, AvOptions& options) {
   options.set("preset", wordFor(format.effort, {"veryfast", "medium", "slower"}));
-  const bool fine = format.crf == 0 || format.chroma == Chroma::k444;  // x264's High profile is never lossless
+  const bool fine = format.crf == 0 || format.chroma == Chroma::k444;  // x264's profile High has no lossless mode
   options.set("profile", fine ? "high444" : "high");
-  options.set("crf", fmt::format("{}", factorWithoutTrees(format.crf, 1)));  // key frames have less error
-  // These films have no cuts and fades. Not looking for them saves 8 % of the time and costs 0.1 % of the size.
+  options.set("crf", fmt::format("{}", factorWithoutTrees(format.crf, 1)));  // +1: key frames have less error
+  // These films have no cuts or fades. Skipping the detection of both saves 8 % of the time and costs 0.1 % of the
+  // size.
   options.set("x264-params",
               fmt::format("threads=1:lookahead-threads=1:cpu-independent=1:mbtree=0:scenecut=0:weightp=0:"
                           "open-gop=0:bframes=3:b-pyramid=normal:aq-strength=0.8:keyint={}{}{}",
@@ -86,11 +91,11 @@ AVPixelFormat vp9Pixels(const FilmFormat& format) {
 
 void setVp9(const FilmFormat& format, AVCodecContext& context, AvOptions& options) {
   context.gop_size = kMostFramesToKey;
-  context.bit_rate = 0;  // quality alone decides, not a bit rate
+  context.bit_rate = 0;  // constant quality, without a target bit rate
   options.set("deadline", "good");
   options.set("cpu-used", wordFor(format.effort, {"5", "3", "1"}));
   options.set("row-mt", "0");
-  if (format.transparent) options.set("auto-alt-ref", "0");  // libvpx has no hidden frames beside alpha
+  if (format.transparent) options.set("auto-alt-ref", "0");  // not possible with alpha in libvpx
   if (format.crf == 0) return options.set("lossless", "1");
   options.set("crf", rateFactor(factorWithoutTrees(format.crf), -18, 2.1));
 }
@@ -150,7 +155,7 @@ void open(AVCodecContext& context, const FilmFormat& format) {
   AvOptions options;
   factsOf(format.codec).set(format, context, options);
   openEncoder(context, options);
-  // libavcodec does not report the delay of x265; with the settings above it is that of x264.
+  // libavcodec does not report x265's delay. With the settings above, x265 has the delay of x264.
   if (context.codec_id == AV_CODEC_ID_H264 && context.has_b_frames != reorderDelay(context.codec_id))
     throw core::encodeError(fmt::format("{} reorders by {} frames, not {}", context.codec->name,
                                         context.has_b_frames, reorderDelay(context.codec_id)));

@@ -18,7 +18,8 @@
 namespace poinsot::output {
 namespace {
 
-// A plain array, because libav calls keepLine() from C, so that it must not throw.
+// Last error line of libav. A plain array, because libav calls keepLine() from C, where an exception is not
+// allowed.
 thread_local std::array<char, 256> lastLine{};
 
 void keepLine(void* sender, int level, const char* format, va_list arguments) {
@@ -28,7 +29,7 @@ void keepLine(void* sender, int level, const char* format, va_list arguments) {
                               &atLineStart);
 }
 
-/// Returns the reason of a log line such as "[libx264 @ 0x5581...] reason\n", without the address.
+/// Returns the reason from a log line such as "[libx264 @ 0x5581...] reason\n".
 std::string_view reasonIn(std::string_view line) {
   if (line.starts_with('[')) line.remove_prefix(std::min(line.size(), line.find("] ") + 2));
   while (line.ends_with('\n')) line.remove_suffix(1);
@@ -81,7 +82,7 @@ void AvOptions::set(const char* key, const std::string& value) {
 
 void AvOptions::expectAllTaken() const {
   if (const AVDictionaryEntry* left = ffmpeg().av_dict_get(entries_, "", nullptr, AV_DICT_IGNORE_SUFFIX))
-    throw core::encodeError(fmt::format("this libav does not know the option {}={}", left->key, left->value));
+    throw core::encodeError(fmt::format("this FFmpeg does not support the option {}={}", left->key, left->value));
 }
 
 }  // namespace poinsot::output

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Owners of libav objects, and checkAv() for its errors. Included by .cpp files of this folder only.
+// Smart pointers for libav objects, and checkAv() for its errors. Included by .cpp files of this folder only.
 #pragma once
 
 #include <filesystem>
@@ -24,7 +24,8 @@ struct FormatOutputDeleter {
   void operator()(AVFormatContext* context) const { ffmpeg().avformat_free_context(context); }
 };
 
-/// Deleter for contexts of avio_alloc_context(). libav may have replaced the buffer, which the caller must free.
+/// Deleter for contexts from avio_alloc_context(). It also frees the buffer that the context has now, because
+/// libav may have replaced the first buffer.
 struct IoDeleter {
   void operator()(AVIOContext* io) const {
     ffmpeg().av_freep(&io->buffer);
@@ -40,7 +41,8 @@ using FormatInputPtr = std::unique_ptr<AVFormatContext, AvDeleter<&Ffmpeg::avfor
 using FormatOutputPtr = std::unique_ptr<AVFormatContext, FormatOutputDeleter>;
 using IoPtr = std::unique_ptr<AVIOContext, IoDeleter>;
 
-/// Options for an open call, which removes the options that it accepts. Any option that is left is an error.
+/// Options that a libav function takes when it opens a file or a codec. The function removes the options that it
+/// accepts; expectAllTaken() fails if any option is left.
 class AvOptions {
  public:
   AvOptions() = default;
@@ -58,19 +60,21 @@ class AvOptions {
   AVDictionary* entries_ = nullptr;
 };
 
-/// @returns code if it is not negative.
-/// @throws core::Error of the kind: "DOING: reason", with the last line that libav logged on this thread.
+/// Checks the result of a libav function. @returns `code` if it is not negative.
+/// @throws core::Error of the given kind with the text "DOING: reason" and the last line that libav logged on this
+///   thread.
 int checkAv(int code, std::string_view doing, core::ErrorKind kind = core::ErrorKind::kEncode);
 
-/// Returns the pointer unchanged.
-/// @throws std::bad_alloc if the pointer is null, because libav's constructors fail only for lack of memory.
+/// Checks that a libav function has allocated an object, and returns the object.
+/// @throws std::bad_alloc if the pointer is null, because these functions fail only for lack of memory.
 template <class Ptr>
 Ptr checkAlloc(Ptr thing) {
   if (!thing) throw std::bad_alloc();
   return thing;
 }
 
-/// Checks that a path is a regular file: libav would wait for the writer of a pipe, and read a device forever.
+/// Checks that a path is a regular file. libav would wait for the writer of a pipe, and would read a device
+/// forever.
 /// @throws core::Error(kIo) otherwise.
 void expectRegularFile(const std::filesystem::path& path);
 
@@ -79,7 +83,7 @@ std::string fileUrl(const std::filesystem::path& path);
 
 CodecParametersPtr parametersOf(const AVCodecContext& context);
 
-/// Makes libav keep its last error line for checkAv() instead of writing to stderr. Cheap to call again.
+/// Makes libav store its last error line for checkAv() instead of writing it to stderr. Repeated calls are cheap.
 void captureAvLog();
 
 }  // namespace poinsot::output

@@ -5,13 +5,13 @@
 
 namespace poinsot::output {
 
-// Two macros: the second replaces the name of a number by its value before the first makes a string of it.
+// Two macros are needed: POINSOT_OPENED expands the version macro to a number, and POINSOT_TEXT makes it a string.
 #define POINSOT_TEXT(words) #words
 #define POINSOT_OPENED(name, major) \
   core::SharedLibrary(name ".so." POINSOT_TEXT(major), name POINSOT_TEXT(major), core::ErrorKind::kEncode)
 #define POINSOT_LOAD(function) library.load(function, #function);
 
-// Keeps nothing that is destroyed at exit, because owners of FFmpeg objects may live longer.
+// Creates nothing that is destroyed at exit, because owners of FFmpeg objects may be destroyed later.
 Ffmpeg::Ffmpeg() {
   {
     const auto library = POINSOT_OPENED("libavutil", LIBAVUTIL_VERSION_MAJOR);

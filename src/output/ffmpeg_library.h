@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions of FFmpeg, in libraries that are opened when the first film is made or read. These libraries load a
-// hundred others. If poinsot were linked with them, the dynamic loader would bind all in every process, even for
-// `--help`, and take four times as long as the rest of a start. Included by .cpp files of this folder only, as is
-// every header that includes it.
+// Functions of FFmpeg. Its libraries are opened when the first film is made or read. They load a hundred other
+// libraries. If poinsot were linked with FFmpeg, every process would load all of them, even for `--help`, and this
+// would take four times as long as the rest of the start. Only .cpp files of this folder include this header,
+// directly or through another header.
 #pragma once
 
 extern "C" {
@@ -15,7 +15,7 @@ extern "C" {
 
 namespace poinsot::output {
 
-// Functions that poinsot calls, by library. A call of another function does not link.
+// FFmpeg functions that poinsot calls, by library. A call of any other function does not link.
 // clang-format off
 #define POINSOT_AVUTIL_FUNCTIONS(X)                                                                         \
   X(av_crc) X(av_crc_get_table) X(av_dict_free) X(av_dict_get) X(av_dict_set) X(av_frame_alloc)             \
@@ -43,8 +43,8 @@ namespace poinsot::output {
   X(sws_freeContext) X(sws_getCoefficients) X(sws_getContext) X(sws_scale) X(sws_setColorspaceDetails)
 // clang-format on
 
-/// Table of FFmpeg's functions by name: ffmpeg().av_frame_alloc(). The functions are members, because global
-/// functions of these names would also catch the calls of a program that links FFmpeg beside this library.
+/// Table of FFmpeg's functions; a call is ffmpeg().av_frame_alloc(). The functions are members, because global
+/// functions with these names would replace FFmpeg's own in a program that links FFmpeg and this library.
 struct Ffmpeg {
   Ffmpeg();
 
@@ -56,10 +56,11 @@ struct Ffmpeg {
 #undef POINSOT_MEMBER
 };
 
-/// Returns FFmpeg's functions. The first call, from any thread, opens the libraries, in the interface versions of
-/// the build's headers. A process that gives up access to files has to call ffmpeg() first.
+/// Returns FFmpeg's functions. The first call opens the libraries, and may come from any thread. The libraries
+/// have the interface versions of the headers with which poinsot was built. A process that gives up its access to
+/// files must call ffmpeg() before.
 /// @throws core::Error(kEncode) naming the library and its Debian package if one cannot be opened; the next call
-/// tries again.
+///   tries again.
 const Ffmpeg& ffmpeg();
 
 }  // namespace poinsot::output

@@ -10,20 +10,22 @@
 
 namespace poinsot::output {
 
-/// Kind of an output file. A new output replaces an earlier one of the same kind without --force.
+/// Kind of an output file, such as a manifest. A new output may replace an earlier one of the same kind without
+/// --force.
 struct FileKind {
-  std::string name;  ///< for messages, such as "a manifest"; empty for what draws a scene
-  /// Predicate for earlier outputs of this kind. Empty if every existing file needs --force.
+  std::string name;  ///< name for messages, such as "a manifest"; empty for drawnKind()
+  /// Returns whether a file is an earlier output of this kind. If empty, every existing file needs --force.
   std::function<bool(const std::filesystem::path&)> isOwn;
 };
 
-/// Returns the kind of everything that draws a scene: pictures, films and figures.
+/// Returns the kind of all outputs that show a scene: pictures, films and figures.
 const FileKind& drawnKind();
 
-/// Returns the kind of texts that begin with `mark`. An empty file counts as one, because nothing is lost with it.
+/// Returns the kind of text files that begin with `mark`. An empty file counts too, because replacing it loses
+/// nothing.
 FileKind textKind(std::string name, std::string mark);
 
-/// Returns the kind of texts that carry a mark of this program and have not changed since.
+/// Returns the kind of text files that have a mark of this program and were not changed afterwards.
 FileKind markedKind(std::string name, const figure::CommentMark& mark);
 
 }  // namespace poinsot::output

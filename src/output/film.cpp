@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The time of a frame is its place in the film, an integer, times the ticks of one frame. Times in the segments'
-// containers are not copied. So there are neither gaps nor overlaps between segments of any length.
+// The time of a frame is its number in the film times the ticks of one frame, both integers. Times in the
+// segments' files are not copied. Segments of any length therefore join without gaps or overlaps.
 #include "output/film.h"
 
 #include <fmt/format.h>
@@ -36,13 +36,13 @@ class Segment {
         packet_(checkAlloc(PacketPtr(ffmpeg().av_packet_alloc()))),
         frameTicks_(av_inv_q(ffmpeg().av_mul_q({static_cast<int>(track.fps.num), static_cast<int>(track.fps.den)},
                                                reader_.timeBase()))) {
-    // In an MP4 the mark is at the very end, so this check also finds that the last bytes are missing.
-    if (reader_.mark() != ownMark()) refuseFilm(file_, "is no segment written by this version of poinsot");
+    // In an MP4, the mark is at the very end of the file. This check therefore also detects a truncated file.
+    if (reader_.mark() != ownMark()) refuseFilm(file_, "is not a segment written by this version of poinsot");
     if (!advance()) refuseFilm(file_, "has no frames");
     if ((packet_->flags & AV_PKT_FLAG_KEY) == 0) refuseFilm(file_, "does not start with a key frame");
-    if (frameTicks_.num <= 0 || frameTicks_.den <= 0) refuseFilm(file_, "has no clock that fits the film");
+    if (frameTicks_.num <= 0 || frameTicks_.den <= 0) refuseFilm(file_, "has a clock that does not fit the film");
     firstPts_ = packet_->pts;
-    // Allows one tick in Matroska, whose clock ticks in milliseconds.
+    // Matroska rounds times to milliseconds, so one tick of difference is allowed there.
     const double off = std::abs(static_cast<double>(packet_->duration) - av_q2d(frameTicks_));
     if (off > (isMadeWhole(track.container) || track.container == FilmContainer::kWebm ? 1 : 0))
       refuseFilm(file_, "has another frame rate than the film");
@@ -53,22 +53,24 @@ class Segment {
   const path& file() const { return file_; }
   const AVCodecParameters& parameters() const { return reader_.parameters(); }
 
-  /// Returns the current packet's place in presentation order. The first packet is a key frame, shown first.
+  /// Returns the number of the packet's frame in presentation order. The first packet is a key frame and has
+  /// number 0.
   std::int64_t frame() const {
-    // Also rejects AV_NOPTS_VALUE, the smallest integer. Differences of the remaining times cannot overflow.
+    // Also rejects AV_NOPTS_VALUE, the smallest integer. The difference of two accepted times cannot overflow.
     constexpr std::int64_t kFarthest = std::int64_t{1} << 61;
     if (std::min(packet_->pts, firstPts_) < -kFarthest || std::max(packet_->pts, firstPts_) > kFarthest)
       refuseFilm(file_, "has a frame without a time");
     const std::int64_t ticks = packet_->pts - firstPts_;
     const std::int64_t frame = ffmpeg().av_rescale_q(ticks, {1, 1}, frameTicks_);
     if (ticks < 0 || ffmpeg().av_rescale_q(frame, frameTicks_, {1, 1}) != ticks)
-      refuseFilm(file_, "has frames between the frames");
-    if (frame > kLastFrame) refuseFilm(file_, fmt::format("has a frame {}", frame));
+      refuseFilm(file_, "has a frame at a time between two frames");
+    if (frame > kLastFrame) refuseFilm(file_, fmt::format("has frame number {}, which is too large", frame));
     return frame;
   }
 
  private:
-  // Far beyond the longest segment, and small enough that the times of the film do not overflow.
+  // Largest frame number of a segment. No segment is so long, and the film's times do not overflow up to this
+  // number.
   static constexpr std::int64_t kLastFrame = 100'000;
 
   path file_;
@@ -78,7 +80,8 @@ class Segment {
   std::int64_t firstPts_ = 0;
 };
 
-/// Returns the encoder header; an empty span if there is none, because memcmp() takes no null pointer.
+/// Returns the encoder header, or an empty span. memcmp() is not used, because it must not be given a null
+/// pointer.
 std::span<const std::uint8_t> bytesOf(const AVCodecParameters& p) {
   return {p.extradata, static_cast<std::size_t>(p.extradata_size)};
 }
@@ -94,22 +97,23 @@ void checkLike(const Segment& first, const Segment& segment) {
                fmt::format("was encoded with other settings than {}", core::printable(first.file().native())));
 }
 
-/// Writes all packets of a segment that begins at the film's frame `start`. Returns the number of frames.
+/// Appends all packets of a segment to the film. Returns the number of frames.
+/// @param start  number of the segment's first frame in the film
 template <class Film>
 std::int64_t append(Segment& segment, std::int64_t start, Film& film) {
   const std::int64_t delay = reorderDelay(segment.parameters().codec_id);
   std::vector<std::int64_t> frames;
   do {
     frames.push_back(segment.frame());
-    // A frame later in the stream than the encoder ever reorders is damage. The muxer relies on this check.
+    // The encoder moves a frame back by at most `delay` packets; if it is more, the segment is damaged. The muxer
+    // relies on this check.
     if (static_cast<std::int64_t>(frames.size()) - 1 - delay > frames.back())
-      refuseFilm(segment.file(), "has its frames in no order that can be shown");
+      refuseFilm(segment.file(), "has its frames in an order that cannot be played");
     film.write(segment.packet(), start + frames.back());
   } while (segment.advance());
   std::sort(frames.begin(), frames.end());
   for (std::size_t i = 0; i < frames.size(); ++i)
-    if (frames[i] != static_cast<std::int64_t>(i))
-      refuseFilm(segment.file(), fmt::format("lacks its frame {}", i));
+    if (frames[i] != static_cast<std::int64_t>(i)) refuseFilm(segment.file(), fmt::format("lacks frame {}", i));
   return static_cast<std::int64_t>(frames.size());
 }
 

@@ -17,7 +17,7 @@ namespace poinsot::output {
 
 struct FilmTexts {
   std::string title = {}, description = {};
-  std::string origin = {};  ///< identifies what the film was made from; stored with the film's digest
+  std::string origin = {};  ///< identifies the film's source data; stored with the film's digest
   std::string renderer = {};
 };
 
@@ -26,30 +26,30 @@ struct FilmTrack {
   core::Rational fps;
 };
 
-/// Joins segments of VideoSegmentWriter into a film, in this order. The same segments give the same bytes. A GIF
-/// or an APNG (isMadeWhole()) is encoded here. For other containers the encoded pictures are copied one after the
-/// other, and the index comes first, so that a player can start before it has the whole file. The film appears
-/// under its name only when it is complete and synced.
-/// @param temporaryFolder  as of core::AtomicFile.
+/// Joins segments of VideoSegmentWriter into a film, in the given order. The same segments give the same bytes. A
+/// GIF or an APNG (isMadeWhole()) is encoded here. For other containers, the encoded pictures are copied, and the
+/// index is placed first, so that playback can start before the whole file has arrived. The film gets its name
+/// only when it is complete and synced.
+/// @param temporaryFolder  folder of the incomplete film, as for core::AtomicFile.
 /// @throws core::Error(kIo) naming the file if a segment is unreadable, damaged, of another frame rate, or encoded
-/// with other settings than the first (size, encoder header), or if the film cannot be written.
+///   with other settings than the first (size, encoder header), or if the film cannot be written.
 void joinSegments(const std::vector<std::filesystem::path>& segments, const std::filesystem::path& target,
                   const FilmTrack& track, const FilmTexts& texts = {},
                   const std::filesystem::path& temporaryFolder = {});
 
-/// Makes the same film as joinSegments(), complete but without its name, which core::FileBatch gives it.
+/// Makes the same film as joinSegments(), without naming it. The complete film gets its name by core::FileBatch.
 [[nodiscard]] core::AtomicFile joinedSegments(const std::vector<std::filesystem::path>& segments,
                                               const std::filesystem::path& target, const FilmTrack& track,
                                               const FilmTexts& texts = {},
                                               const std::filesystem::path& temporaryFolder = {});
 
-/// Receiver of consecutive bytes. @returns 0 or an errno.
+/// Callback that receives consecutive bytes. @returns 0 or an errno.
 using ByteSink = std::function<int(std::span<const std::uint8_t>)>;
 
-/// Stream of a fragmented MP4, which grows segment by segment. Bytes that were sent never change.
+/// Sends a film as a fragmented MP4, one segment at a time. Bytes that were sent never change.
 class FilmStream {
  public:
-  /// @pre an MP4.
+  /// @pre the container is an MP4.
   FilmStream(ByteSink sink, const FilmTrack& track);
   ~FilmStream();
   FilmStream(const FilmStream&) = delete;
@@ -68,19 +68,19 @@ class FilmStream {
 };
 
 enum class FilmState {
-  kOther,    ///< no file, or no film of this origin
+  kOther,    ///< no file, or not a film of this origin
   kDamaged,  ///< a film of this origin whose bytes have changed
-  kWhole,    ///< a film of this origin, byte for byte as it was written
+  kWhole,    ///< a film of this origin whose bytes have not changed
 };
 
-/// Compares every byte of a film with the digest that the film stores. Returns kOther if the file cannot be read.
+/// Compares a film's bytes with the digest that the film stores. Returns kOther if the file cannot be read.
 FilmState filmState(const std::filesystem::path& film, const std::string& origin);
 
-/// Returns whether a film of any origin is, byte for byte, as it was written.
+/// Returns whether a film's bytes are still those that were written. The origin of the film does not matter.
 bool isWholeFilm(const std::filesystem::path& film);
 
-/// Returns whether this program wrote the film: the file holds the mark or the digest of a film, and names no
-/// other program as its writer. Returns false if the file cannot be opened.
+/// Returns whether this program wrote the film. This is so if the file has this program's mark or a film's digest,
+/// and names no other program as its writer. Returns false if the file cannot be opened.
 bool isOwnFilm(const std::filesystem::path& path);
 
 }  // namespace poinsot::output

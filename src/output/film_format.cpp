@@ -18,7 +18,7 @@ struct CodecFacts {
   FilmCodec codec;
   std::string_view name;
   bool transparent;
-  bool fine;  ///< 4:4:4 can be chosen
+  bool fine;  ///< whether 4:4:4 can be chosen
   bool lossless;
 };
 
@@ -81,7 +81,8 @@ void checkQuality(const FilmFormat& format) {
                                        codecsWith([](const CodecFacts& facts) { return facts.lossless; })));
 }
 
-/// A GIF has times in hundredths of a second, and browsers show pictures of less than two hundredths for ten.
+/// Limits the frame rate of a GIF. A GIF stores times in hundredths of a second, and browsers show a picture of
+/// less than two hundredths for ten hundredths.
 void checkRate(const FilmFormat& format, const core::Rational& fps) {
   if (format.container == FilmContainer::kGif && fps.value() > 50)
     throw core::usageError(fmt::format("a .gif of {:g} frames/s: its players show at most 50", fps.value()));
@@ -91,18 +92,18 @@ void checkCodec(const FilmFormat& format) {
   const auto codecs = codecsOf(format.container);
   const CodecFacts& codec = codecFactsOf(format.codec);
   if (std::ranges::find(codecs, format.codec) == codecs.end())
-    throw core::usageError(fmt::format("codec {}: does not go into a .{}; there go: {}", codec.name,
+    throw core::usageError(fmt::format("codec {}: not possible in a .{}, which can contain: {}", codec.name,
                                        nameOf(format.container), namesOf(codecs)));
   if (format.transparent && !codec.transparent)
     throw core::usageError(
-        fmt::format("{} in a .{} has no pixels that are half transparent; these have: vp9 in a .webm, prores in a "
-                    ".mov, .apng, numbered pictures",
+        fmt::format("{} in a .{} has no half-transparent pixels; use vp9 in a .webm, prores in a .mov, .apng or "
+                    "numbered pictures",
                     codec.name, nameOf(format.container)));
   if (format.chroma == Chroma::k444 && !codec.fine)
-    throw core::usageError(fmt::format("chroma 4:4:4: not with {}; with {}", codec.name,
+    throw core::usageError(fmt::format("chroma 4:4:4: not possible with {}, only with {}", codec.name,
                                        codecsWith([](const CodecFacts& facts) { return facts.fine; })));
   if (format.chroma == Chroma::k444 && format.codec == FilmCodec::kVp9 && format.transparent)
-    throw core::usageError("chroma 4:4:4: not with vp9 and transparency; prores in a .mov has both");
+    throw core::usageError("chroma 4:4:4: not possible with vp9 and transparency; prores in a .mov has both");
 }
 
 void checkEncoder(const FilmFormat& format) {
@@ -115,7 +116,7 @@ void checkEncoder(const FilmFormat& format) {
   const std::string choice =
       there.empty() ? "" : fmt::format("choose another output.codec ({}) or ", namesOf(there));
   throw core::encodeError(
-      fmt::format("the FFmpeg of this machine has no encoder {}, which a film of {} takes; {}install an FFmpeg "
+      fmt::format("the FFmpeg of this machine has no encoder {}, which a film in {} needs; {}install an FFmpeg "
                   "that has it, such as Debian's",
                   missing, nameOf(format.codec), choice));
 }

@@ -11,10 +11,10 @@ namespace poinsot::output {
 
 /// Converts a picture into a frame of the same size, in any pixel format that FilmEncoder uses.
 void fillFrame(AVFrame& frame, const image::Image& picture);
-/// Converts only the rectangles `changed`, into a frame that already holds the rest of the picture.
+/// Converts only the rectangles `changed`. The frame must already contain the rest of the picture.
 void fillFrame(AVFrame& frame, const image::Image& picture, std::span<const image::PixelRect> changed);
 
-/// Returns the picture in a frame of RGB bytes (BGRA or BGR0) that fillFrame() filled; BGRA has alpha.
+/// Returns the picture of a frame that fillFrame() filled in format BGRA or BGR0. A picture from BGRA has alpha.
 image::Image pictureOf(const AVFrame& frame);
 
 }  // namespace poinsot::output

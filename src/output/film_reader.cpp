@@ -33,7 +33,8 @@ struct ScalerDeleter {
 };
 using ScalerPtr = std::unique_ptr<SwsContext, ScalerDeleter>;
 
-/// Demuxers for files that hold all of their data. A playlist would make libavformat open other files.
+/// Demuxers for files that contain all of their data. Playlists are not allowed, because they make libavformat
+/// open other files.
 constexpr const char* kDemuxers = "mov,mp4,m4a,3gp,3g2,mj2,matroska,webm,avi,gif,apng";
 
 void checkSize(image::PixelSize size, const std::string& name) {
@@ -41,11 +42,13 @@ void checkSize(image::PixelSize size, const std::string& name) {
   const std::int64_t pixels = std::int64_t{size.width} * size.height;
   if (size.width > 0 && size.height > 0 && size.width <= most && size.height <= most && pixels <= kMostFilmPixels)
     return;
-  throw core::limitError(fmt::format("{}: pictures of {}x{}; at most {} a side and {} million pixels are read",
-                                     name, size.width, size.height, most, kMostFilmPixels >> 20));
+  throw core::limitError(
+      fmt::format("{}: the pictures are {}x{} pixels; at most {} per side and {} million pixels are read", name,
+                  size.width, size.height, most, kMostFilmPixels >> 20));
 }
 
-/// Reads the properties of the streams. This decodes pictures, so the limit on their size is set for each stream.
+/// Reads the properties of the streams. libavformat decodes pictures for this, so the limit on their size is set
+/// for each stream.
 void findStreamFacts(AVFormatContext& format, std::int64_t mostPixels, const std::string& name) {
   std::vector<AvOptions> options(format.nb_streams);
   std::vector<AVDictionary*> entries;
@@ -54,7 +57,7 @@ void findStreamFacts(AVFormatContext& format, std::int64_t mostPixels, const std
     entries.push_back(std::exchange(*one.address(), nullptr));
   }
   const int code = ffmpeg().avformat_find_stream_info(&format, entries.data());
-  for (std::size_t i = 0; i < entries.size(); ++i) *options[i].address() = entries[i];  // so that they are freed
+  for (std::size_t i = 0; i < entries.size(); ++i) *options[i].address() = entries[i];  // `options` frees them
   checkAv(code, name, ErrorKind::kIo);
 }
 
@@ -65,7 +68,7 @@ FormatInputPtr opened(const std::filesystem::path& film, const std::string& name
   options.set("format_whitelist", kDemuxers);
   options.set("protocol_whitelist", "file");
   AVFormatContext* context = nullptr;
-  // libavformat would take a .png for part of an image sequence, which the list of demuxers excludes.
+  // Without a format, libavformat takes a .png for part of an image sequence, which is not an allowed demuxer.
   const AVInputFormat* known = image::isAnimatedPng(film) ? ffmpeg().av_find_input_format("apng") : nullptr;
   checkAv(ffmpeg().avformat_open_input(&context, fileUrl(film).c_str(), known, options.address()), name,
           ErrorKind::kIo);
@@ -101,8 +104,8 @@ CodecContextPtr decoder(const AVStream& stream, std::int64_t mostPixels, const s
 
 AVPixelFormat rgbFormat(AVPixelFormat format, const std::string& name) {
   const AVPixFmtDescriptor* facts = ffmpeg().av_pix_fmt_desc_get(format);
-  if (facts == nullptr) throw core::ioError(name + ": pictures of an unknown kind");
-  // Formats with a palette count as transparent, because their palette may be.
+  if (facts == nullptr) throw core::ioError(name + ": unknown pixel format");
+  // Formats with a palette count as transparent, because a palette may contain transparent colours.
   const bool alpha = (facts->flags & (AV_PIX_FMT_FLAG_ALPHA | AV_PIX_FMT_FLAG_PAL)) != 0;
   if (facts->comp[0].depth > 8) return alpha ? AV_PIX_FMT_RGBA64 : AV_PIX_FMT_RGB48;
   return alpha ? AV_PIX_FMT_RGBA : AV_PIX_FMT_RGB24;
@@ -110,14 +113,14 @@ AVPixelFormat rgbFormat(AVPixelFormat format, const std::string& name) {
 
 bool isDeepRgb(AVPixelFormat rgb) { return rgb == AV_PIX_FMT_RGB48 || rgb == AV_PIX_FMT_RGBA64; }
 
-/// Returns the most pictures that a decoder holds: references, pictures that wait to be shown, and the current
-/// one. VP9 and AV1 have 8 reference slots, HEVC has 16. For H.264 their number is known after one decoded
-/// picture.
+/// Returns the largest number of pictures that a decoder stores: references, pictures that wait to be shown, and
+/// the current picture. VP9 and AV1 have 8 reference slots, HEVC has 16. For H.264, the number is known after one
+/// decoded picture.
 int heldPictures(const AVCodecContext& codec) {
   const AVCodecDescriptor* facts = ffmpeg().avcodec_descriptor_get(codec.codec_id);
   const bool alone = (facts != nullptr && (facts->props & AV_CODEC_PROP_INTRA_ONLY) != 0) ||
                      codec.codec_id == AV_CODEC_ID_GIF || codec.codec_id == AV_CODEC_ID_APNG;
-  if (alone) return 3;  // with the previous picture, which a GIF or an APNG draws over
+  if (alone) return 3;  // including the previous picture of a GIF or an APNG
   if (codec.codec_id == AV_CODEC_ID_H264) return codec.refs + codec.has_b_frames + 2;
   if (codec.codec_id == AV_CODEC_ID_VP9 || codec.codec_id == AV_CODEC_ID_AV1) return 8 + 3;
   return 16 + 1;
@@ -125,7 +128,8 @@ int heldPictures(const AVCodecContext& codec) {
 
 int channelsOf(AVPixelFormat rgb) { return rgb == AV_PIX_FMT_RGBA || rgb == AV_PIX_FMT_RGBA64 ? 4 : 3; }
 
-/// Returns the matrix that the film declares or, if it declares none, the one that players assume for its size.
+/// Returns the colour matrix that the film declares. If it declares none, returns the matrix that players assume
+/// for its size.
 const int* coefficientsOf(const AVFrame& frame) {
   constexpr int kHighDefinition = 720;
   const bool says = frame.colorspace != AVCOL_SPC_UNSPECIFIED && frame.colorspace != AVCOL_SPC_RGB;
@@ -143,7 +147,7 @@ ScalerPtr scaler(const AVFrame& frame, AVPixelFormat rgb, const std::string& nam
   if (!made ||
       ffmpeg().sws_setColorspaceDetails(made.get(), matrix, frame.color_range == AVCOL_RANGE_JPEG ? 1 : 0,
                                         ffmpeg().sws_getCoefficients(SWS_CS_DEFAULT), 1, 0, kOne, kOne) < 0)
-    throw core::ioError(name + ": this FFmpeg does not turn its pictures into RGB");
+    throw core::ioError(name + ": this FFmpeg cannot convert its pictures to RGB");
   return made;
 }
 
@@ -155,7 +159,7 @@ image::AnyImage imageOf(const AVFrame& rgb, int channels) {
   return picture;
 }
 
-/// Returns a frame with libav's own padding, because libav may write past the end of a row.
+/// Allocates a frame whose rows libav has padded, because libav may write past the end of a row.
 FramePtr rgbFrame(image::PixelSize size, AVPixelFormat rgb, const std::string& name) {
   FramePtr frame(checkAlloc(ffmpeg().av_frame_alloc()));
   frame->width = size.width;
@@ -181,7 +185,7 @@ struct FilmReader::Parts {
   const AVStream& track() const { return *format->streams[stream]; }
   AVPixelFormat rgb() const { return rgbFormat(codec->pix_fmt, name); }
 
-  /// Sends the next packet of the video track to the decoder, or the end of the film.
+  /// Sends the next packet of the video track to the decoder. After the last packet, signals the end of the film.
   void feed() {
     for (;;) {
       const int code = ffmpeg().av_read_frame(format.get(), packet.get());
@@ -215,7 +219,8 @@ struct FilmReader::Parts {
     return static_cast<double>(ticks) * unit.num / unit.den;
   }
 
-  /// Returns the picture's duration; 0 for Matroska and AVI, which store none: FFmpeg would return a guess.
+  /// Returns the picture's duration; 0 for Matroska and AVI. These store no durations, so FFmpeg would return a
+  /// guess.
   double duration_s() const {
     const std::string_view container = format->iformat->name;
     const bool says = container.find("matroska") == std::string_view::npos && container != "avi";
@@ -229,12 +234,12 @@ struct FilmReader::Parts {
 
   image::AnyImage picture() {
     if (image::PixelSize{frame->width, frame->height} != size)
-      throw core::ioError(name + ": its pictures change their size");
+      throw core::ioError(name + ": its pictures differ in size");
     const AVPixelFormat rgb = rgbFormat(static_cast<AVPixelFormat>(frame->format), name);
     const FramePtr out = rgbFrame(size, rgb, name);
     const int rows = ffmpeg().sws_scale(scaler(*frame, rgb, name).get(), frame->data, frame->linesize, 0,
                                         frame->height, out->data, out->linesize);
-    if (checkAv(rows, name, ErrorKind::kIo) != frame->height) throw core::ioError(name + ": lacks rows");
+    if (checkAv(rows, name, ErrorKind::kIo) != frame->height) throw core::ioError(name + ": a picture lacks rows");
     return isDeepRgb(rgb) ? imageOf<std::uint16_t>(*out, channelsOf(rgb))
                           : imageOf<std::uint8_t>(*out, channelsOf(rgb));
   }
@@ -246,7 +251,7 @@ struct FilmReader::Parts {
   image::PixelSize size;
   PacketPtr packet{checkAlloc(ffmpeg().av_packet_alloc())};
   FramePtr frame{checkAlloc(ffmpeg().av_frame_alloc())};
-  bool waiting = false;  ///< whether `frame` is the first picture and next() has not returned it yet
+  bool waiting = false;  ///< whether `frame` is the first picture, not yet returned
 };
 
 bool isFilmName(const std::filesystem::path& file) {
@@ -276,7 +281,7 @@ bool FilmReader::isTransparent() const { return channelsOf(parts_->rgb()) == 4; 
 
 bool FilmReader::isDeep() const { return isDeepRgb(parts_->rgb()); }
 
-// Measured in tests/faults/film_memory_test.cpp: beside each picture, decoders keep its motion vectors.
+// Decoders store motion vectors in addition to each picture. Measured in tests/faults/film_memory_test.cpp.
 double FilmReader::memory_bytes() const {
   constexpr double kMotion_bytes = 0.6;
   const double pixels = 1.0 * size().width * size().height;

@@ -21,19 +21,19 @@ namespace {
 constexpr std::string_view kWord = "film sha256 ";
 constexpr std::size_t kDigits = 2 * sizeof(core::Digest);
 
-/// Returns all bytes of the file that depend on the digest: the text that holds it and, in an animation, the block
-/// or chunk around the text, which has a checksum.
+/// Returns the bytes of the file that depend on the digest: the text that contains the digest. In an animation,
+/// this is the complete block or chunk of the text, because a chunk has a checksum.
 std::string sealBytes(FileFormat format, const std::string& origin, const core::Digest& digest) {
   const std::string text = sealText(origin, digest);
   return isAnimation(format) ? animationText(format, text) : text;
 }
 
-/// Receiver of bytes that were read. `last` is true at the end of the file.
-/// @returns how many bytes, from the first, need not be passed again.
+/// Callback that receives the bytes that were read. `last` is true at the end of the file.
+/// @returns the number of bytes, counted from the first, that need not be passed again.
 using Listener = std::function<std::size_t(std::string& window, bool last)>;
 
-/// Reads a regular file from its start, in blocks. Bytes that the listener still needs are passed again, with the
-/// bytes after them.
+/// Reads a regular file from its start, in blocks. Bytes that the listener still needs are passed again, together
+/// with the next block.
 /// @throws core::Error(kIo) with the path.
 void readThrough(int descriptor, const std::filesystem::path& file, const Listener& listen) {
   constexpr std::size_t kBlock = 64 << 10;
@@ -61,7 +61,8 @@ void readThrough(int descriptor, const std::filesystem::path& file, const Listen
   }
 }
 
-/// Seal as found in a file, and the digest of the file with zeros in the seal's place.
+/// Seal that was found in a file. `digest` is the file's digest, computed with zeros in place of the seal's
+/// digits.
 struct FoundSeal {
   std::int64_t offset = 0;
   std::string bytes;
@@ -116,9 +117,9 @@ std::string originIn(std::string_view text) {
 
 void seal(core::AtomicFile& film, FileFormat format, const std::string& origin) {
   const auto found = findSeal(film.descriptor(), film.target(), format, origin);
-  if (!found)  // possible, because a work folder may come from anyone
-    throw core::ioError(
-        fmt::format("{}: the film cannot keep the text of its origin", core::printable(film.target().native())));
+  if (!found)  // possible, because anyone may have written the work folder
+    throw core::ioError(fmt::format("{}: cannot store the text of the film's origin in the file",
+                                    core::printable(film.target().native())));
   film.writeAt(found->offset, sealBytes(format, origin, found->digest));
 }
 

@@ -19,7 +19,7 @@ namespace {
                   core::printable(text), reason));
 }
 
-/// Returns the least number of digits of "frame" (1) or "frame:0N" (N); 0 for any other text.
+/// Returns the number of digits that a field requests: 1 for "frame", N for "frame:0N", 0 for any other text.
 int digitsOf(std::string_view field) {
   if (field == "frame") return 1;
   const bool padded = field.size() == 8 && field.starts_with("frame:0") && field[7] >= '1' && field[7] <= '9';

@@ -11,19 +11,20 @@
 
 namespace poinsot::output {
 
-/// File names of a numbered sequence: "dir/name_{frame}.png" or "dir/name_{frame:05}.png" (at least 5 digits).
+/// Pattern for the file names of a numbered sequence, such as "dir/name_{frame}.png". "{frame:05}" writes numbers
+/// with at least 5 digits.
 class FramePattern {
  public:
-  /// Returns whether a text is meant as a pattern, because it has a brace.
+  /// Returns whether a text is meant as a pattern, that is, whether it has a brace.
   static bool isPattern(std::string_view text);
 
   /// @throws core::Error(kUsage) unless the file name (not the folder) has exactly one {frame} or {frame:0N}, with
   /// N from 1 to 9.
   explicit FramePattern(const std::string& text);
 
-  /// @pre k >= 0.
+  /// Returns the file of frame k. @pre k >= 0.
   std::filesystem::path path(std::int64_t k) const;
-  /// Returns the k whose path() has this file name; nullopt if there is none.
+  /// Returns the number k of the frame that has this file name; nullopt if no frame has it.
   std::optional<std::int64_t> frameOf(const std::string& name) const;
 
  private:

@@ -7,11 +7,12 @@
 
 namespace poinsot::output {
 
-/// Receiver of frames. Frames arrive in rising order of k, the frame number of the scene's film.
+/// Receiver of a film's frames, such as a file. Frames arrive in rising order of k, their number in the scene's
+/// film.
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
-  /// Returns whether frame k exists, exactly as write() would write it. Then the caller may skip the frame.
+  /// Returns whether frame k exists, exactly as write() would write it. If so, the caller may skip the frame.
   virtual bool has(std::int64_t /*k*/) const { return false; }
   /// @pre 8 bits a sample, unless the sink takes more.
   /// @throws core::Error(kIo or kEncode).

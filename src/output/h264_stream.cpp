@@ -12,8 +12,8 @@ constexpr std::array<std::uint8_t, 3> kStartCode = {0, 0, 1};
 constexpr std::array<std::uint8_t, 16> kX264Uuid = {0xdc, 0x45, 0xe9, 0xbd, 0xe6, 0xd9, 0x48, 0xb7,
                                                     0x96, 0x2c, 0xd8, 0x20, 0xd9, 0x23, 0xee, 0xef};
 
-/// Returns the start of the next unit's start code at or after `from`, with the zero byte that may precede it; the
-/// stream's size if there is none.
+/// Returns the position of the next start code at or after `from`, including the zero byte that may precede the
+/// code. Returns the stream's size if there is no start code.
 std::size_t nextUnit(std::span<const std::uint8_t> stream, std::size_t from) {
   const auto found = std::search(stream.begin() + static_cast<std::ptrdiff_t>(from), stream.end(),
                                  kStartCode.begin(), kStartCode.end());
@@ -28,8 +28,9 @@ std::span<const std::uint8_t> payload(std::span<const std::uint8_t> unit) {
   return unit.subspan(static_cast<std::size_t>(code - unit.begin()) + kStartCode.size());
 }
 
-/// Returns the bytes after x264's UUID in a user data message; empty for every other unit. An SEI message has its
-/// type, its size (bytes of 255 and a last smaller one each), then its content (H.264, 7.3.2.3.1).
+/// Returns x264's note, without its UUID, from a user data message; empty for every other unit. An SEI message
+/// consists of its type, its size and its content (H.264, 7.3.2.3.1). The size is a number of bytes of 255 and a
+/// last smaller byte.
 std::span<const std::uint8_t> noteOf(std::span<const std::uint8_t> unit) {
   constexpr std::uint8_t kSei = 6, kUserData = 5;
   const auto bytes = payload(unit);

@@ -6,7 +6,7 @@
 namespace poinsot::output {
 
 Imagequant::Imagequant() {
-  // The header does not give its interface version, which is 0 for every library that has these functions.
+  // The interface version is not in the header. It is 0 for every library that has these functions.
   const core::SharedLibrary library("libimagequant.so.0", "libimagequant0", core::ErrorKind::kEncode);
 #define POINSOT_LOAD(function) library.load(function, #function);
   POINSOT_IMAGEQUANT_FUNCTIONS(POINSOT_LOAD)

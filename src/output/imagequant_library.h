@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions of libimagequant, in a library that is opened when the first GIF gets its palette. Included by
-// palette.cpp only.
+// Functions of libimagequant. The library is opened when the first GIF gets its palette. Included by palette.cpp
+// only.
 #pragma once
 
 #include <libimagequant.h>
@@ -20,8 +20,8 @@ struct Imagequant {
 #define POINSOT_MEMBER(function) decltype(&::function) function;  // NOLINT(bugprone-macro-parentheses): a name
   POINSOT_IMAGEQUANT_FUNCTIONS(POINSOT_MEMBER)
 #undef POINSOT_MEMBER
-  /// Function of the OpenMP that libimagequant was built with; null if it has none. Other copies of OpenMP in the
-  /// process are left alone.
+  /// Sets the number of threads of the OpenMP library that libimagequant uses; null if it uses none. Does not
+  /// affect other copies of OpenMP in the process.
   void (*omp_set_num_threads)(int count);
 };
 

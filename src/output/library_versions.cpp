@@ -16,7 +16,8 @@ std::string dotted(unsigned version) {
   return fmt::format("{}.{}.{}", AV_VERSION_MAJOR(version), AV_VERSION_MINOR(version), AV_VERSION_MICRO(version));
 }
 
-/// Returns "core 164 r3095 baee400" for "x264 - core 164 r3095 baee400 - H.264/MPEG-4 AVC codec - ...".
+/// Extracts the version from x264's note: "core 164 r3095 baee400" from "x264 - core 164 r3095 baee400 -
+/// H.264/...".
 std::string versionIn(std::string_view note) {
   constexpr std::string_view kSeparator = " - ";
   const auto begin = note.find(kSeparator);

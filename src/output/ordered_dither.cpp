@@ -12,10 +12,11 @@ namespace {
 
 using Color = std::array<double, 3>;
 
-// Approximate weights of red, green and blue in a visible difference.
+// Approximate weights of red, green and blue in the visible difference of two colours.
 constexpr Color kSeen{0.55, 0.77, 0.33};
 
-// Weight of coarseness against error: two distant colours make a coarser pattern than two near ones.
+// Cost of a coarse pattern, relative to the cost of a wrong colour. Mixing two distant colours looks coarser than
+// mixing two similar colours.
 constexpr double kCoarseness = 0.1;
 
 constexpr int kSide = 8, kCells = kSide * kSide;
@@ -24,7 +25,7 @@ constexpr std::size_t placeOf(int x, int y) {
   return static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x);
 }
 
-/// Bayer's matrix: the rank of each of the 64 pixels in the pattern.
+/// Bayer's matrix: the order in which the 64 pixels of the pattern change to the second colour.
 constexpr std::array<std::uint8_t, kCells> kOrder = [] {
   std::array<std::uint8_t, kCells> order{};
   for (int y = 0; y < kSide; ++y)
@@ -70,7 +71,7 @@ OrderedDither::Mix OrderedDither::mixOf(const std::uint8_t* rgb) const {
     const Color step = minus(seen(palette_[i].data()), first);
     const double length2 = dot(step, step);
     if (length2 == 0) continue;
-    // The nearest colour always fills half of the pattern or more.
+    // The nearest colour always fills at least half of the pattern.
     const double part = std::clamp(std::round(dot(missing, step) / length2 * kCells), 0.0, kCells / 2.0) / kCells;
     const Color off = {missing[0] - part * step[0], missing[1] - part * step[1], missing[2] - part * step[2]};
     const double cost = dot(off, off) + kCoarseness * part * (1 - part) * length2;

@@ -44,7 +44,7 @@ struct PaletteMaker::Parts {
 };
 
 PaletteMaker::PaletteMaker(int most) : parts_(std::make_unique<Parts>()) {
-  // One thread, because otherwise the sums depend on the number of threads.
+  // Use one thread, because the sums depend on the number of threads.
   if (imagequant().omp_set_num_threads) imagequant().omp_set_num_threads(1);
   parts_->attributes.reset(imagequant().liq_attr_create());
   if (!parts_->attributes) throw std::bad_alloc();

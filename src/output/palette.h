@@ -12,11 +12,11 @@ namespace poinsot::output {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// Checks that libimagequant is available, before pictures are drawn for its palette.
+/// Checks that libimagequant, which computes the palette, is available. Call before pictures are drawn.
 /// @throws core::Error(kEncode) if libimagequant cannot be opened.
 void checkPaletteMaker();
 
-/// Reduction of the colours of many pictures to a palette, by libimagequant. One thread is used, so that the same
+/// Computes a palette for the colours of many pictures, with libimagequant. Uses one thread, so that the same
 /// pictures give the same palette.
 class PaletteMaker {
  public:

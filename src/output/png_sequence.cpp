@@ -19,7 +19,7 @@ void createFolder(const std::filesystem::path& folder) {
   std::error_code failure;
   if (std::filesystem::is_directory(folder, failure)) return;
   std::filesystem::create_directory(folder, failure);
-  // Two workers may create the folder at once; one success is enough for both.
+  // Two workers may create the folder at the same time. The failure of the second one is ignored.
   if (!failure || std::filesystem::is_directory(folder)) return;
   throw core::FileError(
       core::ErrorKind::kIo,

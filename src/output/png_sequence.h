@@ -14,8 +14,10 @@
 
 namespace poinsot::output {
 
-/// Writes one picture as a file that appears only when complete. `dpi` is as in encodePng(), and `steps` receives
-/// the time if it is not null. @throws core::Error(kIo).
+/// Writes a picture as a PNG file, which gets its name only when it is complete.
+/// @param dpi  resolution, as in encodePng()
+/// @param steps  receives the time; may be null
+/// @throws core::Error(kIo).
 void writePng(const std::filesystem::path& target, const image::AnyImage& picture,
               const std::vector<image::PngText>& texts = {}, double dpi = 0, core::StepLedger* steps = nullptr,
               core::Durability durability = core::Durability::kSynced);
@@ -23,22 +25,22 @@ void writePng(const std::filesystem::path& target, const image::AnyImage& pictur
 /// Returns the PNG text that stores a frame's digest, given in hexadecimal.
 image::PngText digestText(const std::string& digest);
 
-/// Function that returns the digest of frame k in hexadecimal, equal for frames of equal bytes.
+/// Callback that returns the digest of frame k in hexadecimal. Frames of equal bytes have equal digests.
 using FrameDigestText = std::function<std::string(std::int64_t k)>;
 
 struct SequenceOptions {
   std::vector<image::PngText> texts;
-  FrameDigestText digestOf;               ///< the digest written into each frame's file; empty if none
-  bool resume = false;                    ///< keeps files that are complete and have the frame's digest
-  std::filesystem::path temporaryFolder;  ///< for incomplete files; empty: beside the frames
+  FrameDigestText digestOf;               ///< returns the digest to store in each file; may be empty
+  bool resume = false;                    ///< whether to keep complete files with the frame's digest
+  std::filesystem::path temporaryFolder;  ///< for incomplete files; empty: the folder of the frames
   core::StepLedger* steps = nullptr;
 };
 
-/// Returns the sorted numbers of the existing frames that match a pattern and carry a digest.
+/// Returns the numbers of the existing frames that match a pattern and contain a digest, in rising order.
 std::vector<std::int64_t> framesThere(const FramePattern& pattern);
 
-/// Frames as numbered PNG files of 8 or 16 bits a sample. Each file appears under its name only when complete. If
-/// the sink is destroyed without finish(), written frames stay: each is complete, and a resumed run keeps it.
+/// Writes frames as numbered PNG files of 8 or 16 bits a sample. Each file gets its name only when it is complete.
+/// If the sink is destroyed without finish(), the written files stay, and a resumed run keeps them.
 class PngSequence : public FrameSink {
  public:
   /// Creates the pattern's folder if its parent exists. @throws core::Error(kIo).
@@ -46,7 +48,7 @@ class PngSequence : public FrameSink {
 
   bool has(std::int64_t k) const override;
   void write(const image::Frame& frame, std::int64_t k) override;
-  /// Syncs the files and the folder once, because a sync for each frame would wait for the disk each time.
+  /// Syncs all files and their folder once. A sync for each frame would wait for the disk each time.
   void finish() override;
 
  private:

@@ -25,14 +25,13 @@ void RunFiles::expectApart(const Entry& earlier, const Entry& later) {
   const Entry& other = later.isOutput ? earlier : later;
   throw core::usageError(fmt::format("{} is the same file as {}, which this run {}; choose another name",
                                      words(output.file, output.role), words(other.file, other.role),
-                                     other.isOutput ? "writes, too" : "reads"));
+                                     other.isOutput ? "also writes" : "reads"));
 }
 
 void RunFiles::expectApart(const Entry& entry, const Pattern& pattern) {
   if (!entry.isOutput || !pattern.matches(entry.file)) return;
   throw core::usageError(
-      fmt::format("{} would be a file that {} matches, so the next run would take it up; choose "
-                  "another name or folder",
+      fmt::format("{} would match {}, so the next run would read it; choose another name or folder",
                   words(entry.file, entry.role), pattern.words));
 }
 

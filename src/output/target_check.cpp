@@ -19,7 +19,7 @@
 namespace poinsot::output {
 namespace {
 
-/// @param code  the errno that opening or creating such a file would give.
+/// @param code  errno that opening or creating the file would set.
 [[noreturn]] void refuse(const std::filesystem::path& path, int code, std::string_view reason) {
   throw core::FileError(core::ErrorKind::kIo, fmt::format("{}: {}", core::printable(path.native()), reason), path,
                         code);
@@ -51,7 +51,7 @@ std::string_view kindOf(mode_t mode) {
 }
 
 std::string refusalOf(const FileKind& kind) {
-  if (!kind.isOwn) return "is there already; --force replaces it";
+  if (!kind.isOwn) return "already exists; --force replaces it";
   const std::string as = kind.name.empty() ? "" : " as " + kind.name;
   return fmt::format("exists and was not written by poinsot{}; --force replaces it", as);
 }

@@ -15,8 +15,8 @@
 namespace poinsot::output {
 namespace {
 
-// Luma is scaled by 2^22, so that the largest sum, 235 · 2^22, fits 31 bits. Chroma works on the sum of 8 samples
-// (the weights 1 2 1 on two rows) and is scaled by 2^19, which makes 2^22 with the 8.
+// Scale of the integer weights. Luma is scaled by 2^22; its largest sum, 235 · 2^22, fits 31 bits. Chroma is
+// scaled by 2^19, because it adds 8 samples (with weights 1 2 1 on two rows), and 8 · 2^19 is 2^22.
 constexpr int kShift = 22;
 constexpr double kLumaScale = 4194304;
 constexpr double kChromaScale = 524288;
@@ -55,9 +55,10 @@ void chromaRow(const std::uint8_t* upper, const std::uint8_t* lower, int channel
 }
 
 #if defined(__SSE2__)
-// Registers hold pixels as R G B X in 16-bit lanes. X is any value in memory, and its weight is 0.
+// Registers contain pixels as R G B X in 16-bit lanes. X is an arbitrary value and has weight 0.
 
-/// Weight of up to 22 bits, as 256 · high + low: pmaddwd multiplies 16-bit numbers. Both products are exact.
+/// Weights of up to 22 bits, split into 256 · high + low, because pmaddwd multiplies 16-bit numbers. Both products
+/// are exact.
 struct SplitWeights {
   __m128i high;
   __m128i low;
@@ -71,10 +72,10 @@ SplitWeights split(const Weights& w) {
   return {lanes(w.r >> 8, w.g >> 8, w.b >> 8), lanes(w.r & 255, w.g & 255, w.b & 255)};
 }
 
-/// Returns r·R + g·G + b·B of the four pixels in two registers, plus offset, shifted: four 32-bit results.
+/// Returns (r·R + g·G + b·B + offset) >> kShift for the four pixels in two registers, as four 32-bit results.
 __m128i weighed(const SplitWeights& w, __m128i pixels01, __m128i pixels23, __m128i offset) {
   const auto partial = [&](__m128i weights) {
-    const __m128 a = _mm_castsi128_ps(_mm_madd_epi16(pixels01, weights));  // rg0 b0 rg1 b1
+    const __m128 a = _mm_castsi128_ps(_mm_madd_epi16(pixels01, weights));  // lanes: rg0 b0 rg1 b1
     const __m128 b = _mm_castsi128_ps(_mm_madd_epi16(pixels23, weights));
     return _mm_add_epi32(_mm_castps_si128(_mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0))),
                          _mm_castps_si128(_mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1))));
@@ -102,13 +103,14 @@ void store4(std::uint8_t* to, __m128i values) {
   __builtin_memcpy(to, &bytes, 4);
 }
 
-/// Columns of a row, from a multiple of eight to another or to the end.
+/// Range of columns in a row. It begins at a multiple of eight, and ends at one or at the end of the row.
 struct Columns {
   int from, to;
   int width;
 };
 
-/// Returns the first pixel for the scalar code, because a load of four RGB pixels reads 4 bytes beyond them.
+/// Returns the column at which the scalar code takes over. A load of four RGB pixels reads 4 bytes beyond them, so
+/// the last pixels of a row need scalar code.
 template <int kChannels>
 int vectorEnd(const Columns& columns, int step) {
   const int usable = std::min(columns.to, kChannels == 4 ? columns.width : columns.width - 2);
@@ -127,7 +129,7 @@ void fastLumaRow(const std::uint8_t* rgb, const Columns& columns, std::uint8_t* 
   lumaRow(rgb, kChannels, end, columns.to, y);
 }
 
-/// Sums of two rows over eight pixels, two pixels a register.
+/// Sums of two rows for eight pixels, two pixels in each register.
 struct RowSums {
   __m128i p01, p23, p45, p67;
 };
@@ -147,7 +149,7 @@ __m128i pixelSum(const std::uint8_t* upper, const std::uint8_t* lower) {
   return _mm_setr_epi16(sum(0), sum(1), sum(2), 0, sum(0), sum(1), sum(2), 0);
 }
 
-/// Returns left + 2 here + right in the low half, from [.. left] and [here right].
+/// Returns the sums with weights 1 2 1: left + 2 here + right in the low half, from [.. left] and [here right].
 __m128i weighed121(__m128i left, __m128i hereRight) {
   const __m128i outer = _mm_unpackhi_epi64(_mm_add_epi16(left, hereRight), hereRight);
   return _mm_add_epi16(outer, _mm_slli_epi16(hereRight, 1));
@@ -159,7 +161,7 @@ void fastChromaRow(const std::uint8_t* upper, const std::uint8_t* lower, const C
   const SplitWeights blue = split(kCb), red = split(kCr);
   const __m128i offset = _mm_set1_epi32(kChromaOffset);
   const int end = vectorEnd<kChannels>(columns, 8);
-  const int left = std::max(columns.from - 1, 0) * kChannels;  // column 0 stands in for -1
+  const int left = std::max(columns.from - 1, 0) * kChannels;  // column 0 replaces column -1
   __m128i before = pixelSum(upper + left, lower + left);
   for (int x = columns.from; x < end; x += 8) {
     const RowSums v = rowSums<kChannels>(upper + pixelAt(x, kChannels), lower + pixelAt(x, kChannels));
@@ -190,8 +192,8 @@ void checkShape(const image::Image& picture) {
   POINSOT_EXPECT(picture.size.height > 0 && picture.size.height % 2 == 0);
 }
 
-/// Returns the blocks of eight columns and two rows that depend on a part. The chroma right of the part depends on
-/// the part's last column, too.
+/// Returns the blocks of eight columns and two rows that change if a part of the picture changes. The chroma
+/// sample to the right of the part changes too, because it depends on the part's last column.
 image::PixelRect blocksWith(const image::PixelRect& part, image::PixelSize size) {
   POINSOT_EXPECT(part.left >= 0 && part.top >= 0 && part.right <= size.width && part.bottom <= size.height);
   return {part.left / 8 * 8, part.top / 2 * 2, std::min((part.right + 2 + 7) / 8 * 8, size.width),

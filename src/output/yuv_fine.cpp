@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conversions that few films need, as plain loops. The conversion of most films is in yuv.cpp.
+// Conversions that only a few films need, as simple loops. yuv.cpp has the conversion of most films.
 #include <array>
 
 #include "core/expect.h"
@@ -9,7 +9,7 @@
 namespace poinsot::output {
 namespace {
 
-// The largest sum of a 10-bit sample, 940 · 2^20, fits 31 bits.
+// Scale of the integer weights: the largest sum of a 10-bit sample, 940 · 2^20, fits 31 bits.
 constexpr int kFineShift = 20;
 constexpr double kScale = 1 << kFineShift;
 constexpr std::int32_t kFineHalf = 1 << (kFineShift - 1);
@@ -21,7 +21,7 @@ struct Basis {
         cb(cbWeights(kScale * levels)),
         cr(crWeights(kScale * levels)) {}
 
-  std::int32_t levels;  ///< levels of a sample per level of a byte
+  std::int32_t levels;  ///< steps of a sample in one step of a byte: 1 or 4
   Weights luma, cb, cr;
 };
 
@@ -58,8 +58,8 @@ void fill444(const image::Image& picture, const YuvPlanes& planes) {
   }
 }
 
-/// Returns the colour of the pixels that one chroma sample stands for (column 2x and its neighbours, on both
-/// rows), as their mean weighted by alpha.
+/// Returns the mean colour of the pixels that belong to one chroma sample, weighted by alpha. The pixels are
+/// column 2x and its neighbours, on both rows.
 std::array<std::uint8_t, 3> meanUnderAlpha(const image::Image& picture, int x, int y) {
   constexpr std::array<int, 3> kWeights{1, 2, 1};
   std::array<std::int32_t, 3> sum{};

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-/// Integer weights of R, G and B in bytes, for BT.709, limited range. Included by the conversions only.
+/// Integer weights with which bytes of R, G and B are converted to BT.709, limited range.
 namespace poinsot::output {
 
 struct Weights {
@@ -14,8 +14,8 @@ struct Weights {
 
 constexpr std::int32_t nearestInteger(double v) { return static_cast<std::int32_t>(v < 0 ? v - 0.5 : v + 0.5); }
 
-/// Returns the weights for luma. Green gets the rest of the total, so that greys are exact: black is 16, white
-/// 235, and no grey has a hue.
+/// Returns the weights for luma. Green gets the remainder of the total, so that greys are exact: black is 16,
+/// white is 235, and no grey has a hue.
 constexpr Weights lumaWeights(double scale) {
   const double range = 219.0 / 255 * scale;
   const Weights w = {nearestInteger(0.2126 * range), 0, nearestInteger(0.0722 * range)};

@@ -26,15 +26,16 @@ MomentumPolhode steadyOrClosed(const PrincipalMoments& moments, const EnergyStar
 
 double energyOfSpin(double L, double I) { return L * (L / I) / 2; }
 
-/// Returns the energy on the momentum sphere at an angle from the axis of smallest moment, in the plane of the
-/// extreme axes.
+/// Returns the kinetic energy of the momentum m with |m| = L in the plane of the axes of smallest and largest
+/// moment.
+/// @param angle_rad  angle of m from the axis of smallest moment
 double energyAt(const PrincipalMoments& moments, const std::array<int, 3>& axis, double L, double angle_rad) {
   const SineCosine a = sineCosine(angle_rad);
   return a.cosine * a.cosine * energyOfSpin(L, moments[axis[0]]) +
          a.sine * a.sine * energyOfSpin(L, moments[axis[2]]);
 }
 
-/// Returns the angle psi of Separatrix, which is 0 or pi/2 for a symmetric body.
+/// Returns the angle psi of the separatrix (struct Separatrix). For a symmetric body, the angle is 0 or pi/2.
 double separatrixAngle(double I1, double I2, double I3) {
   return arcTangent(std::sqrt((I3 / I1) * ((I2 - I1) / (I3 - I2))));
 }
@@ -83,7 +84,8 @@ std::vector<Eigen::Vector3d> Separatrix::momentumCircle(double L, int count, boo
 std::vector<MomentumPolhode> momentumPolhodes(const PrincipalMoments& moments, double T, double L, int count) {
   const MomentumPolhode first = steadyOrClosed(moments, {T, L, 0, false}, count);
   const auto parting = separatrix(moments);
-  // An energy of exactly L²/(2 I2) means the two circles, even if the rounded start lies beside them.
+  // An energy of exactly L²/(2 I2) belongs to the separatrix. Its two circles are computed directly, because the
+  // rounded start may be next to the separatrix.
   if (parting && T == energyOfSpin(L, moments[parting->middle]))
     return {{T, PolhodeRegime::kSeparatrix, parting->momentumCircle(L, count, false)},
             {T, PolhodeRegime::kSeparatrix, parting->momentumCircle(L, count, true)}};

@@ -12,8 +12,8 @@
 namespace poinsot::physics {
 
 /// Binet's construction of a free rotation, in the space of the body's angular momentum m = I omega. The tip of m
-/// stays on the momentum sphere |m| = L and on the energy ellipsoid sum m_i²/I_i = 2T; sphere and ellipsoid
-/// intersect in the polhode of m. (Poinsot's construction is the same in omega.)
+/// stays on the momentum sphere |m| = L and on the energy ellipsoid sum m_i²/I_i = 2T. It therefore moves on their
+/// intersection, the polhode of m. (Poinsot's construction is the same in omega.)
 /// Source: Goldstein, Classical Mechanics, section 5.6 (Binet's ellipsoid).
 class BinetConstruction {
  public:
@@ -33,21 +33,21 @@ class BinetConstruction {
   Eigen::Vector3d semiAxes_P_;
 };
 
-/// Separatrix: the curves between the polhodes about the axis of largest moment and those about the axis of
-/// smallest moment. Two planes through the middle axis cut the momentum sphere in two great circles, and every
-/// energy ellipsoid in two ellipses. From L² = 2 T I2, with I1 < I2 < I3:
+/// Separatrix: the curves that separate the polhodes about the axis of largest moment from the polhodes about the
+/// axis of smallest moment. The curves lie in two planes through the middle axis. They are great circles of the
+/// momentum sphere, and ellipses on an energy ellipsoid. From L² = 2 T I2, with I1 < I2 < I3:
 ///   m_3/m_1 = ± tan psi,   tan² psi = I3 (I2 - I1)/(I1 (I3 - I2))
 ///   omega_3/omega_1 = ± tan psi I1/I3
-/// Both angles are measured from the axis of smallest moment; momentumAngle_rad is psi. `smallest`, `middle` and
-/// `largest` are axes of P.
+/// momentumAngle_rad is psi, and velocityAngle_rad is the angle of omega. Both are measured from the axis of
+/// smallest moment. `smallest`, `middle` and `largest` are axes of P.
 struct Separatrix {
   int smallest = 0, middle = 1, largest = 2;
   double momentumAngle_rad = 0;
   double velocityAngle_rad = 0;
 
-  /// Returns `count` points of one of the two great circles |m| = L, at equal angles from the middle axis on, as
-  /// m_P in kg·m²/s. The last point joins the first.
-  /// @param mirrored selects the other circle, which has m_3 negated
+  /// Returns `count` points m_P of one of the two great circles |m| = L, in kg·m²/s. The points have equal angles
+  /// and begin on the middle axis. The curve closes from the last point to the first.
+  /// @param mirrored selects the other circle, whose m_3 has the opposite sign
   /// @pre count >= 3.
   /// @throws core::Error(kPhysics) if L is negative or not finite.
   std::vector<Eigen::Vector3d> momentumCircle(double L, int count, bool mirrored) const;
@@ -56,29 +56,30 @@ struct Separatrix {
 /// Returns the separatrix of a body, or nullopt if two moments are equal.
 std::optional<Separatrix> separatrix(const PrincipalMoments& moments);
 
-/// Polhode of a body with kinetic energy T (in J), as a closed curve in momentum space, kg·m²/s. The last point
-/// joins the first; a steady motion has one point. Dividing m_i by I_i gives the curve in omega space.
+/// Polhode of a body with a given kinetic energy (J), as a closed curve of points m_P in kg·m²/s. The curve closes
+/// from the last point to the first. A steady motion has one point. To get the curve of omega, divide m_i by I_i.
 struct MomentumPolhode {
   double kineticEnergy = 0;
   PolhodeRegime regime = PolhodeRegime::kSteady;
   std::vector<Eigen::Vector3d> m_P;
 };
 
-/// Returns both polhodes with energy T (in J) on the momentum sphere |m| = L (in kg·m²/s), about the positive and
-/// about the negative half axis, with `count` points each. On the separatrix, they are its two circles.
+/// Returns the two polhodes with energy T (in J) on the momentum sphere |m| = L (in kg·m²/s): first the polhode
+/// about the positive half axis, then the polhode about the negative half axis. Each has `count` points. On the
+/// separatrix, the result is its two circles.
 /// @pre count >= 4.
 /// @throws core::Error(kPhysics) if no state has this T and L (omegaFromEnergy, start.h).
 std::vector<MomentumPolhode> momentumPolhodes(const PrincipalMoments& moments, double T, double L, int count);
 
-/// Returns energies, in J and ascending, whose polhodes are spread evenly over the momentum sphere |m| = L (in
-/// kg·m²/s). From the separatrix towards each extreme axis there are `perSide` polhodes; separatrix and axes are
-/// left out. The polhodes are even in the angle at which they cross the plane of the two extreme axes. All
-/// polhodes of a symmetric body are on one side.
+/// Returns energies (in J, ascending) whose polhodes are spread evenly over the momentum sphere |m| = L (in
+/// kg·m²/s). There are `perSide` polhodes between the separatrix and each extreme axis, that is, the axis of
+/// smallest or largest moment. In the plane of the two extreme axes, neighbouring polhodes are at equal angles.
+/// For a symmetric body, all polhodes are on one side of the separatrix.
 /// @pre L > 0 and finite, perSide >= 1.
 std::vector<double> evenEnergies(const PrincipalMoments& moments, double L, int perSide);
 
-/// Returns the polhode scaled to the energy ellipsoid of energy T (in J), as omega_P in rad/s. The shape is the
-/// same; L changes to match T.
+/// Returns the polhode as points omega_P in rad/s, scaled to the energy T (in J). The shape of the curve stays the
+/// same, and L changes with T.
 /// @pre T > 0 and finite, curve.kineticEnergy > 0.
 std::vector<Eigen::Vector3d> onEnergyEllipsoid(const MomentumPolhode& curve, const PrincipalMoments& moments,
                                                double T);

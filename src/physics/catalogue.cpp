@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kInch = 0.0254, kOunce = 0.028349523125;  // exact by definition
-constexpr double kAluminium = 2700, kSteel = 7850;         // kg/m³, rounded values of engineering tables
+constexpr double kInch = 0.0254, kOunce = 0.028349523125;  // in m and kg, exact by definition
+constexpr double kAluminium = 2700, kSteel = 7850;  // densities in kg/m³, rounded values of engineering tables
 
 SolidPart whole(const Solid& solid, double mass_kg, const Vector3d& offset_B = Vector3d::Zero()) {
   SolidPart part{solid, mass_kg};
@@ -26,20 +26,21 @@ CatalogueBody tHandle() {
           mass_kg,
           partsOf(solid, mass_kg),
           {},
-          "Assumed: bars of 12 mm, 90 mm and 45 mm long, of aluminium (2700 kg/m³), in the likeness of the "
-          "handle that turned over in films from space stations, whose dimensions are not published. Computed: "
-          "mass 0.0412 kg, moments."};
+          "Assumed: bars of 12 mm, 90 mm and 45 mm long, of aluminium (2700 kg/m³). They are modelled on the "
+          "handle that flips in films from space stations, whose dimensions are not published. Computed: mass "
+          "0.0412 kg, moments."};
 }
 
 CatalogueBody racket() {
-  return {"racket",
-          "Tennis racket",
-          0.33,
-          partsOf(Racket{.68, .26}, 0.33),
-          {},
-          "Assumed: a hoop of 0.26 m with 0.17 kg and a thin handle of 0.42 m with 0.16 kg, 0.68 m over "
-          "all; within the limits of the ITF Rules of Tennis, appendix II (0.737 m by 0.317 m). Computed: "
-          "moments. Strings are left out, and the balance is further from the butt than on most rackets."};
+  return {
+      "racket",
+      "Tennis racket",
+      0.33,
+      partsOf(Racket{.68, .26}, 0.33),
+      {},
+      "Assumed: a hoop of 0.26 m with 0.17 kg and a thin handle of 0.42 m with 0.16 kg. The overall length is "
+      "0.68 m. These sizes are within the limits of the ITF Rules of Tennis, appendix II (0.737 m by 0.317 m). "
+      "Computed: moments. Strings are left out, and the balance is further from the butt than on most rackets."};
 }
 
 CatalogueBody book() {
@@ -74,11 +75,11 @@ CatalogueBody football() {
   return {"football",
           "American football",
           mass_kg,
-          {whole(Ellipsoid{semiAxes}, mass_kg)},  // not a shell, which would be drawn open
+          {whole(Ellipsoid{semiAxes}, mass_kg)},  // only for drawing; a shell would be drawn open
           PrincipalMoments(Vector3d(hull_B.diagonal())),
-          "Published: NFL Playing Rules, rule 2, the middle of each range: long axis 11 to 11 1/4 in, "
-          "short circumference 21 to 21 1/4 in, 14 to 15 oz. Assumed: a thin shell between similar "
-          "ellipsoids; a real ball has pointed ends and a bladder. Computed: moments. Its long axis is z."};
+          "Published: NFL Playing Rules, rule 2. The middle of each range is used: long axis 11 to 11 1/4 in, "
+          "short circumference 21 to 21 1/4 in, 14 to 15 oz. Assumed: a thin shell between similar ellipsoids; a "
+          "real ball has pointed ends and a bladder. Computed: moments. Its long axis is z."};
 }
 
 CatalogueBody frisbee() {
@@ -88,24 +89,23 @@ CatalogueBody frisbee() {
           0.175,
           {whole(Disc{radius}, .1, {0, 0, depth / 2}), whole(CylinderShell{radius, depth}, .075)},
           PrincipalMoments({.001219, .001219, .002352}),
-          "Published: 175 g, the weight of discs approved for Ultimate; moments measured by S. A. Hummel, "
-          "Frisbee Flight Simulation and Throw Biomechanics, thesis, University of California, Davis, 2003, as "
-          "quoted by the program FrisPy (the thesis itself was not at hand). Assumed, for drawing only: a "
-          "plate of 274 mm with a rim of 25 mm."};
+          "Published: 175 g, the weight of discs approved for Ultimate. The moments were measured by S. A. "
+          "Hummel, Frisbee Flight Simulation and Throw Biomechanics, thesis, University of California, Davis, "
+          "2003. They are quoted from the program FrisPy, because the thesis itself was not available. Assumed, "
+          "for drawing only: a plate of 274 mm with a rim of 25 mm."};
 }
 
 CatalogueBody wingNut() {
   const WingNut solid{.010, .010, {.0145, .004, .017}, .01725, .0095};
   const double mass_kg = volume(solid) * kSteel;
-  return {
-      "wing_nut",
-      "Wing nut",
-      mass_kg,
-      partsOf(solid, mass_kg),
-      {},
-      "Published: DIN 314, size M10: span 47 to 50 mm, hub 18 to 21 mm across and 8 to 10 mm high, wings at most "
-      "4 mm thick, 22 to 24 mm over all. Assumed: a hub without its hole, boxes for wings, steel (7850 kg/m³). "
-      "Computed: mass 0.0401 kg, moments."};
+  return {"wing_nut",
+          "Wing nut",
+          mass_kg,
+          partsOf(solid, mass_kg),
+          {},
+          "Published: DIN 314, size M10. Span 47 to 50 mm, hub 18 to 21 mm across and 8 to 10 mm high. Wings at "
+          "most 4 mm thick, 22 to 24 mm over all. Assumed: a hub without its hole, boxes for wings, steel (7850 "
+          "kg/m³). Computed: mass 0.0401 kg, moments."};
 }
 
 CatalogueBody explorer1() {
@@ -121,36 +121,35 @@ CatalogueBody explorer1() {
 CatalogueBody earth() {
   const double equator = 6378136.6, pole = equator * (1 - 1 / 298.25642), C = 8.0365e37, A = C * (1 - .003273795);
   const double mass_kg = 3.986004418e14 / 6.67428e-11;
-  return {
-      "earth",
-      "Earth",
-      mass_kg,
-      {whole(Ellipsoid{{equator, equator, pole}}, mass_kg)},
-      PrincipalMoments({A, A, C}),
-      "Published: polar moment C = 8.0365e37 kg·m² (E. Groten, J. Geodesy 77 (2004) 724); dynamical flattening "
-      "H = (C - A)/C = 0.003273795, GM, G, equatorial radius and flattening of the IERS Conventions (2010), table "
-      "1.1. Computed: A = C (1 - H), the mean of the two equatorial moments; mass GM/G. Assumed: rigid and "
-      "symmetric; B - A = 7.26e-6 M R² (Liu & Chao, Geophys. J. Int. 106 (1991) 699) is left out. So this Earth "
-      "wobbles in A/(C - A) = 304.46 sidereal days. The real one takes 433 days: its fluid core shortens the "
-      "period, its elasticity and its oceans lengthen it by more (Smith & Dahlen, Geophys. J. R. astr. Soc. 64 "
-      "(1981) 223)."};
+  return {"earth",
+          "Earth",
+          mass_kg,
+          {whole(Ellipsoid{{equator, equator, pole}}, mass_kg)},
+          PrincipalMoments({A, A, C}),
+          "Published: polar moment C = 8.0365e37 kg·m² (E. Groten, J. Geodesy 77 (2004) 724). Also published: "
+          "dynamical flattening H = (C - A)/C = 0.003273795, GM, G, equatorial radius and flattening of the IERS "
+          "Conventions (2010), table 1.1. Computed: A = C (1 - H), the mean of the two equatorial moments; mass "
+          "GM/G. Assumed: rigid and symmetric. The difference B - A = 7.26e-6 M R² (Liu & Chao, Geophys. J. Int. "
+          "106 (1991) 699) is left out. Therefore, this Earth wobbles in A/(C - A) = 304.46 sidereal days. The "
+          "real one takes 433 days. Its fluid core shortens the period, and its elasticity and its oceans "
+          "lengthen it by more (Smith & Dahlen, Geophys. J. R. astr. Soc. 64 (1981) 223)."};
 }
 
 CatalogueBody toutatis() {
-  // Moment about the long axis of an ellipsoid of the published size, because only ratios of the moments are
-  // published.
+  // Only ratios of the moments are published. The moment about the long axis is therefore computed from an
+  // ellipsoid of the published size.
   const Ellipsoid figure{{1200, 960, 2300}};
   const double mass_kg = 1.9e13, longAxis = massProperties(figure, mass_kg).inertia_B()(2, 2);
-  return {"toutatis",
-          "Asteroid 4179 Toutatis",
-          mass_kg,
-          {whole(figure, mass_kg)},
-          PrincipalMoments(Vector3d(3.0836, 3.235, 1) * longAxis),
-          "Published: ratios of the moments 3.0836 : 3.235 : 1 (Y. Takahashi, M. W. Busch, D. J. Scheeres, "
-          "Astron. J. 146 (2013) 95); size 1.92 km by 2.40 km by 4.60 km (R. S. Hudson, S. J. Ostro, "
-          "Science 270 (1995) 84). Assumed: mass 1.9e13 kg and the moment about the long axis, z, of an "
-          "ellipsoid of that size; free motion depends on the ratios only. Drawn as that ellipsoid; the "
-          "real body has two lobes."};
+  return {
+      "toutatis",
+      "Asteroid 4179 Toutatis",
+      mass_kg,
+      {whole(figure, mass_kg)},
+      PrincipalMoments(Vector3d(3.0836, 3.235, 1) * longAxis),
+      "Published: ratios of the moments 3.0836 : 3.235 : 1 (Y. Takahashi, M. W. Busch, D. J. Scheeres, Astron. J. "
+      "146 (2013) 95). Also published: size 1.92 km by 2.40 km by 4.60 km (R. S. Hudson, S. J. Ostro, Science 270 "
+      "(1995) 84). Assumed: mass 1.9e13 kg and the moment about the long axis, z, of an ellipsoid of that size; "
+      "free motion depends on the ratios only. Drawn as that ellipsoid; the real body has two lobes."};
 }
 
 }  // namespace

@@ -11,19 +11,19 @@
 
 namespace poinsot::physics {
 
-/// Body of the real world, with its mass properties and their sources.
+/// Real body, such as a football or an asteroid, with its mass properties and their sources.
 struct CatalogueBody {
-  std::string name;  ///< identifier in scene files
+  std::string name;  ///< identifier of the body in scene files
   std::string title;
   double mass_kg = 0;
-  std::vector<SolidPart> parts;  ///< solids of the body; with `moments` set, used only for drawing
-  /// Moments that replace those of `parts`: measured ones, or those of a closed hull. They are about the body's
-  /// own axes, with the origin at the centre of mass.
+  std::vector<SolidPart> parts;  ///< solids of the body; used only for drawing if `moments` is set
+  /// Moments that replace the moments of `parts`, such as measured moments or those of a closed hull. They are
+  /// about the body's own axes, whose origin is the centre of mass.
   std::optional<PrincipalMoments> moments;
-  std::string source;  ///< origin of each number: published, computed or assumed
+  std::string source;  ///< which numbers are published, computed or assumed, and where they come from
 };
 
-/// Returns all bodies in the order of the lecture, from objects in the hand to those in the sky.
+/// Returns all bodies in the order of the lecture, from hand-held objects to celestial bodies.
 const std::vector<CatalogueBody>& catalogue();
 
 /// Returns the body with this name, or nullptr if there is none.

@@ -19,23 +19,24 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kTolerance = 0.25;   // accepted deviation of the period, relative to the wanted time
-constexpr int kMostMultiples = 64;    // multiples of the polhode's period to try; more make no visible difference
-constexpr double kUndrawable = 1e-3;  // rad: half a pixel on an axis of 500 pixels
-constexpr double kFarthestRatio = 1e9;  // the search for r ends at 1e9 (nearly steady) and 1e-9 (separatrix)
-constexpr double kLargestCount = 1e9;   // limit of the periods in the wanted time; more are refused
+constexpr double kTolerance = 0.25;     // accepted deviation of the period, relative to the wanted time
+constexpr int kMostMultiples = 64;      // multiples of the polhode's period to try; more change nothing visible
+constexpr double kUndrawable = 1e-3;    // largest invisible angle, rad: half a pixel on an axis of 500 pixels
+constexpr double kFarthestRatio = 1e9;  // limits of the ratio r: 1e9 (nearly steady), 1e-9 (near the separatrix)
+constexpr double kLargestCount = 1e9;   // limit of the number of periods in the wanted time
 
 double length(const Vector3d& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
-/// Returns the angle between two vectors from half the chord and half the sum of their directions, which is
+/// Returns the angle between two vectors, from the difference and the sum of their unit vectors. This formula is
 /// accurate for small and large angles.
 double angleBetween(const Vector3d& v, const Vector3d& w) {
   const Vector3d a = v / length(v), b = w / length(w);
   return 2 * arcTangent(length(a - b) / length(a + b));
 }
 
-/// Polhodes with one |L| about one axis, each identified by the ratio r = m_c/m_2 at m_a = 0. The steady spin
-/// about c has an infinite r, the separatrix r = 0. Unlike the invariants, r is relatively accurate at both ends.
+/// Family of the polhodes with the same |L| about the same axis c (axes a, 2, c as in FreeMotionConstants). A
+/// polhode is identified by the ratio r = m_c/m_2 at m_a = 0. The ratio is infinite for the steady spin about c,
+/// and 0 for the separatrix. Unlike the invariants, r has full relative accuracy at both ends.
 class PolhodeFamily {
  public:
   PolhodeFamily(const PrincipalMoments& moments, const FreeMotionConstants& k) : moments_(moments), k_(k) {}
@@ -54,7 +55,7 @@ class PolhodeFamily {
 
   Vector3d steadySpin() const { return omega_P(0, 0, toDouble(k_.L)); }
 
-  /// Returns omega in rad/s from the components of L. The sign along axis c is that of the start.
+  /// Returns omega in rad/s from the components of L along the axes a, 2 and c. m_c gets the sign of the start.
   Vector3d omega_P(double m_a, double m_2, double m_c) const {
     std::array<double, 3> sorted{};
     sorted[k_.a] = m_a / k_.start.I[k_.a];
@@ -69,7 +70,8 @@ class PolhodeFamily {
   const FreeMotionConstants& k_;
 };
 
-/// Finds the r between `low` and `high` at which angle(r) - target changes sign, to the last bit.
+/// Returns the ratio r between `low` and `high` at which the angle of the polhode is `target`, exact to the last
+/// bit.
 double root(const PolhodeFamily& family, double target, double low, double high) {
   const bool lowIsAbove = family.angle(low) > target;
   for (;;) {
@@ -79,7 +81,9 @@ double root(const PolhodeFamily& family, double target, double low, double high)
   }
 }
 
-/// Finds the nearest r on one side of `from` at which the angle is `target`, in growing steps.
+/// Searches for the ratio r at which the angle of the polhode is `target`, in growing steps from `from`. Returns
+/// nullopt if r leaves the limits of kFarthestRatio.
+/// @param larger  true to search above `from`, false to search below
 std::optional<double> ratioBeyond(const PolhodeFamily& family, double from, double target, bool larger) {
   const bool above = family.angle(from) > target;
   double step = 1.02;
@@ -92,8 +96,8 @@ std::optional<double> ratioBeyond(const PolhodeFamily& family, double from, doub
   return std::nullopt;
 }
 
-/// Search for the point of a polhode nearest to omega0_P: first the best of a ring of points, then golden sections
-/// beside it.
+/// Search for the point of a polhode that is nearest to omega0_P. Takes the best of 256 points on the polhode and
+/// refines it by golden-section search.
 class NearestPoint {
  public:
   NearestPoint(const PolhodeFamily& family, const PrincipalMoments& moments, double r, const Vector3d& omega0_P)
@@ -117,7 +121,7 @@ class NearestPoint {
     return family_.omega_P(scaled(k_.A_a) * f.cosine, scaled(k_.A_2) * f.sine, scaled(k_.A_c) * dn);
   }
 
-  /// Converts an amplitude to the family's units, because this polhode's scale may be another power of two.
+  /// Converts an amplitude of this polhode to the units of the family, which may differ by a power of two.
   double scaled(const DoubleDouble& amplitude) const {
     return std::ldexp(toDouble(amplitude), k_.start.rateExponent - family_.rateExponent());
   }
@@ -174,7 +178,7 @@ class ClosedStartSearch {
           "a motion on the separatrix (L² = 2 T I of the middle moment) approaches the middle axis "
           "for ever and never repeats; change the start a little");
     collect();
-    POINSOT_EXPECT(!found_.empty());  // the angle grows without bound towards the separatrix
+    POINSOT_EXPECT(!found_.empty());  // never empty: near the separatrix, the angle grows without bound
     return *std::ranges::min_element(found_, [&](const auto& a, const auto& b) { return better(a, b); });
   }
 

@@ -3,13 +3,14 @@
 
 #include <cstddef>
 
-// The orders were verified on the heavy top (tests/physics/driven_order_test.cpp). Coefficients that follow from
-// the others are computed from them, so that the sums are exact to the last bit.
+// Compositions of splitting steps. Their orders were verified on the heavy top
+// (tests/physics/driven_order_test.cpp). Coefficients that follow from the others are computed, so that sums are
+// exact to the last bit.
 
 namespace poinsot::physics {
 namespace {
 
-/// Mirrors a list: x y z becomes x y z z y x, or x y z y x if z is the centre.
+/// Appends the mirrored list: x y z becomes x y z z y x, or x y z y x if z is the centre.
 std::vector<double> mirrored(std::vector<double> half, bool centre) {
   for (std::size_t i = half.size() - (centre ? 1 : 0); i-- > 0;) half.push_back(half[i]);
   return half;
@@ -21,7 +22,8 @@ double sum(const std::vector<double>& values) {
   return total;
 }
 
-/// Returns running sums, the second half by symmetry and the last exactly 1.
+/// Returns the running sums of a palindrome whose sum is 1. The second half of the sums is computed by symmetry,
+/// and the last sum is exactly 1.
 std::vector<double> cumulated(const std::vector<double>& parts) {
   const std::size_t n = parts.size();
   std::vector<double> ends(n, 1.0);
@@ -33,13 +35,15 @@ std::vector<double> cumulated(const std::vector<double>& parts) {
   return ends;
 }
 
-/// Completes `half` to a palindrome with the sum 1 by a centre or an innermost pair, and returns its running sums.
+/// Completes `half` to a palindrome whose sum is 1, and returns its running sums. The missing value becomes the
+/// centre of the palindrome, or its innermost pair.
 std::vector<double> palindrome(std::vector<double> half, bool centre) {
   half.push_back(centre ? 1 - 2 * sum(half) : 0.5 - sum(half));
   return cumulated(mirrored(half, centre));
 }
 
-/// Makes a composition of Strang steps: half a kick before and after each drift, merged where two kicks meet.
+/// Creates a composition of Strang steps: half a kick, a drift, half a kick. Kicks that meet are merged.
+/// @param drifts  end of each drift, as a fraction of the step
 Composition ofSymmetricSteps(const char* name, int order, const std::vector<double>& drifts) {
   Composition composition{name, order, true, drifts, {}};
   double begin = 0;
@@ -50,8 +54,8 @@ Composition ofSymmetricSteps(const char* name, int order, const std::vector<doub
   return composition;
 }
 
-/// Makes a Runge-Kutta-Nyström composition from the first halves of its drifts and kicks.
-/// @pre an odd number of drifts has a centre and an even number of kicks has none, or vice versa.
+/// Creates a Runge-Kutta-Nyström composition from the first halves of its drifts and kicks.
+/// @param centralDrift  true if the central flow is a drift, false if it is a kick
 Composition nystrom(const char* name, int order, const std::vector<double>& drifts,
                     const std::vector<double>& kicks, bool centralDrift) {
   Composition composition{name, order, false, palindrome(drifts, centralDrift), palindrome(kicks, !centralDrift)};

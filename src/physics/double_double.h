@@ -5,12 +5,14 @@
 
 namespace poinsot::physics {
 
-/// Unevaluated sum hi + lo of two doubles with |lo| <= ulp(hi)/2, about 106 significant bits.
+/// Number with about 106 significant bits, stored as the unevaluated sum hi + lo of two doubles with |lo| <=
+/// ulp(hi)/2.
 ///
-/// Only + - * / and sqrt of IEEE doubles are used, so every CPU computes the same bits. The precision is needed to
-/// reduce a phase of 1e14 rad modulo a turn, and for the distance to the separatrix, a small difference. Source:
-/// T. J. Dekker, Numer. Math. 18 (1971) 224 (products); Knuth, TAOCP 2, 4.2.2 (sums). The relative error of each
-/// operation is below 2^-103 (measured in tests/physics/double_double_test.cpp).
+/// This precision is needed to reduce a phase of 1e14 rad modulo a turn, and to compute the distance to the
+/// separatrix, which is a small difference. Only + - * / and sqrt of IEEE doubles are used, so that every CPU
+/// computes the same bits. The relative error of each operation is below 2^-103 (measured in
+/// tests/physics/double_double_test.cpp). Source: T. J. Dekker, Numer. Math. 18 (1971) 224 (products); Knuth,
+/// TAOCP 2, 4.2.2 (sums).
 struct DoubleDouble {
   double hi = 0;
   double lo = 0;
@@ -42,8 +44,8 @@ constexpr DoubleDouble splitInHalves(double a) {
   return {high, a - high};
 }
 
-/// Returns a * b exactly, unless the error term underflows (|a b| < 2^-968). std::fma would be a slow library call
-/// on CPUs without the instruction. @pre |a|, |b| < 2^996.
+/// Returns a * b exactly, unless the error term underflows (|a b| < 2^-968). std::fma is not used, because it is a
+/// slow library call on CPUs without this instruction. @pre |a|, |b| < 2^996.
 constexpr DoubleDouble twoProduct(double a, double b) {
   const double product = a * b;
   const DoubleDouble x = splitInHalves(a), y = splitInHalves(b);
@@ -94,7 +96,7 @@ constexpr DoubleDouble abs(const DoubleDouble& a) { return a.hi < 0 ? -a : a; }
 /// Returns the square root. @pre a >= 0.
 inline DoubleDouble sqrt(const DoubleDouble& a) {
   if (a.hi == 0) return {};
-  // One Newton step from the double root squares its relative error of 2^-53.
+  // One Newton step squares the relative error of the double root, which is 2^-53.
   const double root = std::sqrt(a.hi);
   const DoubleDouble rest = a - twoProduct(root, root);
   return quickTwoSum(root, rest.hi / (2 * root));
@@ -115,21 +117,22 @@ inline constexpr DoubleDouble kPi{3.141592653589793, 1.2246467991473532e-16};
 inline constexpr DoubleDouble kTwoPi{2 * kPi.hi, 2 * kPi.lo};
 inline constexpr DoubleDouble kHalfPi{kPi.hi / 2, kPi.lo / 2};
 
-/// Result of reducing a number by a period: the rest, and the nearest multiple that was subtracted. The multiple
-/// is rounded to a double; its parity is exact below 2^53.
+/// Result of reduced(): a number minus the nearest multiple of a period. `multiple` is the number of subtracted
+/// periods, which is exact below 2^53.
 struct Reduced {
   DoubleDouble rest;
   double multiple = 0;
 };
 
-/// Subtracts the nearest multiple of `period` from x. Beyond |x| = 2^100 periods the rest is in range but
-/// meaningless.
+/// Subtracts the nearest multiple of `period` from x. If |x| is more than 2^100 periods, the rest is still in
+/// range but has no correct digits.
 /// @pre period > 0, x finite.
 inline Reduced reduced(DoubleDouble x, const DoubleDouble& period) {
   double multiple = std::round(x.hi / period.hi);
   double total = multiple;
   x -= period * DoubleDouble(multiple);
-  // A multiple above 2^53 is itself rounded, so the rest is reduced again: 1100 bits of exponent, 50 bits a round.
+  // A multiple above 2^53 is rounded, so that the rest may need further rounds. Each round removes about 50 of at
+  // most 1100 bits.
   for (int round = 0; round < 24 && std::abs(x.hi) > 0.5000001 * period.hi; ++round) {
     multiple = std::round(x.hi / period.hi);
     total += multiple;

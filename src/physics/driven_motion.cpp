@@ -32,10 +32,10 @@ void requireSpan(const TimeSpan& span, double tolerance) {
 
 Rotor<DoubleDouble> exact(const Quaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
-/// Converts the start to the integrator's state, to 100 bits.
+/// Converts a start to the integrator's state, accurate to 100 bits.
 DrivenState startOf(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Quaternion& q0_WB) {
   DrivenState state;
-  // Takes out a power of two, as FreeMotion does, so that no square overflows.
+  // Scales the quaternion by a power of two, so that no square overflows.
   int exponent = 0;
   std::frexp(q0_WB.coeffs().cwiseAbs().maxCoeff(), &exponent);
   Rotor<DoubleDouble> q =
@@ -104,7 +104,7 @@ void DrivenMotion::Solution::solveInClosedForm(const Eigen::Vector3d& omega0_B, 
                     "start the run later",
                     -span.from_s, d));
   report.method = d == 0 ? "closed form" : "closed form in the time (1 - exp(-d t))/d";
-  // FreeMotion's error bound, plus one rounding of its time.
+  // Error bound of FreeMotion, plus the effect of rounding the time at which FreeMotion is evaluated.
   const double latest = std::max(-span.from_s, span.to_s);
   const double turned = axes.toP(omega0_B).cwiseAbs().maxCoeff() *
                         (d == 0 ? 0 : std::max(exponentialLessOne(-d * span.from_s) / d, std::min(latest, 1 / d)));
@@ -136,7 +136,7 @@ std::optional<double> DrivenMotion::Solution::energyDrift(const TimeSpan& span) 
   double largest = 0, scale = 0;
   for (int i = 0; i <= kSamples; ++i) {
     const double t = span.from_s + (span.to_s - span.from_s) * i / kSamples;
-    const RigidBodyState state = at(std::clamp(t, span.from_s, span.to_s));  // rounding may step outside the span
+    const RigidBodyState state = at(std::clamp(t, span.from_s, span.to_s));  // rounding may put t outside the span
     largest = std::max(largest, std::abs(totalEnergy(state) - start));
     scale = std::max({scale, state.kineticEnergy, std::abs(potentialEnergy(forcing, state.q_WB))});
   }
@@ -148,10 +148,10 @@ RigidBodyState DrivenMotion::Solution::at(double t_s) const {
   const double from_s = run->backward.end_s(), to_s = run->forward.end_s();
   if (!(from_s <= t_s && t_s <= to_s))
     throw core::limitError(
-        fmt::format("t = {} s: this driven motion is known from {} s to {} s", t_s, from_s, to_s));
+        fmt::format("t = {} s: this driven motion was computed only from {} s to {} s", t_s, from_s, to_s));
   const DrivenTrajectory& side = t_s < 0 ? run->backward : run->forward;
   const RigidBodyState state = bodyState(axes, side.at(t_s), t_s);
-  if (!std::isfinite(state.kineticEnergy)) refuseTime(t_s);  // L may be in range while the energy is not
+  if (!std::isfinite(state.kineticEnergy)) refuseTime(t_s);  // the energy may overflow even if L does not
   return state;
 }
 

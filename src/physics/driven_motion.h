@@ -14,8 +14,8 @@
 
 namespace poinsot::physics {
 
-/// Method and accuracy of a computed driven motion. Errors are those of the attitude over the whole span. In
-/// closed form, order, steps and shortestStep_s are 0.
+/// Method and accuracy of a computed driven motion. The estimated error is the largest error of the attitude in
+/// the span. For a motion in closed form, order, steps and shortestStep_s are 0.
 struct DrivenMotionReport {
   std::string method;
   int order = 0;
@@ -23,10 +23,11 @@ struct DrivenMotionReport {
   double shortestStep_s = 0;
   double tolerance_rad = 0;
   double estimatedAttitudeError_rad = 0;
-  /// True if the tolerance is not met: the estimate is the best that double precision allows for this motion.
+  /// True if the tolerance is not met because of rounding errors. The estimated error is then the smallest that
+  /// double precision allows for this motion.
   bool limitedByRounding = false;
-  /// Largest change of kinetic plus potential energy over the span, relative to the larger of the two. Set only if
-  /// gravity alone acts, which conserves the sum.
+  /// Largest change of the total energy over the span, relative to the largest kinetic or potential energy. Set
+  /// only if gravity alone acts, because gravity conserves the total energy.
   std::optional<double> energyDrift;
 };
 
@@ -41,20 +42,21 @@ struct TimeSpan {
 /// and gives the same bits on every CPU.
 ///
 /// The method is a splitting around the exact free rotation (splitting.h), in steps chosen to meet the tolerance
-/// (step_choice.h). Its order is 6 for torques and gravity, 8 with drag of unequal rates or dissipation. A motion
-/// without torque, or with drag of one rate alone, is in closed form and not limited to a span.
+/// (step_choice.h). Its order is 6 for torques and gravity, and 8 with drag of unequal rates or with dissipation.
+/// A motion without forcing, or only with drag of equal rates, has a closed form and is not limited to a span.
 class DrivenMotion final : public Motion {
  public:
   static constexpr double kDefaultTolerance_rad = 1e-12;
-  /// Default limit of the steps of a run. With losses, whose steps take longer, a fifth of the limit applies.
+  /// Default limit on the number of steps. With losses, only a fifth of this number is allowed, because such steps
+  /// take longer to compute.
   static constexpr double kDefaultSteps = 2e6;
 
-  /// Integrates the motion that starts at t = 0 over the span; calls core::checkInterruption() meanwhile.
+  /// Integrates the motion that starts at t = 0 over the span. Calls core::checkInterruption() at each step.
   /// @param omega0_B angular velocity at t = 0, rad/s
   /// @param q0_WB attitude at t = 0, takes B to W; any nonzero quaternion
-  /// @param tolerance_rad for the attitude, anywhere in the span; report() shows if double precision does not
-  /// reach it
-  /// @throws core::Error(kPhysics) for a start that FreeMotion refuses, a forcing that validate() refuses, a span
+  /// @param tolerance_rad accepted error of the attitude at any time of the span; if double precision cannot reach
+  /// it, report() shows this
+  /// @throws core::Error(kPhysics) for a start that FreeMotion rejects, a forcing that validate() rejects, a span
   /// or a tolerance that is not finite, a tolerance that is not positive, or a motion that leaves the range of
   /// numbers; (kLimit) for more steps than allowed.
   DrivenMotion(const PrincipalAxes& axes, const Eigen::Vector3d& omega0_B, const Quaternion& q0_WB,

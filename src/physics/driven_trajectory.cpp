@@ -13,7 +13,7 @@
 namespace poinsot::physics {
 namespace {
 
-constexpr std::size_t kMostCheckpoints = std::size_t{1} << 18;  // 30 MB of states
+constexpr std::size_t kMostCheckpoints = std::size_t{1} << 18;  // these states take 30 MB
 
 void requireFiniteState(const DrivenState& state, double t) {
   const auto& q = state.q_WP;
@@ -28,8 +28,8 @@ void requireFiniteState(const DrivenState& state, double t) {
 void requireFewEnough(double steps, double tolerated) {
   if (steps <= tolerated) return;
   throw core::limitError(
-      fmt::format("the driven motion needs {:.3g} steps, more than the {:.0f} allowed in a run; "
-                  "shorten the run, or ask for a larger tolerance",
+      fmt::format("the driven motion needs {:.3g} steps, more than the {:.0f} allowed in a run; shorten the run, "
+                  "or set a larger tolerance",
                   steps, tolerated));
 }
 
@@ -75,14 +75,15 @@ DrivenState DrivenTrajectory::integrated(const Run& run, DrivenState state) {
   return state;
 }
 
-/// Advances the state by step `index` of the run, from index * h to (index + 1) * h after the run's start.
+/// Advances the state by step number `index`, from index * h to (index + 1) * h after the start of the run.
 void DrivenTrajectory::step(DrivenState& state, const Run& run, std::size_t index) const {
   if (run.stretch.atRest) return state.stop();
   const double since = run.stretch.begin_s - run.stretch.piece.begin_s + static_cast<double>(index) * run.h_s;
   splitting_.step(state, *composition_, run.stretch.piece, since, run.h_s);
 }
 
-/// Advances the state from the start of step `index` to t_s. The distance is computed without rounding.
+/// Advances the state from the start of step number `index` to t_s. The length of this step is computed without
+/// rounding.
 void DrivenTrajectory::sideStep(DrivenState& state, const Run& run, std::size_t index, double t_s) const {
   if (run.stretch.atRest) return state.stop();
   const DoubleDouble gone = twoProduct(static_cast<double>(index), run.h_s);

@@ -8,12 +8,12 @@
 
 namespace poinsot::physics {
 
-/// Integrated motion from time 0 to one end of the run, stored as checkpoints at intervals of a fixed number of
-/// steps. at() continues from the checkpoint before t_s, on a copy, by whole steps and a shorter one. Immutable,
-/// thread-safe.
+/// Integrated motion from time 0 to one end of the span. States are stored as checkpoints, with a fixed number of
+/// steps between them. To compute a state, at() copies the checkpoint before t_s and integrates from there.
+/// Immutable, thread-safe.
 class DrivenTrajectory {
  public:
-  /// Integrates every stretch of the plan in steps of `scale` times the planned length.
+  /// Integrates every stretch of the plan (step_plan.h) in steps of `scale` times the planned length.
   /// @param finer takes at least a third more steps, so that a finer and a coarser trajectory can be compared
   /// @throws core::Error(kLimit) for more than mostSteps(), (kPhysics) if the state is no longer finite.
   DrivenTrajectory(const Splitting& splitting, const Composition& composition, const DrivenState& start,
@@ -30,8 +30,8 @@ class DrivenTrajectory {
   struct Run {
     Stretch stretch;
     double h_s = 0;
-    std::size_t whole = 0;   // steps of exactly h_s (signed); one more ends at the stretch's end
-    std::size_t stored = 0;  // index of its first checkpoint
+    std::size_t whole = 0;   // number of steps of h_s (signed); one more step ends at the stretch's end
+    std::size_t stored = 0;  // index of the run's first checkpoint
   };
 
   std::vector<Run> plannedRuns(const StepPlan& plan, double scale, bool finer, double allowedSteps);
@@ -46,7 +46,7 @@ class DrivenTrajectory {
   std::vector<DrivenState> checkpoints_;
   DrivenState start_;
   std::size_t steps_ = 0;
-  std::size_t stride_ = 1;  // steps between checkpoints
+  std::size_t stride_ = 1;  // number of steps between checkpoints
 };
 
 }  // namespace poinsot::physics

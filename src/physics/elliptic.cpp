@@ -13,8 +13,9 @@ namespace {
 using std::abs;
 using std::sqrt;
 
-/// Thresholds at which an iteration with an error of order 2 or 8 has reached the rounding of T. In double, the
-/// next step of the means has an error of (2e-9)^2/8, and (5e-3)^8 = 4e-19.
+/// Thresholds that end an iteration, because the remaining error is below the rounding of T. kQuadratic is for
+/// means, whose error after the next step is (2e-9)^2/8 in double. kCarlson is for Carlson's series, whose error
+/// is of order 8: (5e-3)^8 = 4e-19.
 template <typename T>
 struct Limits;
 template <>
@@ -44,7 +45,8 @@ T ratio(int numerator, int denominator) {
   return T(numerator) / T(denominator);
 }
 
-/// Returns the series of R_F in the elementary symmetric functions of the deviations from the mean.
+/// Returns Carlson's series of R_F in e2 and e3, the elementary symmetric functions of the relative deviations
+/// from the mean.
 template <typename T>
 T seriesRF(const T& e2, const T& e3) {
   const T e22 = e2 * e2;
@@ -74,7 +76,7 @@ T completeK(const T& mc) {
     b = sqrt(a * b);
     a = mean;
   }
-  return pi<T>() / (a + b);  // a + b is twice the AGM, to the rounding of T
+  return pi<T>() / (a + b);  // a + b is twice the arithmetic-geometric mean, up to rounding
 }
 
 template <typename T>
@@ -104,7 +106,7 @@ double carlsonRJ(double x, double y, double z, double p) {
   double mean = mean0, power = 1, sum = 0;
   while (power * spread > Limits<double>::kCarlson * mean) {
     const double rx = sqrt(x), ry = sqrt(y), rz = sqrt(z), rp = sqrt(p);
-    // e is a product of contrasts, because delta/d^2 of the textbook form underflows near the separatrix.
+    // e is computed as a product, because the textbook formula delta/d^2 underflows near the separatrix.
     const double e =
         rootContrast(power * px, rp, rx) * rootContrast(power * py, rp, ry) * rootContrast(power * pz, rp, rz);
     sum += power / ((rp + rx) * (rp + ry) * (rp + rz)) * arcTangentQuotient(std::max(e, 0.0));  // R_C(1, 1 + e)
@@ -147,7 +149,7 @@ template DoubleDouble carlsonRF(DoubleDouble, DoubleDouble, DoubleDouble);
 template double cel(double, double, double, double);
 template DoubleDouble cel(DoubleDouble, DoubleDouble, DoubleDouble, DoubleDouble);
 
-// The means are constants that enter every value, so they are computed in double-double and rounded once.
+// All function values depend on these means. They are therefore computed in double-double and rounded only once.
 JacobiFunctions::JacobiFunctions(const DoubleDouble& mc) : mc_(toDouble(mc)) {
   POINSOT_EXPECT(mc.hi >= 0 && mc.hi <= 1);
   if (mc_ == 0) return;
@@ -164,14 +166,14 @@ JacobiFunctions::JacobiFunctions(const DoubleDouble& mc) : mc_(toDouble(mc)) {
   agm_ = toDouble(a);
 }
 
-// Descending Landen transformation on the cotangent of the amplitude, upwards from the level at which the
-// functions are circular. Source: R. Bulirsch, Numer. Math. 7 (1965) 78.
+// Applies the descending Landen transformation to the cotangent of the amplitude. Begins at the level at which sn
+// and cn are a sine and a cosine, and goes up to level 0. Source: R. Bulirsch, Numer. Math. 7 (1965) 78.
 SnCnDn JacobiFunctions::at(double u) const {
   if (mc_ == 0) {
     const HyperbolicPair h = hyperbolicPair(u);
     return {h.tanh, h.sech, h.sech};
   }
-  // Below kTiny, sn = u and cn = dn = 1 to rounding, and the cotangent may overflow.
+  // Below kTiny, sn = u and cn = dn = 1 up to rounding, and the cotangent could overflow.
   constexpr double kTiny = 0x1p-28;
   if (abs(u) < kTiny) return {u, 1, 1};
   const SineCosine angle = sineCosine(u * agm_);

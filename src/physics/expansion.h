@@ -8,8 +8,9 @@
 
 namespace poinsot::physics {
 
-/// Exact sum of doubles that do not overlap, smallest first. It holds any sum of products of doubles without
-/// rounding, unless a product underflows. Used for L² - 2 T I, whose sign and last digits decide the motion.
+/// Number stored without rounding, as a sum of doubles whose bits do not overlap, smallest first. Any sum of
+/// products of doubles is exact, unless a product underflows. Used for L² - 2 T I, whose sign and last digits
+/// decide the motion.
 /// Source: J. R. Shewchuk, Discrete Comput. Geom. 18 (1997) 305, GROW-EXPANSION and SCALE-EXPANSION.
 class Expansion {
  public:
@@ -38,7 +39,7 @@ class Expansion {
     }
   }
 
-  /// Returns the value to a relative accuracy of 106 bits; the result is 0 only if the exact value is 0.
+  /// Returns the value with a relative accuracy of 106 bits. The result is 0 only if the exact value is 0.
   DoubleDouble value() const {
     DoubleDouble sum;
     for (const double term : terms_) sum += DoubleDouble(term);

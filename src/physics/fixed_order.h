@@ -5,7 +5,8 @@
 
 namespace poinsot::physics {
 
-// These sums are written out, because the order of Eigen's sums, and so the last bit, depends on the vector unit.
+// These functions are used instead of Eigen's, whose order of additions depends on the CPU's vector unit. The
+// order changes the last bit of a sum.
 
 inline double dotProduct(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

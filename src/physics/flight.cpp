@@ -40,7 +40,7 @@ FlightQuantities flightQuantities(double mass_kg, const Flight& flight, const Ri
   q.translationalEnergy = 0.5 * mass_kg * dotProduct(velocity_W, velocity_W);
   q.rotationalEnergy = state.kineticEnergy;
   q.potentialEnergy = -dotProduct(q.force_W, position_W);
-  // If the mass is unknown (NaN), these quantities are NaN at every time.
+  // If the mass is unknown (NaN), these quantities are NaN at every time, which is not an error.
   if (!std::isnan(mass_kg) &&
       !(q.total_W.allFinite() && q.torque_W.allFinite() && std::isfinite(q.kineticEnergy() + q.potentialEnergy)))
     refuseTime(state.t_s);

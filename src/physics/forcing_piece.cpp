@@ -8,7 +8,7 @@ namespace {
 
 std::array<double, 3> components(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
-/// Straight part of a torque table: its value at a reference time and its slope.
+/// Linear part of a torque table: the value at a reference time, and the slope.
 struct Line {
   Eigen::Vector3d value = Eigen::Vector3d::Zero();
   Eigen::Vector3d slope = Eigen::Vector3d::Zero();

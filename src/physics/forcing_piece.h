@@ -9,7 +9,8 @@
 
 namespace poinsot::physics {
 
-/// Torque that is linear in time: `start` (N·m) at a reference time, plus `slope` (N·m/s) times the time since.
+/// Torque that changes linearly with time: `start` (N·m) is its value at a reference time, `slope` (N·m/s) its
+/// rate of change.
 struct LinearTorque {
   std::array<double, 3> start{};
   std::array<double, 3> slope{};
@@ -21,19 +22,20 @@ struct LinearTorque {
   bool zero() const { return start == std::array<double, 3>{} && slope == std::array<double, 3>{}; }
 };
 
-/// Returns the table's torque at an instant, N·m; at a jump, the torque just after it.
+/// Returns the torque of a table at a time, N·m. At a jump, returns the torque after the jump.
 Eigen::Vector3d torqueAt(const TorqueHistory& history, double t_s);
 
-/// Stretch of time between two knots of the torque tables, in which the given torques are smooth. The torque
-/// formulas also hold beyond its ends, which the stages of a step may pass.
+/// Time interval between two neighbouring times of the torque tables, in which the given torques are smooth. The
+/// torques can be evaluated beyond its ends, too, because the stages of a step may leave the interval.
 struct ForcingPiece {
-  double begin_s = 0;  ///< end nearer to time 0; reference time of the torques
+  double begin_s = 0;  ///< end of the piece nearer to time 0; reference time of the torques
   double end_s = 0;    ///< less than begin_s if time runs backwards
   LinearTorque torque_P;
   LinearTorque torque_W;
 };
 
-/// Returns the pieces from time 0 to end_s (either sign), in the order of integration; none if end_s is 0.
+/// Divides the time from 0 to end_s (either sign) into pieces, in the order of integration. Returns no piece if
+/// end_s is 0.
 std::vector<ForcingPiece> forcingPieces(const Forcing& forcing, const PrincipalAxes& axes, double end_s);
 
 }  // namespace poinsot::physics

@@ -7,33 +7,34 @@
 
 #include "physics/transcendental.h"
 
-// Taylor series of the rotation in a frame that suits a short time. With n = m/|m| in body components, n0 its
-// start and gamma_i = |L| h / I_i (the angle turned per unit of n_i), and with time from 0 to 1:
+// Free rotation over a short time h, as a Taylor series. n = m/|m| is the direction of the angular momentum in the
+// body, and n0 is n at the start. gamma_i = |L| h / I_i is the angle turned per unit of n_i. With time from 0 to
+// 1:
 //
 //   n' = n × (gamma n)                                                  (eq 24 to 26, no torque)
 //   R(t) = R0 Rot(n0, phi) M(n),      M(n) the shortest turn that takes n to n0
 //   phi' = (gamma n)·(n + n0)/(1 + n·n0)
 //
-// R n = R0 n0 for every phi, so the angular momentum stays fixed. M turns about an axis normal to n + n0: its
-// angular velocity in body components has no part along n + n0, which gives phi'. The constant phi'(0) = sum gamma
-// n0^2 is split off; the rest, g, starts at 0 and is as slow as n. This takes four series instead of the seven of
-// n and a quaternion, with an exact M. Nothing is singular while n turns by less than half a turn, and steps are
-// cut to that.
+// For every phi, R n = R0 n0, so that the angular momentum stays fixed in space. M turns about an axis normal to n
+// + n0. Its angular velocity in the body therefore has no part along n + n0, which gives phi'. The constant
+// phi'(0) = sum gamma n0^2 is split off; the rest, g, starts at 0 and changes as slowly as n.
+// This method needs four series, for n and g, and M is exact. Series for n and a quaternion would be seven.
+// Nothing is singular while n turns by less than half a turn. Longer steps are divided.
 
 namespace poinsot::physics {
 namespace {
 
 constexpr std::size_t kMaxOrder = 40;
-// Limit of |omega| h. The series converges up to pi/2 divided by the rate at which n moves. No body's n moves
-// faster than 2 |omega|, so terms fall at least like 0.32^n.
+// Largest |omega| h of one series. n moves at a rate of at most 2 |omega|, and the series converges up to pi/2
+// divided by this rate. The terms therefore fall at least like 0.32^n.
 constexpr double kLongestStep = 0.25;
-// Limit of the parts of one step. Longer steps are only ever tried after a torque that is far too strong for them,
-// and are then rejected.
+// Largest number of parts of a step. A step of more parts is tried only if the torque is far too strong for it,
+// and is then rejected.
 constexpr double kMostParts = 1e4;
-// Limit of omitted terms, relative to the first one: they are below the rounding of the change.
+// Terms below this fraction of the first term are omitted, because they are smaller than the rounding of the sum.
 constexpr double kNegligible = 0x1p-56;
 
-/// Terms of order k of the expanded quantities; `along` belongs to n0·n.
+/// Terms of one order k in the series of n, of n0·n (`along`) and of g.
 struct Term {
   std::array<double, 3> n{};
   double along = 0;
@@ -56,7 +57,7 @@ double largest(const std::array<double, 3>& v) {
   return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
 }
 
-/// Returns the Cauchy products of n with itself to order k - 1, and of n0·n with g to order k.
+/// Returns terms of two Cauchy products: of n with itself (order k - 1), and of n0·n with g (order k).
 Term products(const Series& s, std::size_t k) {
   const auto& t = s.terms;
   Term sum{{t[0].n[1] * t[k - 1].n[2], t[0].n[2] * t[k - 1].n[0], t[0].n[0] * t[k - 1].n[1]}, 0, 0};
@@ -70,7 +71,7 @@ Term products(const Series& s, std::size_t k) {
   return sum;
 }
 
-/// Expands n and g until two terms of n in a row are negligible:
+/// Computes the series of n and g, until two successive terms of n are negligible:
 ///   n_i' = (gamma_k - gamma_j) n_j n_k,     (1 + n·n0) g = sum (gamma_i - mean) n0_i n_i
 Series expanded(const std::array<double, 3>& n0, const std::array<double, 3>& gamma,
                 const std::array<double, 3>& rate, double mean) {
@@ -90,7 +91,8 @@ Series expanded(const std::array<double, 3>& n0, const std::array<double, 3>& ga
   return s;
 }
 
-/// Change n(1) - n(0), and the gain of phi beyond its mean rate; both are summed from the smallest terms up.
+/// Changes over a step: n(1) - n(0), and the part of phi that exceeds its mean rate. Both are summed from the
+/// smallest terms up.
 struct Gain {
   std::array<double, 3> n{};
   double phi = 0;
@@ -117,9 +119,9 @@ double norm(const std::array<double, 3>& v) {
 }
 
 TurnLessOne turnKeeping(const std::array<double, 3>& m0, const std::array<double, 3>& change, double phi) {
-  // M = (1 + c + change × m0)/sqrt(2 (1 + c)) with c = m·m0 = 1 - |change|^2/2.
+  // Quaternion of M: (1 + c + change × m0)/sqrt(2 (1 + c)), with c = m·m0 = 1 - |change|^2/2.
   const auto& d = change;
-  // Cosine of half of M's angle.
+  // Cosine of half the angle of M.
   const double cosine = std::sqrt(1 - 0.25 * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
   const double scale = 0.5 / cosine;
   const std::array<double, 3> u = {scale * (d[1] * m0[2] - d[2] * m0[1]), scale * (d[2] * m0[0] - d[0] * m0[2]),
@@ -130,7 +132,7 @@ TurnLessOne turnKeeping(const std::array<double, 3>& m0, const std::array<double
   const double x = c * u[0] + sw * m0[0] + s * (m0[1] * u[2] - m0[2] * u[1]);
   const double y = c * u[1] + sw * m0[1] + s * (m0[2] * u[0] - m0[0] * u[2]);
   const double z = c * u[2] + sw * m0[2] + s * (m0[0] * u[1] - m0[1] * u[0]);
-  // If w > 0, this form of w - 1 does not cancel.
+  // For w > 0, this form of w - 1 avoids cancellation.
   return {{w > 0 ? -(x * x + y * y + z * z) / (1 + w) : w - 1, x, y, z}};
 }
 
@@ -139,7 +141,8 @@ TurnLessOne FreeFlow::turnOver(const std::array<double, 3>& m, double h) const {
   if (L == 0) return {};
   const std::array<double, 3> n0 = {m[0] / L, m[1] / L, m[2] / L};
   const std::array<double, 3> gamma = {L / I_[0] * h, L / I_[1] * h, L / I_[2] * h};
-  // gamma_k - gamma_j is computed from the difference of the moments, which is small for a rod.
+  // Differences gamma_k - gamma_j, computed from the differences of the moments. For a rod, these are small, and
+  // subtracting the gammas would lose digits.
   const std::array<double, 3> rate = {L * h * ((I_[1] - I_[2]) / I_[1] / I_[2]),
                                       L * h * ((I_[2] - I_[0]) / I_[2] / I_[0]),
                                       L * h * ((I_[0] - I_[1]) / I_[0] / I_[1])};

@@ -8,15 +8,15 @@
 
 namespace poinsot::physics {
 
-/// Torque-free rotation over a short time, for the integrator, which makes millions of such steps. Its error is a
-/// few roundings of the angle turned, for any body and start. (FreeMotion is for any time; its constants would
-/// have to be computed anew for each step.)
+/// Torque-free rotation over a short time, for an integrator that makes millions of steps. For any body and start,
+/// the error is a few roundings of the turned angle. (FreeMotion can reach any time, but would have to compute its
+/// constants anew for each step.)
 class FreeFlow {
  public:
   explicit FreeFlow(const PrincipalMoments& moments) : I_{moments[0], moments[1], moments[2]} {}
 
-  /// Turns the attitude by the free rotation over h_s seconds (either sign). The angular momentum in space is
-  /// unchanged. A turn of more than 2500 rad gives NaN; a driven motion takes steps of a radian.
+  /// Rotates the attitude as a free body rotates in h_s seconds (either sign). The angular momentum in space does
+  /// not change. A turn of more than 2500 rad gives NaN. (Steps of a driven motion turn by about 1 rad.)
   void apply(DrivenState& state, double h_s) const;
 
  private:
@@ -25,11 +25,11 @@ class FreeFlow {
   std::array<double, 3> I_;
 };
 
-/// Returns |v| for any v whose length is in the range of doubles.
+/// Returns the length of a vector. No square overflows or underflows.
 double norm(const std::array<double, 3>& v);
 
-/// Returns the turn, about axes of the body, that keeps the vector m fixed in space while its components in the
-/// body go from the unit vector m0 to m0 + change: first by the angle phi about m0, then the shortest way.
+/// Returns a turn, about axes of the body, that keeps the vector m fixed in space. In the body, m changes from the
+/// unit vector m0 to m0 + change. The turn is a rotation by the angle phi about m0, followed by the shortest turn.
 /// @pre |change| < 1.
 TurnLessOne turnKeeping(const std::array<double, 3>& m0, const std::array<double, 3>& change, double phi);
 

@@ -14,34 +14,36 @@
 #include "physics/rotor.h"
 #include "physics/transcendental.h"
 
-// The closed form. In the body, m = I omega runs along its polhode as Jacobi functions of u = lambda t + u0
-// (free_motion_constants.h). F(u) is the node frame of m in body axes: z along m, x along the node line e_c × m. L
-// is fixed in space, so F turns about L by an angle phi alone:
+// Closed form of the free rotation. In the body, m = I omega runs along its polhode as Jacobi functions of u =
+// lambda t + u0 (free_motion_constants.h). F(u) is the node frame of m in body axes: z is along m, and x is along
+// the node line e_c × m. L is fixed in space, so that F turns about L by an angle phi alone:
 //
 //   R(t) = R0 F(u0) Rz(phi) F(u)^-1,       phi = (L/I2) t + s [H(u) - H(u0)]
 //   H(u) = atan(p sn cn / dn) + p (mc/(3g)) sn^3 R_J(cn^2, dn^2, 1, cn^2 + (mc/g) sn^2)      |u| <= K
 //   H(u + 2K) = H(u) + 2Q
 //
 // phi' = L (A_a^2 cn^2/I_a + A_2^2 sn^2/I_2)/(A_a^2 cn^2 + A_2^2 sn^2) is a weighted mean of L/I_a and L/I_2.
-// L/I_2 is split off because |omega - (L/I_2) L^| <= lambda for every body and start: an error du of the phase
-// then moves the attitude by at most du. Splitting off L/I_a, L/I_c or 2T/L, as textbooks do, loses digits near
-// the separatrix, for near-spheres and for rods. The arctangent is the half turn of the node line near the middle
-// axis, with coefficient exactly 1. The R_J term is a sum of positive terms.
+// L/I_2 is split off, because |omega - (L/I_2) L^| <= lambda for every body and start: an error du of the phase
+// then changes the attitude by at most du. Textbooks split off L/I_a, L/I_c or 2T/L, which loses digits near the
+// separatrix, for near-spheres and for rods. The arctangent is the half turn of the node line near the middle
+// axis; its coefficient is exactly 1. The R_J term is a sum of positive terms.
 //
-// Everything that grows with t ((L/I2) t, u, N Q) is kept to about 100 bits until it is reduced; the rest is in
-// double. Verified in tests/physics/free_motion_oracle_test.cpp (Taylor integrator, 34 and 60 digits).
+// All quantities that grow with t, which are (L/I2) t, u and N Q, have about 100 bits until they are reduced. All
+// other quantities are doubles. Verified in tests/physics/free_motion_oracle_test.cpp (Taylor integrator, 34 and
+// 60 digits).
 
 namespace poinsot::physics {
 namespace {
 
-/// Functions sn, cn, dn of the reduced phase. `halfTurn` is -1 after an odd number of half periods, which changes
-/// the sign of m_a and m_2.
+/// Values of sn, cn and dn at the reduced phase. After an odd number of half periods, `halfTurn` is -1, which
+/// changes the sign of m_a and m_2.
 struct PolhodePoint {
   SnCnDn f;
   double halfTurn = 1;
 };
 
-/// Converts components along the sorted axes to the node axes (x, y, z = c), a cyclic change of axes.
+/// Converts components along the sorted axes to the node axes x, y, z, of which z is axis c. The axes are permuted
+/// cyclically.
 template <typename T>
 std::array<T, 3> toNodeAxes(const std::array<T, 3>& v, std::size_t c) {
   return {v[(c + 1) % 3], v[(c + 2) % 3], v[c]};
@@ -60,7 +62,7 @@ bool isOdd(double integer) { return std::fmod(integer, 2) != 0; }
 
 Rotor<double> aboutZ(const SineCosine& half) { return {half.cosine, 0, 0, half.sine}; }
 
-/// Normalizes a user's quaternion, which may have any nonzero length, to 106 bits.
+/// Normalizes a quaternion of any nonzero length, accurate to 106 bits.
 Rotor<DoubleDouble> unitRotor(const Quaternion& q) {
   const double largest = q.coeffs().cwiseAbs().maxCoeff();
   if (!q.coeffs().allFinite() || largest == 0)
@@ -87,7 +89,7 @@ struct FreeMotion::Solution {
   double kineticEnergy = 0;
 
  private:
-  // Attitude relative to the start, in sorted axes of the body at t = 0, and omega in sorted axes.
+  // Rotation of the body since t = 0, and its angular velocity, both along the sorted axes.
   struct Relative {
     Rotor<double> q;
     std::array<double, 3> omega;
@@ -100,14 +102,14 @@ struct FreeMotion::Solution {
   std::array<double, 3> momentum(const PolhodePoint& point) const;
   double H(const SnCnDn& f) const;
 
-  // Constants of k, rounded to double.
+  // Members p, mc/(3g) and mc/g of `k`, rounded to double.
   double p_ = 0, mcOver3g_ = 0, mcOverG_ = 0;
-  DoubleDouble meanRate_;  // L/I2, or |omega| of a steady spin
-  double fastest_ = 0;     // largest rate of a phase
+  DoubleDouble meanRate_;  // mean rate of phi: L/I2, or |omega| of a steady spin
+  double fastest_ = 0;     // largest rate of all phases
   DoubleDouble twoK_, twoQ_;
-  std::array<double, 3> amplitude_{};  // amplitudes of m in sorted axes, with sign
+  std::array<double, 3> amplitude_{};  // signed amplitudes of m along the sorted axes
   Rotor<double> frame0_;               // node frame at the start, F(u0)
-  double N0_ = 0, H0_ = 0;             // half periods in u0, and H of the rest
+  double N0_ = 0, H0_ = 0;             // number of half periods in u0, and H of the rest of u0
 };
 
 FreeMotion::Solution::Solution(const PrincipalAxes& axes_, const Eigen::Vector3d& omega0_B, const Quaternion& q0)
@@ -140,7 +142,7 @@ void FreeMotion::Solution::setStart() {
     return;
   }
   meanRate_ = k.L / I[1];
-  fastest_ = std::max({1.0, toDouble(meanRate_), toDouble(k.lambda)});  // 1 is about |omega| in these units
+  fastest_ = std::max({1.0, toDouble(meanRate_), toDouble(k.lambda)});  // in scaled units, |omega| is about 1
   twoK_ = k.K * 2.0;
   twoQ_ = k.Q * (2.0 * k.s);
   p_ = toDouble(k.p);
@@ -153,14 +155,14 @@ void FreeMotion::Solution::setStart() {
       toNodeAxes(std::array<DD, 3>{twoProduct(I[0], w[0]), twoProduct(I[1], w[1]), twoProduct(I[2], w[2])}, k.c);
   frame0_ = toDouble(nodeFrame(m0[0], m0[1], m0[2]));
   N0_ = k.periodic() ? reduced(k.u0, twoK_).multiple : 0;
-  // H0_ uses sn u0 itself, not the rounded u0. frame0_ belongs to the exact start too, and only an error that both
-  // share is a harmless shift of the phase.
+  // H0_ is computed from sn u0, not from the rounded u0, because frame0_ belongs to the exact start, too. An error
+  // is a harmless shift of the phase only if both have the same error.
   const double sign = isOdd(N0_) ? -1 : 1;
   H0_ = H({sign * toDouble(k.sn0), sign * toDouble(k.cn0), toDouble(sqrt(k.cn0 * k.cn0 + k.mc * k.sn0 * k.sn0))});
 }
 
 double FreeMotion::Solution::H(const SnCnDn& f) const {
-  const double quotient = f.dn == 0 ? 1 : f.cn / f.dn;  // both are sech u on the separatrix and may underflow
+  const double quotient = f.dn == 0 ? 1 : f.cn / f.dn;  // on the separatrix, cn = dn = sech u may underflow
   const double turn = arcTangent(p_ * f.sn * quotient);
   if (mcOver3g_ == 0 || p_ == 0) return turn;
   const double cn2 = f.cn * f.cn, sn2 = f.sn * f.sn;

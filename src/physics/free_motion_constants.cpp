@@ -10,11 +10,11 @@ namespace {
 
 using DD = DoubleDouble;
 
-constexpr double kLargestRatioOfMoments = 1e20;  // prevents underflow, with kSmallestComponent (scaled_start.cpp)
+constexpr double kLargestRatioOfMoments = 1e20;  // prevents underflow, as does kSmallestComponent
 
 DD square(const DD& x) { return x * x; }
 
-/// Returns whether m × omega = 0, decided without rounding.
+/// Returns whether the rotation is steady: m × omega = 0, tested without rounding.
 bool isSteady(const ScaledStart& start) {
   const auto couples = [&](std::size_t j, std::size_t k) {
     return start.I[j] != start.I[k] && start.omega[j] != 0 && start.omega[k] != 0;
@@ -32,8 +32,8 @@ Expansion moment(double Ij, double Ik, double wj) {
   return product;
 }
 
-/// Sets the invariants as sums of terms of one sign. Only D is a difference, and it is exact: near the separatrix
-/// the period goes as log(1/|D|), and after many periods every digit of D shows.
+/// Sets L, 2T and the differences D. All are sums of terms of one sign, except D, which is computed exactly. Near
+/// the separatrix, the period grows as log(1/|D|), so that every digit of D matters after many periods.
 void setInvariants(FreeMotionConstants& k) {
   const auto& I = k.start.I;
   const auto& w = k.start.omega;
@@ -50,12 +50,12 @@ void setInvariants(FreeMotionConstants& k) {
   k.D1 = I12 * I[1] * w2 + I13 * I[2] * w3;
   k.D3 = I13 * I[0] * w1 + I23 * I[1] * w2;
   Expansion difference = moment(I[2], I[1], w[2]);
-  difference.add(moment(I[0], I[1], w[0]));  // not positive, because I1 <= I2
+  difference.add(moment(I[0], I[1], w[0]));  // this term is not positive, because I1 <= I2
   k.D = difference.value();
 }
 
-/// Sets the constants of a rotation that is not steady. Both regimes use the same formulas, with axes 1 and 3
-/// exchanged and the differences taken positive.
+/// Sets the constants of a rotation that is not steady. For motions about the axis of smallest moment, the same
+/// formulas hold with axes 1 and 3 exchanged and all differences positive.
 void setEllipticConstants(FreeMotionConstants& k) {
   const auto& I = k.start.I;
   const bool aboutSmallest = k.regime == PolhodeRegime::kAboutSmallest;
@@ -67,7 +67,7 @@ void setEllipticConstants(FreeMotionConstants& k) {
   const DD Da = aboutSmallest ? k.D3 : k.D1, Dc = aboutSmallest ? k.D1 : k.D3;  // |L^2 - 2 T I_a|, |L^2 - 2 T I_c|
   k.lambda = sqrt(gapC2 * Da / (DD(Ia) * I2 * Ic));
   k.mc = gapCA * abs(k.D) / (gapC2 * Da);
-  if (k.mc > DD(1)) k.mc = 1;  // a symmetric body may give 1 + rounding
+  if (k.mc > DD(1)) k.mc = 1;  // rounding may give more than 1 for a symmetric body
   k.A_a = sqrt(Dc * Ia / gapCA);
   k.A_2 = sqrt(Dc * I2 / gapC2);
   k.A_c = sqrt(Da * Ic / gapCA);
@@ -76,8 +76,8 @@ void setEllipticConstants(FreeMotionConstants& k) {
   k.sigma = k.start.omega[k.c] < 0 ? -1 : 1;
 }
 
-/// Sets u0 from sn u0 and cn u0 by the integral R_F. Near the middle axis cn u0 is tiny, and an arctangent would
-/// lose its relative accuracy.
+/// Sets the phase u0 from sn u0 and cn u0, by the integral R_F. An arctangent would lose relative accuracy near
+/// the middle axis, where cn u0 is tiny.
 void setPhase(FreeMotionConstants& k) {
   const auto& I = k.start.I;
   const auto& w = k.start.omega;

@@ -7,15 +7,16 @@
 
 namespace poinsot::physics {
 
-/// Constants of one free rotation, to about 100 bits, shared by the motion, the polhode and the herpolhode.
+/// Constants of one free rotation, accurate to about 100 bits. The motion, the polhode and the herpolhode use
+/// them.
 ///
-/// Units and axes are those of `start`: c is the axis that the polhode goes round, a the other extreme axis, 2 the
-/// middle one. With the sense s and the sign sigma of omega_c:
+/// Units and axes are those of `start`. The polhode runs around axis c; a is the other extreme axis, and 2 is the
+/// middle axis. With sigma, the sign of omega_c:
 ///
 ///   m_a = A_a cn u,  m_2 = sigma A_2 sn u,  m_c = sigma A_c dn u,     u = lambda t + u0,  parameter mc = 1 - k^2
 ///
-/// Source: Landau & Lifshitz, Mechanics, section 37, written so that nothing cancels; the attitude is in
-/// free_motion.cpp. Checked against an independent integrator in tests/physics/free_motion_oracle_test.cpp.
+/// Source: Landau & Lifshitz, Mechanics, section 37, rewritten so that nothing cancels. The attitude is computed
+/// in free_motion.cpp. Checked against an independent integrator in tests/physics/free_motion_oracle_test.cpp.
 struct FreeMotionConstants {
   ScaledStart start;
   PolhodeRegime regime = PolhodeRegime::kSteady;
@@ -24,14 +25,14 @@ struct FreeMotionConstants {
   DoubleDouble twoT;
   DoubleDouble D1;  ///< L^2 - 2 T I1 >= 0
   DoubleDouble D3;  ///< 2 T I3 - L^2 >= 0
-  DoubleDouble D;   ///< L^2 - 2 T I2, relatively accurate even if tiny
+  DoubleDouble D;   ///< L^2 - 2 T I2, with full relative accuracy even if tiny
 
   // The fields below are not set for a steady rotation.
   std::size_t a = 0;
   std::size_t c = 2;
-  double s = 1;  ///< +1 about the largest axis and on the separatrix, -1 about the smallest
+  double s = 1;  ///< -1 for a motion about the axis of smallest moment, otherwise +1
   double sigma = 1;
-  double sigmaA = 1;  ///< sign of m_a and of sigma m_2 on the separatrix, otherwise 1
+  double sigmaA = 1;  ///< on the separatrix, the sign of m_a and of sigma m_2; otherwise 1
   DoubleDouble lambda;
   DoubleDouble mc;
   DoubleDouble g;
@@ -39,8 +40,8 @@ struct FreeMotionConstants {
   DoubleDouble A_a, A_2, A_c;
   DoubleDouble sn0, cn0;
   DoubleDouble u0;
-  DoubleDouble K;  ///< quarter period in u; 0 on the separatrix, where it is infinite
-  DoubleDouble Q;  ///< increase of H over K (free_motion.cpp); 0 on the separatrix
+  DoubleDouble K;  ///< quarter period of u; 0 on the separatrix, where the period is infinite
+  DoubleDouble Q;  ///< increase of H (free_motion.cpp) in a quarter period; 0 on the separatrix
 
   bool periodic() const {
     return regime == PolhodeRegime::kAboutLargest || regime == PolhodeRegime::kAboutSmallest;
@@ -48,8 +49,8 @@ struct FreeMotionConstants {
 };
 
 /// Computes the constants of the rotation that starts with omega0_P.
-/// @throws core::Error(kPhysics) if omega0_P is not finite, or if the moments differ by more than the range of
-/// doubles allows (a factor of 1e20).
+/// @throws core::Error(kPhysics) if omega0_P is not finite, or if the moments differ by more than a factor of
+/// 1e20, which the range of doubles does not allow.
 FreeMotionConstants freeMotionConstants(const PrincipalMoments& moments, const Eigen::Vector3d& omega0_P);
 
 }  // namespace poinsot::physics

@@ -15,11 +15,12 @@
 namespace poinsot::physics {
 namespace {
 
-// Largest component of r, relative to |r|, that counts as 0: the rounding of the turn into the principal axes.
+// Components of r, the vector to the centre of mass, that are below this fraction of |r| count as 0. They are
+// rounding errors of the turn into the principal axes.
 constexpr double kRounding = 1e-14;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Cubic f(u0 + v) = f0 + f1 v + f2 v² + a v³ with f0 >= 0, in which nothing cancels if the swing is small.
+/// Cubic f(u0 + v) = f0 + f1 v + f2 v² + a v³ with f0 >= 0. In this form, nothing cancels if the swing is small.
 struct Cubic {
   double f0, f1, f2, a;
 
@@ -38,7 +39,7 @@ double rootBetween(const Cubic& f, double positive, double negative) {
   }
 }
 
-/// Returns the roots of f/v for f0 = 0, ascending, from f1 + f2 v + a v² = 0.
+/// Returns the roots of f other than v = 0, ascending, if f0 = 0. They are the roots of f1 + f2 v + a v² = 0.
 std::array<double, 2> otherRoots(const Cubic& f) {
   const double root = std::sqrt(std::max(0.0, f.f2 * f.f2 - 4 * f.a * f.f1));
   const double q = -0.5 * (f.f2 + std::copysign(root, f.f2));
@@ -46,10 +47,10 @@ std::array<double, 2> otherRoots(const Cubic& f) {
   return {std::min(first, second), std::max(first, second)};
 }
 
-/// Returns the least and the greatest v of the swing from v = 0, and the third root. `lowest` and `highest` are at
-/// u = -1, 1.
+/// Returns the two ends of the swing that contains v = 0, and the third root.
+/// @param lowest, highest  values of v at u = -1 and u = 1
 Roots rootsOf(const Cubic& f, double lowest, double highest) {
-  if (f.f0 == 0) {  // u' = 0 at the start, which is an end of the swing
+  if (f.f0 == 0) {  // the start is an end of the swing, where u' = 0
     const auto [lower, upper] = otherRoots(f);
     const bool atTheLowEnd = f.f1 > 0 || (f.f1 == 0 && f.f2 <= 0);
     return atTheLowEnd ? Roots{0, std::min(lower, highest), upper} : Roots{std::max(lower, lowest), 0, upper};
@@ -59,11 +60,12 @@ Roots rootsOf(const Cubic& f, double lowest, double highest) {
   return roots;
 }
 
-/// Returns theta from 1 - cos theta and 1 + cos theta.
+/// Returns the tilt theta from `below` = 1 - cos theta and `above` = 1 + cos theta.
 double tilt(double below, double above) { return 2 * arcTangent(std::sqrt(std::max(0.0, below) / above)); }
 
-/// Integrates rate/(1 ∓ u) over half a swing, in the caller's unit. 1 ∓ u is `near` at one end and `far` at the
-/// other. Returns 0 for a swing through the pole, whose two sides turn opposite ways.
+/// Returns the integral of rate/(1 ∓ u) over half a swing, up to a constant factor. `near` and `far` are the
+/// values of 1 ∓ u at the two ends. Returns 0 for a swing through the pole, because the turns on its two sides
+/// cancel.
 double turning(double mc, double rate, double near, double far) {
   if (rate == 0 || !(near > 0 && far > 0)) return 0;
   return rate / near * cel<double>(std::sqrt(mc), far / near, 1, 1);
@@ -92,12 +94,12 @@ double HeavyTop::sleepingSpin() const { return 2 * std::sqrt(across * weight) / 
 std::optional<SteadyPrecession> HeavyTop::steadyPrecession(double tilt_rad, double spin) const {
   requireFinite(tilt_rad, "the tilt");
   requireFinite(spin, "the spin");
-  constexpr double kLevel = 1e-15;  // larger than the cosine of pi/2 in double
+  constexpr double kLevel = 1e-15;  // limit for a level axis; larger than the cosine of pi/2 in double
   const double cosine = sineCosine(tilt_rad).cosine, stiffness = std::abs(cosine) < kLevel ? 0 : across * cosine;
   const double L3 = along * spin;
   const double square = L3 * L3 - 4 * stiffness * weight;
   if (square < 0 || (L3 == 0 && square == 0)) return std::nullopt;
-  const double sum = L3 + std::copysign(std::sqrt(square), L3);  // both terms have the same sign
+  const double sum = L3 + std::copysign(std::sqrt(square), L3);  // terms of the same sign
   return SteadyPrecession{2 * weight / sum, stiffness == 0 ? kInfinity : sum / (2 * stiffness)};
 }
 
@@ -119,7 +121,8 @@ Nutation HeavyTop::nutation(const Eigen::Vector3d& omega_P, const Eigen::Vector3
   if (!(mc > 0)) return swing;
   const double unit = 4 / std::sqrt(a * span);
   swing.period_s = unit * completeK(mc);
-  // phi' = (b - c u)/(1 - u²) in partial fractions, with b = L_z/I1; b - c and b + c do not cancel.
+  // Integrates phi' = (b - c u)/(1 - u²), with b = L_z/I1, in partial fractions. Their numerators b - c and b + c
+  // are computed without cancellation.
   swing.precession_rad = unit / 2 *
                          (turning(mc, twist - c * below, below - v.v1, below - v.v2) +
                           turning(mc, twist + c * above, above + v.v1, above + v.v2));

@@ -9,16 +9,16 @@
 
 namespace poinsot::physics {
 
-/// Rates of precession about the vertical at which a heavy top keeps its tilt, rad/s. For a level axis, `fast` is
-/// infinite.
+/// Two rates of precession about the vertical at which a heavy top keeps its tilt, rad/s. If the axis is level,
+/// `fast` is infinite.
 struct SteadyPrecession {
   double slow = 0;
   double fast = 0;
 };
 
-/// Nutation of a heavy top, the swing of its tilt: theta, the angle of k from the vertical. A period lasts from
-/// one least tilt to the next; precession_rad is the turn about the vertical in a period. Both are infinite if the
-/// top only tends to the upright.
+/// Nutation of a heavy top: the swing of its tilt theta, the angle between k and the vertical. period_s is the
+/// time from one least tilt to the next, and precession_rad is the turn about the vertical in this time. Both are
+/// infinite if the top approaches the upright position without reaching it.
 struct Nutation {
   double leastTilt_rad = 0;
   double mostTilt_rad = 0;
@@ -26,17 +26,17 @@ struct Nutation {
   double precession_rad = 0;
 };
 
-/// Symmetric top with a fixed point on its axis, in uniform gravity. k points from the fixed point to the centre
-/// of mass. The moments about the fixed point are I1 (`across`) across k and I3 (`along`) along k, in kg·m². M g l
-/// (`weight`) is positive, in N·m. With u = cos theta, omega_3 and the vertical component L_z of L are constant
-/// (L_3 = I3 omega_3), and
+/// Symmetric top with a fixed point on its axis, in uniform gravity. k_P is the unit vector from the fixed point
+/// to the centre of mass. The moments about the fixed point are I1 (`across`) across k and I3 (`along`) along k,
+/// in kg·m². M g l (`weight`) is positive, in N·m. omega_3 and the vertical component L_z of L are constant. With
+/// u = cos theta and L_3 = I3 omega_3:
 ///
 ///   u'² = f(u) = (alpha - a u)(1 - u²) - (L_z - L_3 u)²/I1²        a = 2 M g l/I1,  alpha = 2 T'/I1 + a u
 ///   phi' = (L_z - L_3 u)/(I1 (1 - u²))
 ///
-/// T' is the kinetic energy of omega across k. f has the roots u1 <= u2 <= 1 <= u3, and u swings between u1 and
-/// u2. Source: Landau & Lifshitz, Mechanics, section 35, problem 1; Goldstein, Classical Mechanics, section 5.7.
-/// Checked against the integrated motion in tests/physics/heavy_top_test.cpp.
+/// T' is the kinetic energy of the part of omega across k. f has the roots u1 <= u2 <= 1 <= u3, and u swings
+/// between u1 and u2. Source: Landau & Lifshitz, Mechanics, section 35, problem 1; Goldstein, Classical Mechanics,
+/// section 5.7. Checked against the integrated motion in tests/physics/heavy_top_test.cpp.
 struct HeavyTop {
   Eigen::Vector3d k_P;
   double across = 0;
@@ -46,16 +46,17 @@ struct HeavyTop {
   /// Returns the least spin |omega_3| at which the upright top is stable ("sleeps"), rad/s: 2 sqrt(I1 M g l)/I3.
   double sleepingSpin() const;
 
-  /// Returns the rates Omega with I1 cos theta Omega² - I3 omega_3 Omega + M g l = 0, or nullopt if the spin is
-  /// too slow for the tilt. The rates of a hanging top (theta > pi/2) have opposite signs.
+  /// Returns the two rates Omega of steady precession, which solve I1 cos theta Omega² - I3 omega_3 Omega + M g l
+  /// = 0. Returns nullopt if the spin is too slow for the tilt. If the top hangs (theta > pi/2), the rates have
+  /// opposite signs.
   /// @param spin omega_3, rad/s; 0 gives nullopt for a level axis
   /// @throws core::Error(kPhysics) if a number is not finite.
   std::optional<SteadyPrecession> steadyPrecession(double tilt_rad, double spin) const;
 
-  /// Returns the nutation of the motion that has this state at any one time:
+  /// Returns the nutation of the motion that has the given state at any one time:
   ///   period = 4 K/sqrt(a (u3 - u1)),  mc = (u3 - u2)/(u3 - u1)
-  /// The precession is given by two integrals of the third kind. A start next to steady precession inevitably
-  /// gives the tilts to half the digits only.
+  /// The precession is computed from two elliptic integrals of the third kind. If the motion is nearly a steady
+  /// precession, only half of the digits of the tilts are correct, which no method can avoid.
   /// @param omega_P rad/s
   /// @param up_P upward vertical in the body
   /// @pre up_P is of unit length.
@@ -63,10 +64,11 @@ struct HeavyTop {
   Nutation nutation(const Eigen::Vector3d& omega_P, const Eigen::Vector3d& up_P) const;
 };
 
-/// Returns the symmetric heavy top with these moments and this weight, or nullopt if there is none. The centre of
-/// mass must be on a principal axis, to max(`uneven`, 1e-14) of its distance, and not at the fixed point. The
-/// moments about the other two axes may differ by `uneven` of themselves; their mean is used.
-/// @param gravity_P M g r, r from the fixed point to the centre of mass, N·m
+/// Returns the heavy top with these moments and this weight, or nullopt if it is not a symmetric top. The centre
+/// of mass must not be at the fixed point, and must lie on a principal axis. It may be off this axis by a fraction
+/// max(`uneven`, 1e-14) of its distance from the fixed point. The moments about the other two axes may differ by
+/// the fraction `uneven`; their mean is used.
+/// @param gravity_P M g r in N·m, where r points from the fixed point to the centre of mass
 /// @throws core::Error(kPhysics) if a number is not finite.
 std::optional<HeavyTop> heavyTop(const PrincipalMoments& moments, const Eigen::Vector3d& gravity_P,
                                  double uneven = 0);

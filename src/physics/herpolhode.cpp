@@ -12,9 +12,10 @@ namespace {
 
 using DD = DoubleDouble;
 
-/// Returns a radius rho, from rho^2 = |omega|^2 - (2T/L)^2 with the difference written as products:
+/// Returns a radius rho of the herpolhode. The difference rho^2 = |omega|^2 - (2T/L)^2 is computed as a product,
+/// so that nothing cancels:
 ///   largest  (m_2 = 0):  sqrt(D1 D3/(I1 I3))/L
-///   smallest (m_a = 0):  sqrt(|D| Dc/(I2 Ic))/L,  Dc the difference that vanishes for spin about c
+///   smallest (m_a = 0):  sqrt(|D| Dc/(I2 Ic))/L,  Dc = |L^2 - 2 T I_c|
 double radius(const FreeMotionConstants& k, const DD& difference1, const DD& difference2, double Ij, double Ik) {
   const DD rho = sqrt(difference1 * difference2 / (DD(Ij) * Ik)) / k.L;
   return std::ldexp(toDouble(rho), k.start.rateExponent);
@@ -39,11 +40,11 @@ Herpolhode::Herpolhode(const PrincipalMoments& moments, const Eigen::Vector3d& o
   anglePerRadialPeriod_ = toDouble(k.L / I[1] * halfPeriod + k.Q * (2.0 * k.s));
 }
 
-// omega' is the same vector in space and in the body (eq 31). In the body m' = m × omega, and the component of
-// omega along L is constant, so
+// Derivation of the rate: omega' is the same vector in space and in the body (eq 31). In the body m' = m × omega,
+// and the component of omega along L is constant, so that
 //   rho² chi' = L^·(omega × omega') = omega'·(m × omega)/L = sum m_i'²/(I_i L),      rho² = |m × omega|²/L²
-// chi' is the mean of L/I_i weighted with m_i'², hence between L/I3 and L/I1. Solving eq (38) and |m| = L for the
-// m_i² gives the form in herpolhode.h.
+// chi' is the mean of L/I_i with the weights m_i'², and therefore lies between L/I3 and L/I1. Eq (38) and |m| = L
+// give the m_i², and with them the formula in herpolhode.h.
 double Herpolhode::rate(double radius) const {
   if (areaTerm_ == 0) return std::ldexp(meanRate_, rateExponent_);
   POINSOT_EXPECT(radius > 0);

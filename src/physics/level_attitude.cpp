@@ -15,7 +15,7 @@ namespace {
 using DD = DoubleDouble;
 using Vector = std::array<DD, 3>;
 
-/// Length and direction of the horizontal part of a vector; no square underflows.
+/// Horizontal part of a vector, as a direction (x, y) and a length, computed so that no square underflows.
 struct Horizontal {
   explicit Horizontal(const DD& u, const DD& v) {
     const int exponent = exponentOf(std::max(std::abs(u.hi), std::abs(v.hi)));
@@ -38,7 +38,8 @@ Quaternion turnOnto(const Vector& d, Vertical vertical) {
   const Horizontal across(scaled(d[0], -exponent), scaled(d[1], -exponent));
   const DD c = scaled(d[2], -exponent) * DD(v), norm = sqrt(across.length * across.length + c * c);
   const bool near = !(c < DD(0));
-  // Unit axis d × v. For d exactly opposite to v, it is the axis of a direction that leans towards +y.
+  // Axis of the turn, d × v of unit length. If d is exactly opposite to v, the axis is chosen as if d leaned
+  // towards +y.
   const bool opposite = across.length.hi == 0;
   const DD x = opposite ? DD(v) : DD(v) * across.y, y = opposite ? DD(0) : DD(-v) * across.x;
   const DD w = near ? norm + c : across.length / (norm - c), sine = near ? across.length : DD(1);
@@ -57,7 +58,7 @@ Quaternion turnOntoVertical(const Eigen::Vector3d& direction, Vertical vertical)
 
 Quaternion levelAttitude(const PrincipalAxes& axes, const Eigen::Vector3d& omega_B, Vertical vertical) {
   requireFinite(omega_B, "omega");
-  // Powers of two are taken out of both factors, so that no product overflows in any units.
+  // Both factors are scaled by powers of two, so that no product overflows.
   const Eigen::Vector3d omega_P = axes.toP(omega_B);
   const int rateExponent = exponentOf(omega_P.cwiseAbs().maxCoeff());
   const int momentExponent = exponentOf(axes.moments().values().maxCoeff());

@@ -13,18 +13,20 @@ enum class Vertical { kUp, kDown };  ///< +z or -z of the target axes
 
 /// Returns the unit quaternion of the shortest turn that takes `direction` onto the vertical.
 ///
-/// Each component is accurate to half a unit in its last place. The turned vector is therefore off the vertical by
-/// at most 2e-16 rad, even if `direction` is almost opposite. Half-angle formulas, with the vertical v and c =
-/// d·v:
+/// Each component is accurate to half a unit in its last place. The turned vector therefore deviates from the
+/// vertical by at most 2e-16 rad, even if `direction` is almost opposite. With d = `direction`, the vertical v and
+/// c = d·v, the quaternion follows from half-angle formulas:
 ///   c >= 0:  q ~ (|d| + c, d × v)        c < 0:  q ~ (|d × v|/(|d| - c), (d × v)/|d × v|)
-/// The second is the first divided by |d × v|, because |d| + c would cancel for c < 0. If `direction` is exactly
-/// opposite, every horizontal axis is as short, and the turn is that of a direction that leans towards +y.
+/// The second formula is the first divided by |d × v|, and avoids the cancellation of |d| + c. If d is exactly
+/// opposite to v, turns about all horizontal axes are equally short. The turn is then chosen as if d leaned
+/// towards +y.
 /// @param direction any length and unit; the zero vector gives the identity
 /// @throws core::Error(kPhysics) if the direction is not finite.
 Quaternion turnOntoVertical(const Eigen::Vector3d& direction, Vertical vertical);
 
-/// Returns the attitude q_WB after the shortest turn from B = W that brings the angular momentum onto the vertical
-/// of W. L_W is off the vertical by at most 1.6e-16 |L| (measured in tests/physics/level_attitude_test.cpp).
+/// Returns an attitude q_WB in which the angular momentum is along the vertical of W. B is turned into this
+/// attitude from B = W, by the shortest turn. L_W deviates from the vertical by at most 1.6e-16 |L| (measured in
+/// tests/physics/level_attitude_test.cpp).
 /// @param omega_B rad/s; a body at rest gives the identity
 /// @throws core::Error(kPhysics) if omega_B is not finite.
 Quaternion levelAttitude(const PrincipalAxes& axes, const Eigen::Vector3d& omega_B, Vertical vertical);

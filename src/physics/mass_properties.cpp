@@ -23,9 +23,9 @@ void requirePlace(double mass_kg, const Eigen::Vector3d& centre_B) {
   requireFinite(centre_B, "centre of mass", " m");
 }
 
-/// Checks that matter can have a tensor: moments ∫(y² + z²)dm are never negative, and each is at most the sum of
-/// the other two.
-/// @param scale_kgm2 largest moment, beside the tensor's own, whose rounding the tensor may hold
+/// Checks that matter can have a tensor. Its principal moments, such as ∫(y² + z²)dm, must not be negative, and
+/// none may exceed the sum of the other two.
+/// @param scale_kgm2 moment whose rounding error is accepted, if it is larger than the tensor's own moments
 void requireMatter(const Eigen::Matrix3d& inertia_B, double scale_kgm2) {
   const SymmetricEigen eigen = symmetricEigen(inertia_B);
   std::array moments{toDouble(eigen.values[0]), toDouble(eigen.values[1]), toDouble(eigen.values[2])};
@@ -36,19 +36,19 @@ void requireMatter(const Eigen::Matrix3d& inertia_B, double scale_kgm2) {
   throw core::physicsError(
       fmt::format("{}, got principal moments ({}, {}, {}) kg·m²",
                   low < -slack ? "moments of inertia must not be negative"
-                               : "no moment may exceed the sum of the other two (no matter has these values)",
+                               : "no moment may exceed the sum of the other two (no body has these values)",
                   low, middle, high));
 }
 
-/// Sum of tensors displaced to one point (eq 14): each piece adds its tensor and M(a² - a a), with a from the
-/// point to the piece's centre of mass.
+/// Sum of the inertia tensors of several pieces about a common point (eq 14). A piece adds its tensor and M(a² - a
+/// a), where a points from the common point to the piece's centre of mass.
 class DisplacedSum {
  public:
   void add(const MassProperties& piece, const Eigen::Vector3d& point_B) {
     add(piece.inertia_B(), piece.mass_kg(), piece.centre_B(), point_B);
   }
 
-  /// Adds a tensor; a negative mass takes M(a² - a a) away.
+  /// Adds a piece: its tensor and M(a² - a a). A negative mass subtracts the second term.
   void add(const Eigen::Matrix3d& inertia_B, double mass_kg, const Eigen::Vector3d& centre_B,
            const Eigen::Vector3d& point_B) {
     const std::array a{twoSum(centre_B[0], -point_B[0]), twoSum(centre_B[1], -point_B[1]),

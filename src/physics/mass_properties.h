@@ -11,20 +11,20 @@
 
 namespace poinsot::physics {
 
-/// Mass, centre of mass and inertia tensor of a piece of matter in axes B. Valid by construction: a point, a rod
-/// and a plate are allowed (moments of zero), impossible matter is not.
+/// Mass, centre of mass and inertia tensor of a piece of matter in axes B. Impossible values are rejected. Points,
+/// rods and plates are allowed, so that a moment may be 0.
 class MassProperties {
  public:
-  /// @param inertia_B about the centre of mass, in B, kg·m²
-  /// @throws core::Error(kPhysics) naming what is not finite, not symmetric, not positive (the mass) or impossible
-  /// (a negative moment, I3 > I1 + I2).
+  /// @param inertia_B tensor about the centre of mass, in B, kg·m²
+  /// @throws core::Error(kPhysics) naming a value that is not finite, a mass that is not positive, a tensor that
+  /// is not symmetric, or impossible moments (negative, or I3 > I1 + I2).
   MassProperties(double mass_kg, const Eigen::Vector3d& centre_B, const Eigen::Matrix3d& inertia_B);
 
   static MassProperties ofPoint(double mass_kg, const Eigen::Vector3d& position_B);
 
-  /// Returns matter whose tensor was measured about another point: I_cm = I - M(a² - a a), with a from the centre
-  /// of mass to `point_B` (eq 14).
-  /// @param inertia_B about point_B, in B, kg·m²
+  /// Creates mass properties from a tensor about another point: I_cm = I - M(a² - a a), where a points from the
+  /// centre of mass to `point_B` (eq 14).
+  /// @param inertia_B tensor about point_B, in B, kg·m²
   /// @throws core::Error(kPhysics) as the constructor does, if the tensor about the centre of mass is impossible.
   static MassProperties fromInertiaAbout(const Eigen::Vector3d& point_B, double mass_kg,
                                          const Eigen::Vector3d& centre_B, const Eigen::Matrix3d& inertia_B);
@@ -33,17 +33,18 @@ class MassProperties {
   const Eigen::Vector3d& centre_B() const { return centre_B_; }
   /// Returns the tensor about the centre of mass, kg·m² (eq 7).
   const Eigen::Matrix3d& inertia_B() const { return inertia_B_; }
-  /// Returns the tensor about another point: I_cm + M(a² - a a), with a from the centre of mass to `point_B` (eq
-  /// 14).
-  /// @throws core::Error(kPhysics) if the point is not finite, or so far away that the tensor is not.
+  /// Returns the tensor about another point: I_cm + M(a² - a a), where a points from the centre of mass to
+  /// `point_B` (eq 14).
+  /// @throws core::Error(kPhysics) if the point is not finite, or is so far away that the tensor is not finite.
   Eigen::Matrix3d inertiaAbout(const Eigen::Vector3d& point_B) const;
 
-  /// Returns this matter turned by q about the origin, then moved by `offset_B` (eq 16).
+  /// Returns the mass properties of this matter, first rotated by q about the origin, then moved by `offset_B` (eq
+  /// 16).
   /// @throws core::Error(kPhysics) for a zero or non-finite quaternion, or an offset that is not finite.
   MassProperties moved(const Quaternion& q, const Eigen::Vector3d& offset_B) const;
 
  private:
-  /// @param scale_kgm2 largest moment whose rounding the tensor may hold
+  /// @param scale_kgm2 moment whose rounding error is accepted, if it is larger than the tensor's own moments
   MassProperties(double mass_kg, const Eigen::Vector3d& centre_B, const Eigen::Matrix3d& inertia_B,
                  double scale_kgm2);
 
@@ -55,8 +56,9 @@ class MassProperties {
 /// Joins two pieces by the displaced-axis theorem (eq 14).
 MassProperties operator+(const MassProperties& a, const MassProperties& b);
 
-/// Joins several pieces. The sums are in double-double, so that a symmetric arrangement of pieces gives a body
-/// that is symmetric to the last bit. @pre at least one piece.
+/// Joins several pieces into one. The sums are in double-double, so that a symmetric arrangement of pieces gives a
+/// body that is symmetric to the last bit.
+/// @pre at least one piece.
 MassProperties combined(const std::vector<MassProperties>& pieces);
 
 /// Returns the mass properties of a solid in its own axes S.

@@ -9,9 +9,10 @@
 
 namespace poinsot::physics {
 
-/// Largest phase at which a motion has a state, rad; beyond it, the products that reduce a phase would overflow
-/// (double_double.h). Three phases grow with t: of omega, of L over the middle moment, and of the polhode. None
-/// exceeds 2 |omega t|, so every motion has a state if |omega t| is at most half of this.
+/// Largest phase at which a motion has a state, rad. Beyond it, the reduction of a phase would overflow
+/// (double_double.h). Three phases grow with time: the angle of omega, L t divided by the middle moment, and the
+/// phase of the polhode. None exceeds 2 |omega t|. Every motion therefore has a state if |omega t| is at most half
+/// of this value.
 inline constexpr double kFarthestPhase_rad = 1e290;
 
 /// Largest phase |omega t| at which free motion is exact to rounding, rad (free_motion.h).
@@ -26,19 +27,19 @@ class Motion {
  public:
   virtual ~Motion() = default;
 
-  /// Returns the state at motion time t_s (seconds), with finite numbers. Of q and -q, the state has the one with
-  /// w >= 0.
+  /// Returns the state at motion time t_s (seconds). All its numbers are finite, and its quaternion has w >= 0.
   /// @throws core::Error(kLimit) for a time that is not finite, beyond kFarthestPhase_rad, beyond the range of
   /// numbers or outside the span of a driven motion.
   /// @pre the motion was not moved from.
   virtual RigidBodyState at(double t_s) const = 0;
-  /// Returns one state for each time; the times may be in any order.
-  /// @throws core::Error(kLimit) as at(double) does, naming the index of the first such time.
+  /// Returns one state for each time. The times may be in any order.
+  /// @throws core::Error(kLimit) as at(double) does, naming the index of the first time without a state.
   std::vector<RigidBodyState> at(std::span<const double> times_s) const;
 
   virtual const PrincipalAxes& axes() const = 0;
 
-  /// Returns the energy loss alpha at constant L, s/(kg·m²) (forcing.h); 0 if there is no such loss.
+  /// Returns the rate alpha of energy loss at constant L, s/(kg·m²) (forcing.h), or 0 if the motion has no such
+  /// loss.
   virtual double dissipation() const = 0;
 
  protected:
@@ -49,11 +50,12 @@ class Motion {
   Motion& operator=(Motion&&) = default;
 };
 
-/// Returns the rate at which the attitude turns, along the body's axes B, rad/s: R' = R [rate]. The rate is omega
-/// + alpha m × omega with m = I omega, so that energy is lost at constant L (docs/physics.md, "Driven motion").
-/// Without dissipation, the rate is omega. @param state a state of this motion
+/// Returns the rate at which the attitude turns, in B, rad/s: R' = R [rate]. Without dissipation, the rate is
+/// omega. With dissipation, it is omega + alpha m × omega, where m = I omega, so that energy is lost at constant L
+/// (docs/physics.md, "Driven motion").
+/// @param state a state of this motion
 Eigen::Vector3d turningRate_B(const Motion& motion, const RigidBodyState& state);
-/// Returns turningRate_B() along the inertial axes W. Without dissipation, this is omega_W, bit by bit.
+/// Returns turningRate_B() in the inertial axes W. Without dissipation, the result is exactly omega_W.
 Eigen::Vector3d turningRate_W(const Motion& motion, const RigidBodyState& state);
 
 }  // namespace poinsot::physics

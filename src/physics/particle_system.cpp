@@ -30,7 +30,7 @@ double energyOf(double mass_kg, const Vector3d& velocity) {
 }  // namespace
 
 ParticleSystem::ParticleSystem(std::vector<Particle> particles) : particles_(std::move(particles)) {
-  if (particles_.empty()) throw core::physicsError("a body of particles needs at least one");
+  if (particles_.empty()) throw core::physicsError("a body of particles needs at least one particle");
   Vector3d firstMoment = Vector3d::Zero();
   for (const Particle& p : particles_) {
     requireValid(p);

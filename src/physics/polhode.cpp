@@ -25,7 +25,7 @@ Amplitude rotatedBy(const Amplitude& a, const SineCosine& turn) {
   return {a.sn * turn.cosine + a.cn * turn.sine, a.cn * turn.cosine - a.sn * turn.sine};
 }
 
-/// Returns a in (-pi/2, 3 pi/2].
+/// Returns the amplitude a as an angle in (-pi/2, 3 pi/2].
 double angleOf(const Amplitude& a) { return arcTangent(a.sn / a.cn) + (a.cn < 0 ? kPi.hi : 0); }
 
 Eigen::Vector3d omegaAt(const FreeMotionConstants& k, const Amplitude& a) {
@@ -38,7 +38,8 @@ Eigen::Vector3d omegaAt(const FreeMotionConstants& k, const Amplitude& a) {
   return k.start.toP(m);
 }
 
-/// Returns the integral of the first kind within the half period nearest to a = 0 or pi: u = 2 K N +- integral.
+/// Returns the elliptic integral of the first kind, measured from the nearest multiple N of pi. The complete phase
+/// is u = 2 K N +- this integral.
 double firstKind(const FreeMotionConstants& k, const Amplitude& a) {
   const double cn2 = a.cn * a.cn;
   return a.sn * carlsonRF(cn2, cn2 + toDouble(k.mc) * a.sn * a.sn, 1.0);

@@ -10,7 +10,7 @@ enum class PolhodeRegime {
   kSteady,         ///< a point: rest, spin about a principal axis, any spin of a sphere
   kAboutLargest,   ///< a closed curve about the axis of largest moment (L^2 > 2 T I_mid)
   kAboutSmallest,  ///< a closed curve about the axis of smallest moment (L^2 < 2 T I_mid)
-  kSeparatrix,     ///< L^2 = 2 T I_mid exactly: half a curve, from the middle axis to its opposite
+  kSeparatrix,     ///< half a curve, from the middle axis to the opposite direction (L^2 = 2 T I_mid exactly)
 };
 
 }  // namespace poinsot::physics

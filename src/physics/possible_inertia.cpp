@@ -15,9 +15,9 @@ using Eigen::Vector3d;
 /// Returns the orthogonal projection of ascending numbers onto the cone a, b, c >= 0, c <= a + b.
 ///
 /// The cone has three faces, with the inward normals (1, 1, -1), (1, -1, 1) and (-1, 1, 1), and three edges, such
-/// as (0, 1, 1). Ascending numbers violate the first face first, and the projection keeps their order. The result
-/// is on that face, or else on the edge (0, 1, 1), or at the apex if both fail. A test checks the conditions of
-/// Moreau (1962): the change is normal to the result and at 90° or more to every edge.
+/// as (0, 1, 1). Ascending numbers outside the cone violate c <= a + b, and their projection ascends, too. It lies
+/// on this face, otherwise on the edge (0, 1, 1), otherwise at the apex. A test checks the conditions of Moreau
+/// (1962): the change is normal to the result and at 90° or more to every edge.
 Vector3d projected(const Vector3d& ascending) {
   const auto& [a, b, c] = std::array{ascending[0], ascending[1], ascending[2]};
   const double excess = (c - a - b) / 3;

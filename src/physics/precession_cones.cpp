@@ -27,7 +27,7 @@ std::optional<PrecessionCones> precessionCones(const PrincipalMoments& moments, 
   const ScaledStart s = scaledStart(moments, omega_P);
   const auto c = symmetryAxis(s);
   if (!c) return std::nullopt;
-  const double I1 = s.I[1], I3 = s.I[*c];  // the middle moment is one of the two equal ones
+  const double I1 = s.I[1], I3 = s.I[*c];  // I[1] is one of the two equal moments
   const double u = s.omega[(*c + 1) % 3], v = s.omega[(*c + 2) % 3];
   const double across = std::sqrt(u * u + v * v), along = std::abs(s.omega[*c]);
   if (across == 0 && along == 0) return std::nullopt;

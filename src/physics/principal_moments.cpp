@@ -23,7 +23,7 @@ void PrincipalMoments::check() const {
   if (!moments_.allFinite()) refuse(moments_, "principal moments must be finite");
   if (moments_.minCoeff() <= 0) refuse(moments_, "principal moments must be positive");
   const double largest = moments_.maxCoeff();
-  const Eigen::Vector3d scaled = moments_ / largest;  // their sum cannot overflow
+  const Eigen::Vector3d scaled = moments_ / largest;  // scaled, so that their sum cannot overflow
   if (1.0 > (scaled[0] + scaled[1] + scaled[2] - 1.0) * (1 + kTensorSlack))
     refuse(moments_, "no moment may exceed the sum of the other two (a solid body cannot have these values)");
 }
@@ -34,13 +34,13 @@ std::array<int, 3> PrincipalMoments::ascendingAxes() const {
   return axes;
 }
 
-Eigen::Vector3d PrincipalMoments::angularMomentum(const Eigen::Vector3d& omega_B) const {
-  return moments_.cwiseProduct(omega_B);
+Eigen::Vector3d PrincipalMoments::angularMomentum(const Eigen::Vector3d& omega_P) const {
+  return moments_.cwiseProduct(omega_P);
 }
 
-double PrincipalMoments::kineticEnergy(const Eigen::Vector3d& omega_B) const {
-  const Eigen::Vector3d twice = moments_.cwiseProduct(omega_B).cwiseProduct(omega_B);
-  return 0.5 * (twice[0] + twice[1] + twice[2]);  // not dot(), whose order depends on the vector unit
+double PrincipalMoments::kineticEnergy(const Eigen::Vector3d& omega_P) const {
+  const Eigen::Vector3d twice = moments_.cwiseProduct(omega_P).cwiseProduct(omega_P);
+  return 0.5 * (twice[0] + twice[1] + twice[2]);  // not Eigen's dot(), whose order depends on the vector unit
 }
 
 }  // namespace poinsot::physics

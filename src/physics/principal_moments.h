@@ -15,7 +15,8 @@ class PrincipalMoments {
  public:
   /// Takes three moments, kg·m². @throws core::Error(kPhysics) naming the violated condition and the values.
   PrincipalMoments(double I1, double I2, double I3);
-  /// Takes the moments from a vector. This is a template, so that braces mean three numbers.
+  /// Takes the moments from a vector. The constructor is a template, so that three numbers in braces do not select
+  /// it.
   /// @throws core::Error(kPhysics) as PrincipalMoments(double, double, double) does.
   template <typename Derived>
   explicit PrincipalMoments(const Eigen::EigenBase<Derived>& moments) : moments_(moments.derived()) {
@@ -33,10 +34,10 @@ class PrincipalMoments {
   std::array<int, 3> ascendingAxes() const;
 
   /// Returns I·omega, the angular momentum along the principal axes, kg·m²/s.
-  Eigen::Vector3d angularMomentum(const Eigen::Vector3d& omega_B) const;
+  Eigen::Vector3d angularMomentum(const Eigen::Vector3d& omega_P) const;
 
   /// Returns the kinetic energy T = ½ ω·I·ω, J (eq 12).
-  double kineticEnergy(const Eigen::Vector3d& omega_B) const;
+  double kineticEnergy(const Eigen::Vector3d& omega_P) const;
 
  private:
   void check() const;

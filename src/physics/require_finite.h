@@ -11,7 +11,8 @@
 
 namespace poinsot::physics {
 
-/// Requires a finite number. @param unit follows the value in the message; begins with a blank
+/// Throws if a number is not finite.
+/// @param unit text after the value in the message, with a leading blank, such as " rad/s"
 /// @throws core::Error(kPhysics) "NAME must be finite, got VALUE" if the value is not finite.
 inline void requireFinite(double value, std::string_view name, std::string_view unit = "") {
   if (!std::isfinite(value))

@@ -11,8 +11,8 @@
 
 namespace poinsot::physics {
 
-/// Rotation as a quaternion w + x i + y j + z k, over double or DoubleDouble. In Eigen's quaternion, the order of
-/// additions, and so the last bit, depends on the vector unit.
+/// Rotation as a quaternion w + x i + y j + z k, with components of type double or DoubleDouble. It replaces
+/// Eigen's quaternion, whose order of additions depends on the CPU's vector unit, and with it the last bit.
 template <typename T>
 struct Rotor {
   T w = T(1), x = T(0), y = T(0), z = T(0);
@@ -36,7 +36,7 @@ Rotor<T> normalized(const Rotor<T>& q) {
   return {q.w / norm, q.x / norm, q.y / norm, q.z / norm};
 }
 
-/// Returns q v q^-1. @pre q is of unit length.
+/// Returns the rotated vector q v q^-1. @pre q is of unit length.
 template <typename T>
 std::array<T, 3> rotated(const Rotor<T>& q, const std::array<T, 3>& v) {
   const T two(2);
@@ -46,7 +46,8 @@ std::array<T, 3> rotated(const Rotor<T>& q, const std::array<T, 3>& v) {
           v[2] + q.w * tz + (q.x * ty - q.y * tx)};
 }
 
-/// Rotates Eigen's types in a fixed order; Eigen's own rotation depends on the vector unit.
+/// Rotates an Eigen vector with a fixed order of additions. In Eigen's own rotation, the order depends on the
+/// vector unit.
 inline Eigen::Vector3d rotated(const Quaternion& q, const Eigen::Vector3d& v) {
   const auto r = rotated(Rotor<double>{q.w(), q.x(), q.y(), q.z()}, std::array{v[0], v[1], v[2]});
   return {r[0], r[1], r[2]};
@@ -56,7 +57,8 @@ inline Rotor<double> toDouble(const Rotor<DoubleDouble>& q) {
   return {toDouble(q.w), toDouble(q.x), toDouble(q.y), toDouble(q.z)};
 }
 
-/// Returns cosine and sine of half an angle, from those of the angle. The returned cosine is not negative.
+/// Returns the cosine and the sine of half an angle, given the cosine and the sine of the angle. The returned
+/// cosine is not negative.
 template <typename T>
 std::array<T, 2> halfAngle(const T& cosine, const T& sine) {
   using std::sqrt;
@@ -70,7 +72,7 @@ std::array<T, 2> halfAngle(const T& cosine, const T& sine) {
 }
 
 /// Returns the node frame of m: the rotation Rz(psi) Rx(theta) that takes z to m/|m| and x to the node line z × m.
-/// m must be off the z axis.
+/// m must not be parallel to z.
 template <typename T>
 Rotor<T> nodeFrame(const T& mx, const T& my, const T& mz) {
   using std::sqrt;

@@ -14,13 +14,14 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-/// Returns |omega| in the units of the start.
+/// Returns |omega| in the scaled units of `start`.
 double size(const ScaledStart& start) {
   const auto& w = start.omega;
   return std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
 }
 
-/// Returns dD/eps: the sum of the effects of each input's rounding on D = I3 (I3 - I2) w3² - I1 (I2 - I1) w1².
+/// Returns dD/eps, where dD is the error of D = I3 (I3 - I2) w3² - I1 (I2 - I1) w1² that is due to the rounding of
+/// the inputs. The effects of all inputs are added.
 double sensitivity(const ScaledStart& start, bool aligned) {
   const auto& I = start.I;
   const auto& w = start.omega;
@@ -35,7 +36,7 @@ double growth(double x) {
   return x > kLargestExponent ? std::numeric_limits<double>::infinity() : exponential(x) - 1;
 }
 
-/// Returns the uncertainty due to the passages of the middle axis, divided by eps.
+/// Returns the uncertainty of the attitude that is due to the passages of the middle axis, divided by eps.
 double ofPassages(const FreeMotionConstants& k, bool aligned, double tau, double flips) {
   if (k.regime == PolhodeRegime::kSteady) return 0;
   const double dD = sensitivity(k.start, aligned), D = std::abs(toDouble(k.D));

@@ -9,9 +9,9 @@
 namespace poinsot::physics {
 namespace {
 
-// A component that is smaller than this, relative to the largest, counts as 0, because its square would leave the
-// range of the products below. This moves the attitude by less than 1e-105 rad; on the middle axis it would need
-// 240 e-foldings to show.
+// Components below this fraction of the largest count as 0, because their squares would leave the range of later
+// products. This changes the attitude by less than 1e-105 rad. Even about the middle axis, such a change needs 240
+// e-foldings to become visible.
 constexpr double kSmallestComponent = 0x1p-350;
 
 bool isOdd(const std::array<int, 3>& p) {

@@ -21,14 +21,14 @@ struct HollowBox {
   Eigen::Vector3d edges_m;
   double wall_m = 0;
 };
-/// Rectangle of no thickness in the xy plane.
+/// Rectangle without thickness in the xy plane.
 struct Plate {
   Vector2 edges_m;
 };
 struct Ellipsoid {
   Eigen::Vector3d semiAxes_m;
 };
-/// Matter between two similar, concentric ellipsoids that nearly touch.
+/// Thin shell between two similar, concentric ellipsoids.
 struct EllipsoidShell {
   Eigen::Vector3d semiAxes_m;
 };
@@ -56,7 +56,7 @@ struct CylinderShell {
   double radius_m = 0;
   double height_m = 0;
 };
-/// Disc of no thickness in the xy plane.
+/// Disc without thickness in the xy plane.
 struct Disc {
   double radius_m = 0;
 };
@@ -78,7 +78,7 @@ struct ConeShell {
   double radius_m = 0;
   double height_m = 0;
 };
-/// Torus about z, with a circle of radius_m as the centre line of its tube. tubeRadius_m is less than radius_m.
+/// Torus about z. The centre line of its tube is a circle of radius_m. tubeRadius_m is less than radius_m.
 struct Torus {
   double radius_m = 0;
   double tubeRadius_m = 0;
@@ -106,19 +106,20 @@ struct LPlate {
   Vector2 edges_m;
   double arm_m = 0;
 };
-/// T of two round bars. The bar is centred at the origin along x; the shaft runs from the bar's surface along +y.
+/// T-shaped handle of two round bars. The bar lies along x, centred at the origin. The shaft runs along +y, from
+/// the surface of the bar.
 struct THandle {
   double barLength_m = 0, barRadius_m = 0;
   double shaftLength_m = 0, shaftRadius_m = 0;
 };
-/// Hoop in the xy plane, width_m wide, with a thin handle from its rim along -x. length_m is the length over all.
-/// The masses are 17 : 16 (0.17 kg and 0.16 kg). The origin is the hoop's centre.
+/// Hoop of diameter width_m in the xy plane, with a thin handle from its rim along -x. length_m is the overall
+/// length. The masses of hoop and handle are as 17 : 16 (0.17 kg and 0.16 kg). The origin is the hoop's centre.
 struct Racket {
   double length_m = 0;
   double width_m = 0;
 };
-/// Hub about z, centred at the origin, with two boxes of edges wing_m for wings. The wings' centres are at x = ±
-/// wingCentre_m, z = wingRise_m.
+/// Wing nut: a round hub about z, centred at the origin, and two boxes with the edges wing_m as wings. The centres
+/// of the wings are at x = ± wingCentre_m, z = wingRise_m.
 struct WingNut {
   double hubRadius_m = 0, hubHeight_m = 0;
   Eigen::Vector3d wing_m{0, 0, 0};

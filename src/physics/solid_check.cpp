@@ -10,7 +10,7 @@
 namespace poinsot::physics {
 namespace {
 
-// Relative tolerance: wings may touch the hub, and 1.1 - 1.2/2 is not 0.5 in doubles.
+// Relative tolerance, so that wings may touch the hub in spite of rounding: 1.1 - 1.2/2 is not 0.5 in doubles.
 constexpr double kTouching = 1e-12;
 
 template <typename Vector>
@@ -98,7 +98,7 @@ struct Check {
   }
   void operator()(const Racket& s) const {
     requirePositive(s.width_m, "width of the racket");
-    requirePositive(s.length_m - s.width_m, "length of the racket less its width");
+    requirePositive(s.length_m - s.width_m, "length of the racket minus its width");
   }
   void operator()(const WingNut& s) const {
     requireUpright(s.hubRadius_m, s.hubHeight_m, "radius of the wing nut's hub", "height of the wing nut's hub");

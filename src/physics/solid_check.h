@@ -10,7 +10,8 @@ namespace poinsot::physics {
 /// together, or a kind of polyhedron that does not exist.
 void requirePossible(const Solid& solid);
 
-/// @throws core::Error(kPhysics) "NAME must be positive and finite, got VALUE" if the value is not.
+/// Throws if a value is not positive and finite.
+/// @throws core::Error(kPhysics) "NAME must be positive and finite, got VALUE".
 void requirePositive(double value, const char* name);
 
 }  // namespace poinsot::physics

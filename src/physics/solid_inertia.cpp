@@ -41,7 +41,7 @@ struct Moments {
   double M;
 
   Vector3d operator()(const Box& s) const { return threeLengths(M, s.edges_m, 12); }
-  /// Uses (V b² - V'b'²)/(V - V') = b² + (b² - b'²) V'/(V - V'), so that thin walls keep their digits.
+  /// Uses (V b² - V'b'²)/(V - V') = b² + (b² - b'²) V'/(V - V'). In this form, thin walls lose no digits.
   Vector3d operator()(const HollowBox& s) const {
     const Vector3d inner = s.edges_m - Vector3d::Constant(2 * s.wall_m);
     const double ratio = volume(Box{inner}) / volume(s);
@@ -53,7 +53,7 @@ struct Moments {
   Vector3d operator()(const Plate& s) const { return threeLengths(M, {s.edges_m[0], s.edges_m[1], 0}, 12); }
   Vector3d operator()(const Ellipsoid& s) const { return threeLengths(M, s.semiAxes_m, 5); }
   Vector3d operator()(const EllipsoidShell& s) const { return threeLengths(M, s.semiAxes_m, 3); }
-  /// Evaluates 2(r⁵ - i⁵)/(5(r³ - i³)) with both differences divided by r - i.
+  /// Evaluates 2(r⁵ - i⁵)/(5(r³ - i³)). Both differences are divided by r - i, so that nothing cancels.
   Vector3d operator()(const Sphere& s) const {
     const double r = s.radius_m, i = s.innerRadius_m;
     const double fourth = r * r * r * r + r * r * r * i + r * r * i * i + r * i * i * i + i * i * i * i;
@@ -125,7 +125,7 @@ MassProperties combined(const std::vector<SolidPart>& pieces, double mass_kg) {
     placed.push_back(massProperties(piece));
   }
   const MassProperties whole = combined(placed);
-  return {mass_kg, whole.centre_B(), whole.inertia_B()};  // the sum of the pieces may miss mass_kg by a rounding
+  return {mass_kg, whole.centre_B(), whole.inertia_B()};  // the pieces' sum may differ from mass_kg by rounding
 }
 
 template <typename S>

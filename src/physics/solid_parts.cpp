@@ -8,16 +8,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Turns that are exact in doubles.
+// Rotations whose quaternions are exact in doubles.
 const Quaternion kUnturned(1, 0, 0, 0);
 const Quaternion kZtoX(.5, .5, .5, .5);
 const Quaternion kZtoY(.5, -.5, -.5, -.5);
 const Quaternion kUpsideDown(0, 1, 0, 0);
 
-// Mass shares of a racket's pieces, in units of 0.01 kg.
+// Masses of a racket's hoop and handle, in units of 0.01 kg. Only their ratio matters.
 constexpr double kHoopShare = 17, kHandleShare = 16;
 
-/// Returns a part whose mass is its volume, for bodies of one density.
+/// Returns a part whose mass equals its volume, for bodies of uniform density.
 SolidPart ofVolume(const Solid& solid, const Quaternion& q_BS, const Vector3d& offset_B) {
   return {solid, volume(solid), q_BS, offset_B};
 }

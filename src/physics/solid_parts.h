@@ -7,8 +7,8 @@
 
 namespace poinsot::physics {
 
-// Pieces of the solids that have no short formula of their own. Masses are in any common unit, because only their
-// ratios count. Internal to this library; other libraries call partsOf().
+// Functions that divide a composite solid into simple pieces. Masses are in any common unit, because only their
+// ratios matter. Internal to this library; other libraries call partsOf().
 
 std::vector<SolidPart> piecesOf(const Capsule& solid);
 std::vector<SolidPart> piecesOf(const LPlate& solid);

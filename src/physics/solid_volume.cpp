@@ -29,7 +29,7 @@ double volumePerCube(PolyhedronKind kind) {
 struct Volume {
   double operator()(const Box& s) const { return s.edges_m[0] * s.edges_m[1] * s.edges_m[2]; }
   double operator()(const HollowBox& s) const {
-    // abc - a'b'c' as a sum of positive terms, so that thin walls keep their digits.
+    // Computes abc - a'b'c' as a sum of positive terms, so that thin walls lose no digits.
     const double gap = 2 * s.wall_m, b = s.edges_m[1], c = s.edges_m[2];
     const double a1 = s.edges_m[0] - gap, b1 = b - gap;
     return gap * (b * c + a1 * c + a1 * b1);

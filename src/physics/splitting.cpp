@@ -14,8 +14,8 @@ using Components = std::array<double, 3>;
 
 Components componentsOf(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
-/// Points of a step, each rounded to a multiple of one ulp of h, so that the intervals between them add up to h
-/// exactly. Otherwise every step would be longer or shorter by the same rounding.
+/// Times within a step, each rounded to a multiple of one ulp of h. The intervals between them therefore add up to
+/// exactly h. Otherwise, all steps would be too long or too short by the same rounding error.
 class StepGrid {
  public:
   explicit StepGrid(double h) : h_(h) {
@@ -52,7 +52,8 @@ double Splitting::fastestRate(const DrivenState& state) const {
   return std::max({angularSpeed(state), loss, dragRate_[0], dragRate_[1], dragRate_[2]});
 }
 
-// |L| decays at least like e^(-d t) with the slowest drag d, so the turn that is left is at most |L|/(I_min d).
+// |L| decays at least as fast as e^(-d t), where d is the smallest drag rate. The remaining turn is therefore at
+// most |L|/(I_min d).
 double Splitting::untilRest_s(const DrivenState& state, const ForcingPiece& piece) const {
   constexpr double kNoTurn_rad = 1e-290;
   const double slowest = std::min({dragRate_[0], dragRate_[1], dragRate_[2]});
@@ -97,7 +98,8 @@ void Splitting::kick(DrivenState& state, const ForcingPiece& piece, double since
   if (!piece.torque_W.zero()) state.addMomentum(h, piece.torque_W.at(since));
 }
 
-// With equal rates d, m' = m × omega - d m is the free motion in the time tau = (1 - e^(-d t))/d, and L decays.
+// With equal drag rates d, the attitude is that of the free motion at the time tau = (1 - e^(-d t))/d, and L
+// decays (decaying_motion.h).
 void Splitting::drift(DrivenState& state, double h) const {
   const double d = anisotropic_ ? 0 : dragRate_[0];
   if (d == 0) return free_.apply(state, h);
@@ -114,14 +116,14 @@ void Splitting::drag(DrivenState& state, double h) const {
   state.addMomentum(1, rotated(toDouble(state.q_WP), change));
 }
 
-// m_i ~ m_i(0) e^(-alpha L^2 t/I_i), brought back to the length L. The attitude takes the shortest turn; its error
-// is of third order in h and odd, as a symmetric step needs.
+// The components m_i are multiplied by e^(-alpha L^2 t/I_i), and m is scaled back to the length L. The attitude
+// follows by the shortest turn. The error of the turn is of third order in h and odd, as a symmetric step needs.
 void Splitting::dissipate(DrivenState& state, double h) const {
   if (alpha_ == 0) return;
   Components n = state.momentum_P();
   const double L = norm(n);
   if (L == 0) return;
-  // Moment of the axis that gains, so that no exponential exceeds 1.
+  // Moment of the axis towards which m moves. With it, no exponential exceeds 1.
   const double gaining = h > 0 ? *std::max_element(I_.begin(), I_.end()) : *std::min_element(I_.begin(), I_.end());
   Components lost;
   double square = 0;  // squared new length, minus 1

@@ -13,33 +13,36 @@ namespace poinsot::physics {
 
 /// Motion of a driven body, split into flows that can each be solved exactly:
 ///
-///   drift        the free rotation, with drag if its rates are equal; the only flow in which time runs
+///   drift        free rotation, with drag if all rates are equal; the only flow in which time advances
 ///   kick         L += h N(R, t), at fixed attitude and time
 ///   drag         m_i -> e^(-d_i h) m_i, at fixed attitude
-///   dissipation  m' = alpha m × (m × omega), the attitude following so that L is constant
+///   dissipation  m' = alpha m × (m × omega); the attitude follows, so that L is constant
 ///
-/// The flow of the whole is R' = R [omega + alpha m × omega], L' = N - R d R^-1 L (m = R^-1 L = I omega).
+/// Together, the flows approximate R' = R [omega + alpha m × omega], L' = N - R d R^-1 L (m = R^-1 L = I omega).
 class Splitting {
  public:
   /// @pre forcing is valid.
   Splitting(const PrincipalAxes& axes, const Forcing& forcing);
 
-  /// Advances the state by one step of h_s seconds (either sign), from the time `since_s` after the piece's begin.
+  /// Advances the state by one step of h_s seconds (either sign). The step begins at the time piece.begin_s +
+  /// since_s.
   /// @pre the composition is one of symmetric steps if dependsOnMomentum().
   void step(DrivenState& state, const Composition& composition, const ForcingPiece& piece, double since_s,
             double h_s) const;
 
   double angularSpeed(const DrivenState& state) const;
-  /// Returns the fastest of |omega|, the drag and the dissipation, 1/s. Stages that run backwards undo drag and
-  /// dissipation, and would blow up in steps much longer than the inverse of their rates.
+  /// Returns the largest of |omega|, the drag rates and the rate of dissipation, 1/s. Steps must not be much
+  /// longer than the inverse of this rate. Otherwise stages that run backwards in time, and undo drag and
+  /// dissipation, would blow up.
   double fastestRate(const DrivenState& state) const;
 
-  /// Returns the time until the body is at rest, s: only drag acts, and at most a turn of 1e-290 rad is left. 0 if
-  /// the body is at rest now, infinite if anything else acts or time runs backwards.
+  /// Returns the time until drag brings the body to rest, s. A body counts as at rest if it will turn by at most
+  /// another 1e-290 rad. The time is 0 if the body is at rest now, and infinite if other torques act or if time
+  /// runs backwards.
   double untilRest_s(const DrivenState& state, const ForcingPiece& piece) const;
 
-  /// Returns whether the step has flows that depend on the angular momentum, so that only compositions of
-  /// symmetric steps keep their order.
+  /// Returns whether drag or dissipation depends on the angular momentum. Only compositions of symmetric steps
+  /// then keep their order.
   bool dependsOnMomentum() const { return anisotropic_ || alpha_ > 0; }
 
  private:

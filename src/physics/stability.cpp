@@ -45,7 +45,8 @@ namespace {
 
 constexpr double kTangentOfFlip = 0.36397023426620234;  // tan 20 deg, see FlipTimes::turnsOver
 
-/// Returns |m_c/m_2| at m_a = 0, from eq (38) and |m| = L.
+/// Returns the tangent of the smallest angle between L and the middle axis: |m_c/m_2| at m_a = 0, from eq (38) and
+/// |m| = L.
 double tangentFromMiddle(const FreeMotionConstants& k) {
   const DoubleDouble& other = k.c == 2 ? k.D3 : k.D1;
   return toDouble(sqrt(abs(k.D) * k.start.I[k.c] / (other * k.start.I[1])));

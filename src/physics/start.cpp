@@ -22,8 +22,8 @@ namespace {
 
 using DD = DoubleDouble;
 
-/// Given |L| and T, and the moments in ascending order, divided by powers of two that bring |L| and I3 into [1/2,
-/// 1). Squares then stay in range in any units. rateExponent is the power of omega = m/I.
+/// Given |L|, T and moments, which ascend. They are divided by powers of two that bring |L| and the largest moment
+/// into [1/2, 1), so that squares stay in range. omega = m/I has the unit 2^rateExponent rad/s.
 struct ScaledEnergy {
   double L = 0, T = 0;
   std::array<double, 3> I{};
@@ -41,11 +41,11 @@ ScaledEnergy scaledEnergy(const PrincipalMoments& moments, const EnergyStart& st
   return s;
 }
 
-/// Returns L² - 2 T I exactly, or 0 if the difference may be the rounding of decimals (a spin about the axis was
-/// meant).
+/// Returns L² - 2 T I exactly, or 0 if the difference may be only the rounding of given decimals. In this case,
+/// the user probably meant a spin about the axis.
 DD excess(const ScaledEnergy& s, double I) {
   constexpr double kRoundingOfGiven =
-      8 * std::numeric_limits<double>::epsilon();  // T, L² and I are each given rounded
+      8 * std::numeric_limits<double>::epsilon();  // T, L² and I are rounded numbers
   Expansion square, energy;
   square.add(s.L);
   square.scale(s.L);
@@ -56,7 +56,7 @@ DD excess(const ScaledEnergy& s, double I) {
   return std::abs(difference.hi) <= kRoundingOfGiven * s.L * s.L ? DD(0) : difference;
 }
 
-/// Returns whether the polhode goes round the axis of smallest moment, or is a point on it.
+/// Returns whether the polhode runs around the axis of smallest moment, or is a point on this axis.
 bool circlesSmallest(const ScaledEnergy& s) {
   return excess(s, s.I[2]) < DD(0) && (excess(s, s.I[0]) == DD(0) || excess(s, s.I[1]) < DD(0));
 }
@@ -87,13 +87,13 @@ Eigen::Vector3d omegaAtPhaseZero(const PrincipalMoments& moments, const EnergySt
   const ScaledEnergy s = scaledEnergy(moments, start);
   const auto axis = moments.ascendingAxes();
   const DD D1 = excess(s, s.I[0]), D3 = -excess(s, s.I[2]), gap = twoSum(s.I[2], -s.I[0]);
-  constexpr double kBeyondAnyBody = 0x1p200;  // limit of T; above, the differences overflow to NaN
+  constexpr double kBeyondAnyBody = 0x1p200;  // limit of T, above which differences become NaN
   if (s.T > kBeyondAnyBody || D1 < DD(0) || D3 < DD(0)) refuseMomentum(moments, start);
   Eigen::Vector3d omega_P = Eigen::Vector3d::Zero();
   const auto set = [&](std::size_t i, const DD& omega) {
     omega_P[axis[i]] = std::ldexp(toDouble(omega), s.rateExponent);
   };
-  if (D1 == DD(0) && D3 == DD(0)) {  // a sphere, to rounding
+  if (D1 == DD(0) && D3 == DD(0)) {  // the body is a sphere, up to rounding errors
     set(2, DD(s.L) / s.I[2]);
   } else {
     set(0, sqrt(D3 / (gap * s.I[0])));

@@ -9,13 +9,17 @@
 namespace poinsot::physics {
 namespace {
 
-constexpr int kSamples = 200;          // samples of the difference of two runs, on each side of 0
-constexpr double kShrinkMost = 0.125;  // per attempt: the first differences may be too large to obey the order
-/// Smaller differences obey the order of the method, so that what does not shrink is rounding.
+constexpr int kSamples = 200;  // number of times at which two runs are compared, on each side of time 0
+// Smallest factor by which one attempt shortens the steps. It limits the effect of the first differences, which
+// may be too large to obey the order of the method.
+constexpr double kShrinkMost = 0.125;
+/// A difference of two runs below this angle shrinks with the step as the order of the method predicts. If it does
+/// not shrink, it is due to rounding.
 constexpr double kAsymptotic_rad = 1e-3;
-constexpr double kWorthless = 1e-18;  // a local error far below rounding
-// Error that runs of any step may have in common, as a fraction of the angle turned. Measured for free bodies
-// after 1400 rad: 0.1 to 3.8 times this, mostly below 1; for the heavy top after 2e4 rad: 0.3 times.
+constexpr double kWorthless = 1e-18;  // local error below which shorter steps are useless; far below rounding
+// Rounding error that runs with any step length may have in common, as a fraction of the turned angle. Measured
+// after 1400 rad for free bodies: 0.1 to 3.8 times this value, mostly below 1. After 2e4 rad for the heavy top:
+// 0.3 times.
 constexpr double kCommonRounding = 0x1p-53;
 
 double angleBetween(const DrivenState& a, const DrivenState& b) {
@@ -39,8 +43,8 @@ double power(double x, int n) {
   return result;
 }
 
-/// Returns the n-th root of `bound` without a logarithm: the largest of 1, 0.95, 0.95^2, ... whose n-th power is
-/// at most `bound`.
+/// Returns the n-th root of `bound`, rounded down to 1 or a power of 0.95, or `least` if that is larger. Uses no
+/// logarithm.
 double rootBelow(double bound, int n, double least) {
   double root = 1;
   while (root > least && power(root, n) > bound) root *= 0.95;
@@ -92,7 +96,8 @@ ChosenRun StepChoice::attempt(double scale) const {
   return run;
 }
 
-// A difference as small as the common rounding is small enough: less would hardly reduce the estimate.
+// The steps are short enough if the difference of two runs is as small as their common rounding error. Shorter
+// steps would hardly reduce the estimated error.
 ChosenRun StepChoice::run() const {
   const double goal = std::max(tolerance_, 2 * rounding_rad_);
   const double shortest = rootBelow(kWorthless / kPilotError, composition_.order + 1, 0);

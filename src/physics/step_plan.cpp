@@ -12,22 +12,23 @@
 namespace poinsot::physics {
 namespace {
 
-// A torque fixed in the body is a torque of (R, t) that varies as fast as the body turns. Longer steps could meet
-// it one turn later and see no error.
+// Largest turn in one step. In space, a torque fixed in the body varies as fast as the body turns. After a full
+// turn, the torque is the same again, and the error of so long a step would not be noticed.
 constexpr double kLongestTurn_rad = 1;
 
-// Pilot steps for each part of a piece, and the largest number of parts, if energy is not conserved.
+// If energy is not conserved, a piece is divided into parts. kStepsPerPart is the smallest number of pilot steps
+// in a part, kMostPartsOfPiece the largest number of parts.
 constexpr std::size_t kStepsPerPart = 32, kMostPartsOfPiece = 16;
 
-// Angular momentum below this fraction of the largest so far counts as none. Otherwise the pilot would follow the
-// decay of a body at rest down to the smallest doubles, whose digits are few.
+// Angular momentum below this fraction of the largest so far counts as 0. Otherwise, the pilot would follow the
+// decay of a body at rest down to the smallest doubles, which have few digits.
 constexpr double kAtRest = 1e-12;
 
-// Least number of steps in a run for each pilot step (DrivenTrajectory, `finer`).
+// Smallest number of steps of a `finer` run (DrivenTrajectory) for each pilot step.
 constexpr double kFiner = 4.0 / 3;
 
-/// Step of the pilot: its start, counted from the start of the piece; the length that was accepted, which may pass
-/// the end of the piece; and whether the body is at rest until that end.
+/// Step of the pilot. since_s is its start, measured from the start of the piece. length_s is the accepted length,
+/// which may pass the end of the piece. If atRest, the body is at rest until the end of the piece.
 struct PilotStep {
   double since_s = 0;
   double length_s = 0;
@@ -67,7 +68,7 @@ class Pilot {
   double most_;
   DrivenState state_;
   double largest_;
-  double h_ = 0;  // > 0, carried from piece to piece
+  double h_ = 0;  // step length, kept from piece to piece; 0 before the first piece
   double taken_ = 0;
   double turned_ = 0;
 };
@@ -77,7 +78,8 @@ double Pilot::longest() const {
   return rate > 0 ? kLongestTurn_rad / rate : HUGE_VAL;
 }
 
-/// Returns the error of a step of signed length h. `after` becomes the state after two half steps.
+/// Returns the error of a step of signed length h, estimated by two half steps. Sets `after` to the state after
+/// the two half steps.
 double Pilot::tried(const ForcingPiece& piece, double since, double h, DrivenState& after) const {
   DrivenState once = state_;
   after = state_;

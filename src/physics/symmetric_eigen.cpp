@@ -7,12 +7,11 @@
 namespace poinsot::physics {
 namespace {
 
-// Four or five sweeps are usual; the limit only ends the loop for a matrix that is not positive.
+// Limit on the number of sweeps. Four or five are usual; only a matrix that is not positive may reach the limit.
 constexpr int kMostSweeps = 40;
-// An entry that is smaller than this, relative to both its diagonal entries, no longer changes them in
-// double-double.
+// An off-diagonal entry below this fraction of both its diagonal entries no longer changes them in double-double.
 constexpr double kNegligibleEntry = 0x1p-110;
-// An entry that is smaller than this, relative to the largest entry, changes no result.
+// An entry below this fraction of the largest entry changes no result.
 constexpr double kVanishing = 0x1p-300;
 
 using Row = std::array<DoubleDouble, 3>;

@@ -7,8 +7,8 @@
 
 namespace poinsot::physics {
 
-/// Returns the torque of all forcing on a body in this state, about its fixed point, in W, N·m: gravity, given
-/// torques and drag. The torque equals the rate of change of L_W. Energy loss inside the body has no torque.
+/// Returns the total torque on a body about its fixed point, in W, N·m: gravity, given torques and drag. It equals
+/// the rate of change of L_W. Energy loss inside the body causes no torque.
 Eigen::Vector3d torque_W(const Forcing& forcing, const PrincipalAxes& axes, const RigidBodyState& state);
 
 }  // namespace poinsot::physics

@@ -29,13 +29,14 @@ constexpr std::array<double, N> inverseFactorials(int first, int step, double si
   return c;
 }
 
-// On the named interval, the first omitted term is below 1e-19 of the result.
+// Coefficients of power series. On the interval given beside a series, its first omitted term is below 1e-19 of
+// the result.
 constexpr auto kSine = inverseFactorials<8>(3, 2, -1);         // (x - sin x)/x^3, |x| <= pi/4
 constexpr auto kCosine = inverseFactorials<8>(4, 2, -1);       // (cos x - 1 + x^2/2)/x^4, |x| <= pi/4
 constexpr auto kExponential = inverseFactorials<12>(3, 1, 1);  // (e^x - 1 - x - x^2/2)/x^3, |x| <= ln2/2
 constexpr auto kSinh = inverseFactorials<6>(3, 2, 1);          // (sinh x - x)/x^3, |x| <= 1/4
 
-/// Returns first/3, sign first/5, first/7, ...: the series of the arctangent and of artanh.
+/// Returns the coefficients first/3, sign first/5, first/7, ... of the series of the arctangent and of artanh.
 template <std::size_t N>
 constexpr std::array<double, N> oddInverses(double first, double sign) {
   std::array<double, N> c{};
@@ -46,14 +47,14 @@ constexpr std::array<double, N> oddInverses(double first, double sign) {
 constexpr auto kArcTangent = oddInverses<11>(-1, -1);  // (atan t - t)/t^3, |t| <= 3/16
 constexpr auto kArcTanh = oddInverses<11>(1, 1);       // (artanh t - t)/t^3, |t| <= 3 - sqrt 8
 
-/// Returns sin(x + tail) for |x| <= pi/4; the tail enters to first order.
+/// Returns sin(x + tail) for |x| <= pi/4 and a tiny tail, whose square is neglected.
 double sineNearZero(double x, double tail) {
   const double square = x * x;
   const double correction = -square * x * polynomial(kSine, square);
   return x + (correction + tail * (1 - 0.5 * square));
 }
 
-/// Returns cos(x + tail) for |x| <= pi/4; the tail enters to first order.
+/// Returns cos(x + tail) for |x| <= pi/4 and a tiny tail, whose square is neglected.
 double cosineNearZero(double x, double tail) {
   const double square = x * x;
   const double half = 0.5 * square;
@@ -72,16 +73,17 @@ constexpr std::array<DoubleDouble, 9> kArcTangentOfEighths = {{{0, 0},
                                                                {0.7188299996216245, -2.1478388444456983e-17},
                                                                {0.7853981633974483, 3.061616997868383e-17}}};
 
-/// Returns atan of numerator/denominator in [0, 1] as hi + lo: atan(k/8) plus the series of the rest. The rest is
-/// at most 1/16, or 3/16 where k would be 1 and the two terms would cancel.
+/// Returns atan(numerator/denominator) for a quotient in [0, 1], as hi + lo. The result is atan(k/8) plus a series
+/// of the rest, which is at most 1/16. k = 1 is replaced by 0, because the two terms would cancel; the rest is
+/// then at most 3/16.
 DoubleDouble arcTangentOfFraction(double numerator, double denominator) {
   double nearest = std::round(8 * numerator / denominator);
   if (nearest == 1) nearest = 0;
   const double c = nearest / 8;
   const DoubleDouble halves = splitInHalves(denominator);
-  const double rest = (numerator - c * halves.hi) - c * halves.lo;  // c has 4 bits: both products are exact
+  const double rest = (numerator - c * halves.hi) - c * halves.lo;  // exact products, because c has only 4 bits
   const double sum = denominator + c * numerator;
-  const double lost = (denominator - sum) + c * numerator;  // what rounding took from the sum
+  const double lost = (denominator - sum) + c * numerator;  // rounding error of `sum`
   const double t = rest / sum;
   const double square = t * t;
   const double series = t * square * polynomial(kArcTangent, square) - t * (lost / sum);
@@ -91,15 +93,15 @@ DoubleDouble arcTangentOfFraction(double numerator, double denominator) {
 }
 
 constexpr DoubleDouble kLn2{0.6931471805599453, 2.3190468138462996e-17};
-constexpr double kSmallestExponent = -746;  // e^-746 is below half the smallest subnormal
+constexpr double kSmallestExponent = -746;  // e^-746 is less than half the smallest subnormal
 
-/// Value 2^exponent (hi + lo), with hi + lo between 0.7 and 1.42.
+/// Number 2^exponent (hi + lo). Its significand hi + lo is between 0.7 and 1.42.
 struct ScaledValue {
   DoubleDouble significand;
   int exponent = 0;
 };
 
-/// Returns e^x to 2^-60. For x above 2^30 the result is infinite or NaN. @pre x > -2^30.
+/// Returns e^x, accurate to 2^-60. For x above 2^30 the result is infinite or NaN. @pre x > -2^30.
 ScaledValue scaledExponential(double x) {
   const double n = std::round(x / kLn2.hi);
   const DoubleDouble r = DoubleDouble(x) - kLn2 * DoubleDouble(n);
@@ -109,9 +111,9 @@ ScaledValue scaledExponential(double x) {
   return {DoubleDouble(1) + (r + (DoubleDouble(0.5 * square.hi) + tail)), exponent};
 }
 
-// For larger |u|, e^-2|u| is below half an ulp of 1: tanh is 1, sech is 2 e^-|u|.
+// Above this |u|, e^-2|u| is less than half an ulp of 1. Therefore tanh is 1, and sech is 2 e^-|u|.
 constexpr double kTanhIsOne = 20;
-// For smaller |u|, sinh is a series, because 1 - e^-2|u| would cancel.
+// Below this |u|, sinh is computed as a series, because 1 - e^-2|u| would cancel.
 constexpr double kSinhIsASeries = 0.25;
 
 }  // namespace
@@ -129,7 +131,8 @@ SineCosine sineCosine(const DoubleDouble& angle) {
 double arcTangent(double x) {
   const double size = std::abs(x);
   if (size <= 1) return std::copysign(arcTangentOfFraction(size, 1).hi, x);
-  // Beyond 2^60 the complement is below half an ulp of pi/2, and splitting a huge `size` in halves would overflow.
+  // Beyond 2^60, the complement is less than half an ulp of pi/2. Splitting a huge `size` into halves would
+  // overflow.
   const DoubleDouble complement = size > 0x1p60 ? DoubleDouble(0) : arcTangentOfFraction(1, size);
   return std::copysign((kHalfPi - complement).hi, x);
 }
@@ -148,13 +151,14 @@ double exponential(double x) {
 }
 
 double exponentialLessOne(double x) {
-  constexpr double kNothingLeft = -80;  // e^x is below half an ulp of 1
+  constexpr double kNothingLeft = -80;  // below this, e^x is less than half an ulp of 1
   if (x < kNothingLeft) return -1;
   const ScaledValue e = scaledExponential(x);
   return (scaled(e.significand, e.exponent) - DoubleDouble(1)).hi;
 }
 
-// ln x = n ln 2 + 2 artanh t, with t = (f - 1)/(f + 1), x = 2^n f, and f within a factor of sqrt 2 of 1.
+// Computes ln x = n ln 2 + 2 artanh t, where x = 2^n f, t = (f - 1)/(f + 1), and f is within a factor of sqrt 2 of
+// 1.
 double logarithm(double x) {
   constexpr double kRootHalf = 0.7071067811865476;
   int n = 0;

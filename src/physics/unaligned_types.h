@@ -7,11 +7,12 @@
 #include "core/abi.h"
 #include "core/vector2.h"
 
-// Eigen aligns types of 16 and 32 bytes by the vector unit that a file is compiled for, which changes the layout
-// of all classes that hold them. Vector3d (24 bytes) and Matrix3d (72) are never aligned.
+// Eigen types whose layout is the same in all files. Eigen aligns types of 16 and 32 bytes according to the vector
+// unit for which a file is compiled. This would change the layout of all classes that contain such types. Vector3d
+// (24 bytes) and Matrix3d (72 bytes) are never aligned.
 namespace poinsot::physics {
 
-/// Unaligned rotation; Eigen::Quaterniond converts to it and from it.
+/// Rotation without special alignment; converts from and to Eigen::Quaterniond.
 using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
 
 using core::Vector2;

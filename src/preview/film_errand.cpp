@@ -21,10 +21,10 @@ namespace poinsot::preview {
 namespace {
 
 [[noreturn]] void refuseFilm(int why) {
-  throw core::graphicsError("no process can be started: " + core::systemReason(why));
+  throw core::graphicsError("cannot start a process: " + core::systemReason(why));
 }
 
-/// Starts poinsot with `errors` as standard error. Standard input and output are /dev/null.
+/// Starts poinsot in a new process, with `errors` as standard error. Its standard input and output are /dev/null.
 pid_t startProgram(const std::vector<std::string>& words, int errors) {
   const std::string program = core::programPath();
   std::vector<std::string> all{"poinsot"};
@@ -100,7 +100,8 @@ void FilmErrand::follow(const core::FileHandle& errors) {
       line.clear();
     }
   }
-  const std::scoped_lock lock(mutex_);  // waitpid() frees the process ID, which stop() must not signal then
+  // The lock keeps stop() from sending a signal to the process ID, which is free after waitpid().
+  const std::scoped_lock lock(mutex_);
   int status = 0;
   while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
   }

@@ -16,13 +16,13 @@ namespace poinsot::preview {
 struct FilmState {
   enum class Stage { kNone, kMaking, kReady, kFailed };
   Stage stage = Stage::kNone;
-  std::int64_t done = 0, total = 0;  ///< frames
-  std::string text;                  ///< messages of the program
-  std::vector<std::string> changes;  ///< changes that the page made to the scene, as the page lists them
+  std::int64_t done = 0, total = 0;  ///< number of frames
+  std::string text;                  ///< messages that the program printed
+  std::vector<std::string> changes;  ///< changes that the user made on the page, as text for the page
 };
 
-/// Makes a film with `poinsot` in a process of its own, so that a failure does not end the preview. Makes one film
-/// at a time. The destructor stops the process, which keeps its completed segments for --resume.
+/// Maker of films for the preview, one film at a time. Runs `poinsot` in a separate process, so that a failure
+/// does not end the preview. The destructor stops the process, which keeps its completed segments for --resume.
 class FilmErrand {
  public:
   FilmErrand() = default;
@@ -30,12 +30,12 @@ class FilmErrand {
   FilmErrand(const FilmErrand&) = delete;
   FilmErrand& operator=(const FilmErrand&) = delete;
 
-  /// @param words  arguments after "poinsot"
+  /// @param words  arguments for poinsot
   /// @param changes  value of FilmState::changes
-  /// @returns false if a film is being made already
+  /// @returns false if another film is still in progress
   /// @throws core::Error(kGraphics) if no process can be started.
   bool start(const std::vector<std::string>& words, std::vector<std::string> changes);
-  /// Interrupts the process with SIGINT, like Ctrl-C.
+  /// Sends SIGINT to the process, as Ctrl-C does.
   void stop();
   FilmState state() const;
 

@@ -17,18 +17,18 @@ namespace {
 
 constexpr time_t kTimeout_s = 5;
 
-/// Return type of the library's enqueue(): void in early versions, later whether the queue took the job.
+/// Return type of enqueue(): void in early versions of cpp-httplib; later a bool, true if the job was accepted.
 using Taken = decltype(std::declval<httplib::TaskQueue&>().enqueue({}));
 
-/// Task queue that runs each job on the calling thread. A job only hands a connection over.
+/// Task queue that runs each job immediately, on the calling thread. A job only passes on a connection.
 class AtOnce : public httplib::TaskQueue {
  public:
   Taken enqueue(std::function<void()> job) override { return job(), Taken(true); }
   void shutdown() override {}
 };
 
-/// Thread pool that ends with its scope, also after an exception. The library requires shutdown() before the
-/// destructor.
+/// Thread pool that ends with its scope, even after an exception. cpp-httplib requires shutdown() before
+/// destruction.
 class ScopedThreads {
  public:
   explicit ScopedThreads(std::size_t count) : pool_(count) {}
@@ -42,8 +42,8 @@ class ScopedThreads {
   httplib::ThreadPool pool_;
 };
 
-/// Connection in the form that the library reads and writes. Has the functions of all versions of the library, so
-/// none is marked override.
+/// Connection with the interface of a stream of cpp-httplib. No function is marked override, because the interface
+/// differs between versions.
 class Connection : public httplib::Stream {
  public:
   explicit Connection(int socket) : socket_(socket) {}
@@ -52,7 +52,7 @@ class Connection : public httplib::Stream {
   bool is_writable() const { return true; }
   bool wait_readable() const { return true; }
   bool wait_writable() const { return true; }
-  time_t duration() const { return 0; }  // PendingConnections enforces the deadline
+  time_t duration() const { return 0; }  // unused: PendingConnections enforces the deadline
 
   ssize_t read(char* to, std::size_t most) {
     if (taken_ == arrived_) {
@@ -70,7 +70,7 @@ class Connection : public httplib::Stream {
     return retried([&] { return send(socket_, from, count, MSG_NOSIGNAL); });
   }
 
-  // Unused: every connection comes from this machine.
+  // Unused, because every connection comes from this machine.
   void get_remote_ip_and_port(std::string& ip, int& port) const { ip.clear(), port = 0; }
   void get_local_ip_and_port(std::string& ip, int& port) const { ip.clear(), port = 0; }
   socket_t socket() const { return socket_; }
@@ -100,7 +100,7 @@ void Listener::widen() { ::listen(svr_sock_, SOMAXCONN); }
 void Listener::serve() {
   ScopedThreads threads(kThreads);
   PendingConnections pending([&](core::FileHandle socket) {
-    auto shared = std::make_shared<core::FileHandle>(std::move(socket));  // jobs must be copyable
+    auto shared = std::make_shared<core::FileHandle>(std::move(socket));  // shared, because jobs must be copyable
     threads.enqueue([this, shared] { answer(*shared); });
   });
   pending_ = &pending;
@@ -111,7 +111,7 @@ void Listener::serve() {
 
 void Listener::end() {
   ended_ = true;
-  // The library's stop() does nothing before its loop runs.
+  // Waits for the server's loop, because stop() of cpp-httplib has no effect before the loop runs.
   while (serving_ && !is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   stop();
 }
@@ -126,12 +126,12 @@ void Listener::process(Self& self, httplib::Stream& connection) {
   bool closed = false;
   if constexpr (requires { self.process_request(connection, true, closed, nullptr); })
     self.process_request(connection, true, closed, nullptr);
-  else  // from version 0.15 on, the addresses of both ends are parameters
+  else  // versions 0.15 and later expect the addresses of both ends
     self.process_request(connection, "", 0, "", 0, true, closed, nullptr);
 }
 
 void Listener::answer(const core::FileHandle& socket) {
-  const timeval timeout{kTimeout_s, 0};  // per read or write
+  const timeval timeout{kTimeout_s, 0};  // time for each read or write
   for (const int which : {SO_RCVTIMEO, SO_SNDTIMEO})
     setsockopt(socket.get(), SOL_SOCKET, which, &timeout, sizeof timeout);
   Connection connection(socket.get());

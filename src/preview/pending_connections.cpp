@@ -33,7 +33,7 @@ Header headerAt(int socket) {
 
 PendingConnections::PendingConnections(std::function<void(core::FileHandle)> admit)
     : admit_(std::move(admit)), events_(epoll_create1(EPOLL_CLOEXEC)) {
-  if (!events_) throw core::ioError("connections cannot be watched: " + core::systemReason(errno));
+  if (!events_) throw core::ioError("cannot watch connections: " + core::systemReason(errno));
   watcher_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
 }
 
@@ -42,7 +42,8 @@ PendingConnections::~PendingConnections() = default;
 void PendingConnections::add(core::FileHandle socket) {
   const std::scoped_lock lock(mutex_);
   if (pending_.size() >= kMostPending) pending_.erase(pending_.begin());
-  // Edge-triggered, because bytes stay in the socket until the header is complete.
+  // Edge-triggered: reports only new bytes. Bytes stay in the socket until the header is complete, and would
+  // otherwise be reported again and again.
   epoll_event event{};
   event.events = EPOLLIN | EPOLLRDHUP | EPOLLET;
   event.data.u64 = next_;
@@ -62,15 +63,15 @@ void PendingConnections::watch(const std::stop_token& stop) {
 void PendingConnections::look(std::uint64_t number) try {
   const std::scoped_lock lock(mutex_);
   const auto found = pending_.find(number);
-  if (found == pending_.end()) return;  // closed meanwhile
+  if (found == pending_.end()) return;  // the connection was closed meanwhile
   const Header header = headerAt(found->second.socket.get());
   if (header == Header::kIncomplete) return;
-  core::FileHandle socket = std::move(found->second.socket);  // closed on return unless admitted
+  core::FileHandle socket = std::move(found->second.socket);  // closed on return, unless passed to admit_
   pending_.erase(found);
   if (header != Header::kComplete) return;
   epoll_ctl(events_.get(), EPOLL_CTL_DEL, socket.get(), nullptr);
   admit_(std::move(socket));
-} catch (const std::exception&) {  // out of memory: this connection is closed, and the others stay
+} catch (const std::exception&) {  // out of memory: only this connection is closed
 }
 
 void PendingConnections::closeTimedOut() {

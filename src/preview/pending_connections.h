@@ -12,17 +12,16 @@
 
 namespace poinsot::preview {
 
-/// Holds connections until the header of their request is complete. One thread watches all of them, so a
-/// connection that sends slowly, or nothing, blocks no other: it is closed after kTimeout, and the oldest is
-/// closed if more than kMostPending are held.
+/// Connections whose request header is incomplete. One thread watches all of them, so a slow connection does not
+/// block others. A connection is closed after kTimeout. If there are more than kMostPending, the oldest is closed.
 class PendingConnections {
  public:
   static constexpr std::chrono::seconds kTimeout{5};
   static constexpr std::size_t kMostPending = 256;
-  static constexpr std::size_t kLongestHeader = 32 << 10;  ///< bytes
+  static constexpr std::size_t kLongestHeader = 32 << 10;  ///< in bytes
 
-  /// @param admit  takes a connection whose header can be read without waiting, and owns the socket from then on.
-  ///               Called by the watching thread.
+  /// @param admit  called on the watching thread for each connection with a complete header; takes ownership of
+  /// the socket
   explicit PendingConnections(std::function<void(core::FileHandle)> admit);
   ~PendingConnections();
   PendingConnections(const PendingConnections&) = delete;
@@ -45,7 +44,7 @@ class PendingConnections {
   std::function<void(core::FileHandle)> admit_;
   core::FileHandle events_;
   std::mutex mutex_;
-  Pending pending_;  // by increasing number, so the oldest comes first
+  Pending pending_;  // in the order of arrival, oldest first
   std::uint64_t next_ = 0;
   std::jthread watcher_;  // declared last, because the thread uses the other members
 };

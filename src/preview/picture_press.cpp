@@ -23,7 +23,7 @@ request::RequestedScene sceneFor(const SceneVersion& version, const PictureAsk& 
   return request::requestedScene(std::move(request));
 }
 
-/// Returns a text that identifies the scene of a request, except for the version of its files.
+/// Returns a text that identifies the scene and size of a request, but not the version of the files.
 std::string keyOf(const PictureAsk& ask) {
   std::string key = fmt::format("{}x{}", ask.size.width, ask.size.height);
   if (ask.changes.view) key += fmt::format(" view {}", *ask.changes.view);
@@ -33,7 +33,7 @@ std::string keyOf(const PictureAsk& ask) {
 
 }  // namespace
 
-/// State of the drawing thread. If no context can be opened, each picture reports the error.
+/// Cache of drawn scenes, used on the drawing thread. If OpenGL cannot be opened, each picture reports the error.
 class PicturePress::Drawer {
  public:
   explicit Drawer(gl::Backend backend) : cache_(backend) {}

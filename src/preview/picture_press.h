@@ -13,19 +13,20 @@
 
 namespace poinsot::preview {
 
-/// Changes that a page makes to the scene, for its pictures and for its film.
+/// Changes that the user made to the scene on the page. They apply to pictures and to the film.
 struct PageChanges {
-  std::vector<std::string> overrides;  ///< applied after those of the command line
-  std::optional<std::size_t> view;     ///< index of the only view to draw; nullopt draws the whole picture
+  std::vector<std::string> overrides;  ///< overrides that follow those of the command line
+  std::optional<std::size_t> view;     ///< index of the view to draw; nullopt draws all views
 };
 
 struct PictureAsk {
-  std::int64_t frame = 0;  ///< clamped to the frames of the film
-  image::PixelSize size;   ///< replaces the scene's size
+  std::int64_t frame = 0;  ///< frame number; a number outside the film gives the first or last frame
+  image::PixelSize size;   ///< size of the picture, instead of the scene's
   PageChanges changes;
 };
 
-/// Draws frames as a film's worker does, one at a time, on the thread that owns the only OpenGL context.
+/// Drawer of single frames, with the same pixels as in a film. Draws one frame at a time, on its own thread with
+/// the only OpenGL context.
 class PicturePress {
  public:
   PicturePress(const WatchedScene& scene, gl::Backend backend);
@@ -33,8 +34,8 @@ class PicturePress {
   PicturePress(const PicturePress&) = delete;
   PicturePress& operator=(const PicturePress&) = delete;
 
-  /// Returns a picture of the newest scene without errors, as PNG.
-  /// @throws core::Error of the overrides or the back end, or if no scene without errors exists yet
+  /// Returns a picture as PNG, from the newest version of the scene without errors.
+  /// @throws core::Error of the overrides or the back end, or if the scene has had errors since the start
   std::string png(const PictureAsk& ask);
 
  private:

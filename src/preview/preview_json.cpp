@@ -24,7 +24,7 @@ using nlohmann::json;
 
 constexpr std::size_t kMostPoints = 1000;
 
-/// Returns JSON in ASCII, even if the texts are not valid UTF-8.
+/// Returns JSON text in ASCII. Replaces invalid UTF-8.
 std::string text(const json& value) { return value.dump(-1, ' ', true, json::error_handler_t::replace); }
 
 json quantityJson(const scene::StateQuantity& quantity) {
@@ -65,7 +65,7 @@ json notesOf(const scene::Scene& scene) {
   return notes;
 }
 
-/// @param sweep  whether `scene` is the first cell of a sweep; the page turns all cells together
+/// @param sweep  whether `scene` is the first cell of a sweep, in which the page rotates all cameras together
 json filmOf(const scene::Scene& scene, bool sweep, const request::UnitChoice& units) {
   json quantities = json::array();
   for (const scene::StateQuantity& quantity : scene::stateQuantities())
@@ -92,7 +92,7 @@ int indexOf(const std::string& name) {
   return static_cast<int>(found - all.begin());
 }
 
-/// Returns null for a value that is not finite, because JSON has no NaN.
+/// Returns the value, or null if it is not finite, because JSON has no NaN and no infinity.
 json numberOrNull(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
 }  // namespace

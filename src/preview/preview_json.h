@@ -8,15 +8,15 @@
 #include "preview/watched_scene.h"
 #include "request/user_files.h"
 
-/// JSON answers to the page of the preview.
+/// JSON responses to the preview page.
 namespace poinsot::preview {
 
-/// Returns the number and the error of a version, and of the last scene without errors its film, size, physics and
-/// quantities to plot.
-/// @param units  units of the physics
+/// Returns the version number and error of the newest files. For the last scene without errors, also returns its
+/// film, size, physics and the quantities that can be plotted.
+/// @param units  units for the physics
 std::string sceneJson(const SceneVersion& version, const request::UnitChoice& units);
 
-/// Returns quantities of the motion over the film: at most 1000 samples of each, with their times.
+/// Returns the values of quantities over the film, with their times: at most 1000 samples of each quantity.
 /// @param names  names of the quantities, as in a scene
 /// @throws core::Error(kUsage) for an unknown name; core::Error(kPhysics)
 std::string seriesJson(const scene::Scene& scene, const std::vector<std::string>& names);

@@ -24,7 +24,7 @@
 #include "preview/watched_scene.h"
 #include "request/sweep_cells.h"
 
-// Content of page.html.
+// Embedded content of the file page.html.
 extern "C" const char poinsot_preview_page[];
 
 namespace poinsot::preview {
@@ -34,20 +34,20 @@ using httplib::Request;
 using httplib::Response;
 
 constexpr auto kLongestWait = std::chrono::seconds(20);
-constexpr std::ptrdiff_t kMostWaiting = Listener::kThreads / 2;  // pages that wait; each occupies a thread
+constexpr std::ptrdiff_t kMostWaiting = Listener::kThreads / 2;  // limit, because each page occupies a thread
 constexpr int kLeastSide = 16, kMostSide = 4096;
 constexpr std::size_t kMostOverrides = 64, kLongestOverride = 1000;
 
 std::string randomToken() {
   std::array<std::uint8_t, 16> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    throw core::ioError("the system has no random numbers");
+    throw core::ioError("cannot get random numbers from the system");
   std::string token;
   for (const std::uint8_t byte : bytes) token += fmt::format("{:02x}", byte);
   return token;
 }
 
-/// Compares tokens of equal length in a time that does not depend on their content.
+/// Returns whether two tokens are equal. The time does not reveal at which character they differ.
 bool isSame(std::string_view a, std::string_view b) {
   unsigned difference = a.size() == b.size() ? 0u : 1u;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
@@ -55,8 +55,8 @@ bool isSame(std::string_view a, std::string_view b) {
   return difference == 0;
 }
 
-/// Returns whether the Host header names this machine itself. Another name that leads here may be a stranger's
-/// page (DNS rebinding). The port may differ, behind ssh -L.
+/// Returns whether the Host header names this machine, with any port (for ssh -L). Rejects other names, even if
+/// they resolve to this machine, because a website can use them for an attack (DNS rebinding).
 bool isLocalName(std::string_view host) {
   constexpr std::string_view kNames[] = {"127.0.0.1", "localhost", "[::1]"};
   return std::ranges::any_of(kNames, [&](std::string_view name) {
@@ -81,7 +81,7 @@ std::optional<PageChanges> changesAsked(const Request& request, Response& respon
   const auto isLong = [](const std::string& word) { return word.size() > kLongestOverride; };
   if (count > kMostOverrides || std::ranges::any_of(changes.overrides, isLong)) {
     refuse(response, 400,
-           fmt::format("at most {} keys are changed, in {} bytes each", kMostOverrides, kLongestOverride));
+           fmt::format("at most {} keys can be changed, with {} bytes each", kMostOverrides, kLongestOverride));
     return std::nullopt;
   }
   if (const auto view = number(request, "view"); view && *view >= 0)
@@ -96,7 +96,8 @@ std::optional<PictureAsk> pictureAsk(const Request& request, Response& response)
     return side && *side >= kLeastSide && *side <= kMostSide;
   };
   if (!frame || !isSide(width) || !isSide(height)) {
-    refuse(response, 400, fmt::format("a picture has a frame, and sides from {} to {}", kLeastSide, kMostSide));
+    refuse(response, 400,
+           fmt::format("a picture needs a frame number, and sides from {} to {} pixels", kLeastSide, kMostSide));
     return std::nullopt;
   }
   auto changes = changesAsked(request, response);
@@ -104,8 +105,8 @@ std::optional<PictureAsk> pictureAsk(const Request& request, Response& response)
   return PictureAsk{*frame, {static_cast<int>(*width), static_cast<int>(*height)}, std::move(*changes)};
 }
 
-/// Returns the changes as arguments of `render`. Option and value form one argument, so that a value is never
-/// taken for an option.
+/// Returns the changes as arguments of `render`. Each option and its value are one argument, so that a value which
+/// begins with a dash does not count as an option.
 std::vector<std::string> wordsOf(const PageChanges& changes) {
   std::vector<std::string> words;
   for (const std::string& override : changes.overrides) words.push_back("-D" + override);
@@ -113,10 +114,10 @@ std::vector<std::string> wordsOf(const PageChanges& changes) {
   return words;
 }
 
-/// Returns the changes as the page lists them: "style.theme="dark"", "view 2 alone".
+/// Returns the changes as the page lists them, such as "style.theme="dark"" and "only view 2".
 std::vector<std::string> toldChanges(const PageChanges& changes) {
   std::vector<std::string> told = changes.overrides;
-  if (changes.view) told.push_back(fmt::format("view {} alone", *changes.view + 1));
+  if (changes.view) told.push_back(fmt::format("only view {}", *changes.view + 1));
   return told;
 }
 
@@ -131,7 +132,7 @@ class PreviewServer::Site {
         press_(scene_, request.backend) {
     configure();
     addRoutes();
-    // The library would also set SO_REUSEPORT, by which another process of this user could use the same port.
+    // Omits SO_REUSEPORT, which cpp-httplib sets by default, because another process could then share the port.
     server_.set_socket_options([](socket_t socket) {
       const int yes = 1;
       setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
@@ -139,7 +140,9 @@ class PreviewServer::Site {
     port_ = request.port;
     const bool bound = request.port > 0 ? server_.bind_to_port("127.0.0.1", request.port)
                                         : (port_ = server_.bind_to_any_port("127.0.0.1")) > 0;
-    if (!bound) throw core::ioError(fmt::format("--port {}: another program listens there", request.port));
+    if (!bound)
+      throw core::ioError(
+          fmt::format("--port {}: cannot be opened; another program may already use this port", request.port));
     server_.widen();
   }
 
@@ -164,8 +167,7 @@ class PreviewServer::Site {
           "'unsafe-inline'; script-src 'unsafe-inline'; frame-ancestors 'none'; base-uri 'none'"}});
     server_.set_pre_routing_handler([this](const Request& request, Response& response) {
       if (isAllowed(request)) return httplib::Server::HandlerResponse::Unhandled;
-      refuse(response, 403,
-             "this address is not known; take the one that `poinsot preview` printed, with all its letters");
+      refuse(response, 403, "unknown address; copy the whole address that `poinsot preview` printed");
       return httplib::Server::HandlerResponse::Handled;
     });
   }
@@ -197,13 +199,14 @@ class PreviewServer::Site {
 
   static void json(Response& response, const std::string& text) { response.set_content(text, "application/json"); }
 
-  /// Waits for a change of the scene, unless kMostWaiting pages wait already.
+  /// Responds when the scene changes, or after kLongestWait. Does not wait if kMostWaiting pages already wait.
   void scene(const Request& request, Response& response) {
     const auto known = static_cast<int>(number(request, "after").value_or(-1));
     const bool mayWait = places_.try_acquire();
     const SceneVersion version = scene_.after(known, mayWait ? kLongestWait : std::chrono::seconds(0));
     if (mayWait) places_.release();
-    if (!mayWait && version.number <= known) return refuse(response, 503, "too many pages wait; ask again later");
+    if (!mayWait && version.number <= known)
+      return refuse(response, 503, "too many pages are open; try again later");
     json(response, sceneJson(version, request_.units));
   }
 
@@ -230,10 +233,10 @@ class PreviewServer::Site {
     }
   }
 
-  /// Returns the path of a sweep's film, named like the pictures of `sweep`. Makes the folder, because `sweep`
-  /// makes none if a path is given.
+  /// Returns the path for the film of a sweep, named like the pictures of `sweep`. Creates the folder, because
+  /// `sweep` does not create the folder of a given path.
   std::string sweepFilm() const {
-    std::error_code ignored;  // the process that makes the film reports a missing folder
+    std::error_code ignored;  // ignored: the process that makes the film reports a missing folder
     std::filesystem::create_directory("out", ignored);
     return "out/" + std::filesystem::path(request_.fileName).stem().string() + "_sweep.mp4";
   }

@@ -13,25 +13,25 @@ namespace poinsot::preview {
 
 struct PreviewRequest {
   std::string fileName;
-  std::vector<std::string> overrides;  ///< values of -D
+  std::vector<std::string> overrides;  ///< overrides from -D
   scene::Allowance allowance;
-  std::vector<std::string> filmWords = {};  ///< more arguments for the process that makes the film
-  request::UnitChoice units = {};           ///< units of the physics
+  std::vector<std::string> filmWords = {};  ///< additional arguments for making the film
+  request::UnitChoice units = {};           ///< units for the physics
   gl::Backend backend = gl::Backend::kAuto;
-  int port = 0;  ///< 0 chooses a free port
+  int port = 0;  ///< 0 selects a free port
 };
 
-/// Shows a scene in a browser on this machine: pictures of the renderer that makes the films, a time line,
-/// numbers, and mistakes as they are made. The address holds a secret token; requests without the token are
-/// refused.
+/// HTTP server that shows a scene in a browser on this machine. The page shows pictures as in the film, a time
+/// line, physical quantities, and errors while the user edits the scene. The address contains a secret token.
+/// Requests without the token are rejected.
 class PreviewServer {
  public:
-  /// Starts to listen. @throws core::Error(kIo) if the port is taken.
+  /// Binds the port. @throws core::Error(kIo) if the port is already in use.
   explicit PreviewServer(const PreviewRequest& request);
   ~PreviewServer();
 
   int port() const;
-  /// Returns "http://127.0.0.1:8437/q8Zx.../".
+  /// Returns the address of the page, such as "http://127.0.0.1:8437/q8Zx.../".
   std::string address() const;
 
   void run();

@@ -18,15 +18,16 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kPause{40};
-// An editor may write a file in pieces, so a file is read after it was unchanged for this time, which also exceeds
-// the steps of a file system's clock. A file that keeps changing is read after kMostCalms checks.
+// Time without changes after which a file is read, because an editor may write a file in pieces. The time is
+// longer than the resolution of a file system's clock. If a file keeps changing, it is read after kMostCalms
+// checks.
 constexpr milliseconds kCalm{15};
 constexpr int kMostCalms = 20;
-// A scene with an error is read again after this many pauses, because a missing file that it names may appear.
+// Number of pauses after which a scene with an error is read again, because a missing file may have appeared.
 constexpr int kPausesToTryAgain = 25;
 
-/// Returns a text that changes if a file is written, replaced or removed, even if size and modification time are
-/// restored, because the kernel sets the time of change.
+/// Returns a text that changes if a file is written, replaced or removed. Includes the change time (ctime),
+/// because an editor may restore the size and the modification time.
 std::string fingerprint(const std::vector<std::filesystem::path>& files) {
   std::string all;
   for (const auto& file : files) {
@@ -82,7 +83,8 @@ SceneVersion WatchedScene::load() const {
     loaded.request = request::readSceneRequest(fileName_, overrides_, allowance_);
     request::askForSweep(loaded.request);
     auto requested = request::requestedScene(loaded.request);
-    if (!loaded.request.sweep) const stage::Stage stage(requested.scene);  // throws if the motion lacks something
+    // The stage throws if the scene shows something that its motion lacks.
+    if (!loaded.request.sweep) const stage::Stage stage(requested.scene);
     loaded.scene = std::make_shared<const scene::Scene>(std::move(requested.scene));
   } catch (const core::Error& error) {
     loaded.error = core::printableLines(error.what());
@@ -91,8 +93,8 @@ SceneVersion WatchedScene::load() const {
 }
 
 void WatchedScene::read() {
-  // The fingerprint is taken before reading, so a change during reading is noticed next time. Files that only this
-  // version names had no fingerprint, so the scene is read again.
+  // Takes the fingerprint before reading, so that a change during reading is noticed later. If this version names
+  // new files, takes the fingerprint again with these files, and reads the scene again.
   const auto look = [this] { seen_ = fingerprint(files_); };
   look();
   SceneVersion next = load();
@@ -106,7 +108,7 @@ void WatchedScene::read() {
 
 void WatchedScene::publish(SceneVersion next) {
   const std::scoped_lock lock(mutex_);
-  if (!next.scene && next.error == version_.error) return;  // another attempt had the same error
+  if (!next.scene && next.error == version_.error) return;  // reading again gave the same error
   next.number = version_.number + 1;
   if (!next.scene) {
     next.request = version_.request;

@@ -16,15 +16,14 @@
 namespace poinsot::preview {
 
 struct SceneVersion {
-  int number = 0;  ///< grows with each change
+  int number = 0;  ///< number of changes so far
   request::SceneRequest request;
-  std::shared_ptr<const scene::Scene> scene;  ///< last scene without errors; null if there was none yet
-  std::string error;  ///< error of the newest files, with its place; empty if there is none
+  std::shared_ptr<const scene::Scene> scene;  ///< last scene without errors; null if there has been none
+  std::string error;                          ///< error of the newest files, with its position; empty if none
 };
 
-/// Scene file that an editor changes. Reads the file again if it, or a file that it names, changes. Polls the
-/// files every few hundredths of a second, which works on every file system and costs little compared with
-/// drawing.
+/// Scene that is read again when its file, or a file that it names, changes. Checks the files for changes every
+/// few hundredths of a second. Such polling works on every file system, and costs little compared with drawing.
 class WatchedScene {
  public:
   WatchedScene(std::string fileName, std::vector<std::string> overrides, scene::Allowance allowance);
@@ -32,11 +31,11 @@ class WatchedScene {
   WatchedScene(const WatchedScene&) = delete;
   WatchedScene& operator=(const WatchedScene&) = delete;
 
-  /// Ends all waiting: after() returns at once.
+  /// Makes all waiting calls of after() return immediately.
   void stop();
 
   SceneVersion now() const;
-  /// Waits for a version with a number above `known`, but not longer than `most`. Returns the newest version.
+  /// Waits for a version with a number above `known`, at most for the time `most`. Returns the newest version.
   SceneVersion after(int known, std::chrono::milliseconds most) const;
 
  private:
@@ -49,8 +48,8 @@ class WatchedScene {
   const std::string fileName_;
   const std::vector<std::string> overrides_;
   const scene::Allowance allowance_;
-  std::vector<std::filesystem::path> files_;  // files of the newest scene without errors
-  std::string seen_;                          // fingerprint() of files_ before they were read
+  std::vector<std::filesystem::path> files_;  // files of the last scene without errors
+  std::string seen_;                          // fingerprint() of files_ from before the last reading
   mutable std::mutex mutex_;
   mutable std::condition_variable_any changed_;
   SceneVersion version_;

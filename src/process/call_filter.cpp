@@ -50,11 +50,12 @@ using Filter = std::unique_ptr<void, Release>;
 
 void expect(int status) {
   if (status < 0)
-    throw core::graphicsError("--untrusted: the kernel takes no filter of system calls: " +
+    throw core::graphicsError("--untrusted: cannot install a filter of system calls: " +
                               core::systemReason(-status));
 }
 
-/// Makes a filter that allows every call without a rule, and kills the process on calls of another architecture.
+/// Returns a filter that allows every system call. Calls of another CPU architecture kill the process. The caller
+/// adds rules for forbidden calls.
 Filter makeFilter() {
   Filter filter(seccomp_init(SCMP_ACT_ALLOW));
   expect(filter ? 0 : -ENOMEM);
@@ -62,7 +63,7 @@ Filter makeFilter() {
   return filter;
 }
 
-/// Forbids a call if its argument `index` equals `value` in the bits of `mask`.
+/// Forbids a call if its argument with number `index` equals `value` in the bits of `mask`.
 void forbid(const Filter& filter, int call, unsigned index, scmp_datum_t mask, scmp_datum_t value) {
   expect(seccomp_rule_add(filter.get(), SCMP_ACT_ERRNO(EPERM), call, 1,
                           scmp_arg_cmp{index, SCMP_CMP_MASKED_EQ, mask, value}));
@@ -74,11 +75,11 @@ void forbidCalls() {
   const Filter filter = makeFilter();
   for (const int call : kForbidden)
     if (call >= 0) expect(seccomp_rule_add(filter.get(), SCMP_ACT_ERRNO(EPERM), call, 0));  // < 0: not on this CPU
-  // Requests that type into the terminal from which the program was started.
+  // ioctl requests that insert characters into the terminal from which the program was started.
   constexpr scmp_datum_t kTypeIn = 0x5412, kPasteIn = 0x541c;  // TIOCSTI, TIOCLINUX
   for (const scmp_datum_t request : {kTypeIn, kPasteIn}) forbid(filter, SCMP_SYS(ioctl), 1, 0xffffffff, request);
-  // The flags of clone3() can create a namespace, but no filter can see them. With ENOSYS the C library uses
-  // clone().
+  // Disables clone3(), because its flags could create a namespace, and filters cannot read these flags. After
+  // ENOSYS, the C library uses clone() instead.
   expect(seccomp_rule_add(filter.get(), SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0));
   for (const int flag : {CLONE_NEWNS, CLONE_NEWUSER, CLONE_NEWPID, CLONE_NEWNET, CLONE_NEWIPC, CLONE_NEWUTS,
                          CLONE_NEWCGROUP, CLONE_PTRACE}) {

@@ -22,22 +22,23 @@ namespace poinsot::process {
 
 namespace {
 
-// `timeout` signals its child and then the child's process group, so one request may arrive twice within
-// microseconds. A person who presses Ctrl-C again takes longer than this.
+// A SIGINT within this time after the first signal belongs to the same request: `timeout` sends two signals within
+// microseconds, one to its child and one to the child's process group. A person takes longer to press Ctrl-C
+// again.
 constexpr std::int64_t kSameWish_ms = 500;
 
 constexpr int kNoted[] = {SIGINT, SIGTERM, SIGHUP};
 
-std::atomic<int> firstSignal = 0;  // read by threads of the preview, too
+std::atomic<int> firstSignal = 0;  // atomic, because threads of the preview read it
 static_assert(std::atomic<int>::is_always_lock_free, "a handler may touch no other");
-std::int64_t firstAt_ms = 0;  // used only in the handler, which blocks the other signals
+std::int64_t firstAt_ms = 0;  // used only in the signal handler, which blocks other signals
 int wakePipe[2] = {-1, -1};
 volatile std::sig_atomic_t watching = 0;
 std::int64_t allowed_s = 0;
 int exitCodeOfLimit = EXIT_FAILURE;
-char tooLong[80] = "";  // message of noteAlarm(), which may not allocate
+char tooLong[80] = "";  // message for noteAlarm(), prepared because a signal handler must not allocate memory
 
-/// Returns a monotonic time. Safe in a signal handler, as clock_gettime() is.
+/// Returns a monotonic time in ms. Safe in a signal handler, because clock_gettime() is.
 std::int64_t now_ms() {
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
@@ -50,7 +51,7 @@ void noteSignal(int signal) {
   if (firstSignal != 0) return;
   firstAt_ms = now_ms();
   firstSignal = signal;
-  // Writing one byte to an empty pipe cannot fail, and the flag alone suffices.
+  // The write may fail, because `firstSignal` alone is enough. A write of one byte to an empty pipe does not fail.
   [[maybe_unused]] const auto written = write(wakePipe[1], "!", 1);
   errno = saved;
 }
@@ -95,13 +96,13 @@ void watchInterrupts() {
 
 void watchInterruptsAsWorker() {
   firstSignal = 0;
-  wakePipe[0] = wakePipe[1] = -1;  // the old pipe is the parent's
+  wakePipe[0] = wakePipe[1] = -1;  // the old pipe belongs to the parent
   openWakePipe();
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGHUP, SIG_IGN);
   watch(SIGTERM);
   interruptComputations();
-  const sigset_t held = notedSignals();  // blocked since the fork
+  const sigset_t held = notedSignals();  // SignalsHeld blocked them for the fork
   sigprocmask(SIG_UNBLOCK, &held, nullptr);
 }
 
@@ -118,7 +119,7 @@ int interruptFd() { return wakePipe[0]; }
 
 void throwIfInterrupted() {
   if (firstSignal == SIGALRM)
-    throw core::limitError(fmt::format("stopped after {} s, as --max-seconds says", allowed_s));
+    throw core::limitError(fmt::format("stopped after {} s, as set by --max-seconds", allowed_s));
   if (firstSignal != 0) throw Interrupted(firstSignal);
 }
 
@@ -126,14 +127,14 @@ void limitTime(std::int64_t seconds, int exitCode) {
   POINSOT_EXPECT(seconds > 0);
   allowed_s = seconds;
   exitCodeOfLimit = exitCode;
-  *fmt::format_to_n(tooLong, sizeof tooLong - 1, "poinsot: error: stopped after {} s, as --max-seconds says\n",
+  *fmt::format_to_n(tooLong, sizeof tooLong - 1, "poinsot: error: stopped after {} s, as set by --max-seconds\n",
                     seconds)
        .out = '\0';
   struct sigaction action {};
   action.sa_handler = noteAlarm;
   action.sa_mask = notedSignals();
   sigaction(SIGALRM, &action, nullptr);
-  constexpr std::int64_t kPatience_s = 5;  // for code that rarely checks, and for cleaning up
+  constexpr std::int64_t kPatience_s = 5;  // for code that rarely checks for signals, and for cleanup
   const itimerval times{{kPatience_s, 0}, {seconds, 0}};
   setitimer(ITIMER_REAL, &times, nullptr);
 }

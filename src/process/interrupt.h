@@ -7,11 +7,11 @@
 
 #include "core/abi.h"
 
-/// Handling of SIGINT, SIGTERM and SIGHUP: loops check for a signal, which does not kill the process. The caller
-/// can unwind, remove unfinished files and exit with 128 + signal.
+/// Handling of SIGINT, SIGTERM and SIGHUP. A signal does not kill the process: loops check for signals and throw
+/// an exception. The program can thus remove unfinished files, and then exits with 128 + signal.
 namespace poinsot::process {
 
-/// Exception for a signal that asks the program to end.
+/// Exception for a signal that requests the end of the program.
 class Interrupted : public std::exception {
  public:
   explicit Interrupted(int signal) : signal_(signal) {}
@@ -22,15 +22,16 @@ class Interrupted : public std::exception {
   int signal_;
 };
 
-/// Records SIGINT, SIGTERM and SIGHUP from now on, and makes throwIfInterrupted() the core::InterruptionCheck of
-/// this thread. A signal that was ignored at the start (nohup) stays ignored. A SIGINT more than half a second
-/// after the first signal ends the process at once. Call this function on the main thread.
+/// Starts to record SIGINT, SIGTERM and SIGHUP, and makes throwIfInterrupted() the core::InterruptionCheck of this
+/// thread. Signals that were ignored at the start (nohup) stay ignored. A SIGINT more than half a second after the
+/// first signal ends the process immediately. Call this function on the main thread.
 void watchInterrupts();
-/// Records SIGTERM in a forked worker, and discards what its parent recorded. SIGINT and SIGHUP are ignored: a
-/// terminal sends Ctrl-C to the whole process group, and the parent decides when its workers stop.
+/// Starts to record SIGTERM in a forked worker, and forgets the signals that the parent recorded. Ignores SIGINT
+/// and SIGHUP: a terminal sends them to all processes of the group, and the parent stops its workers with SIGTERM.
 void watchInterruptsAsWorker();
 
-/// Blocks SIGINT, SIGTERM and SIGHUP around a fork, so that a worker takes no signal meant for its parent.
+/// Scope that blocks SIGINT, SIGTERM and SIGHUP during a fork. A new worker could otherwise handle a signal that
+/// was sent to its parent.
 class SignalsHeld {
  public:
   SignalsHeld();
@@ -41,18 +42,19 @@ class SignalsHeld {
   sigset_t before_;
 };
 
-/// Returns the first recorded signal; 0 if there is none.
+/// Returns the first recorded signal, or 0 if there is none.
 int interruptSignal();
 
-/// Returns a descriptor for poll(), readable after a signal; before watchInterrupts() -1, which poll() ignores.
+/// Returns a descriptor for poll(), readable after a signal. Before watchInterrupts(), returns -1, which poll()
+/// ignores.
 int interruptFd();
 
 /// @throws Interrupted after a signal; core::Error(kLimit) after the time limit of limitTime().
 void throwIfInterrupted();
 
 /// Limits the wall time of this process. At the limit, throwIfInterrupted() throws core::Error(kLimit), so that
-/// completed work is kept. Without watchInterrupts(), or if the process has not ended 5 s later, it prints the
-/// reason and exits with `exitCode`.
+/// the program can keep completed work. If the process is still running 5 s later, or did not call
+/// watchInterrupts(), prints the reason and exits with `exitCode`.
 /// @pre seconds > 0.
 void limitTime(std::int64_t seconds, int exitCode);
 

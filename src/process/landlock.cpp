@@ -17,10 +17,10 @@
 namespace poinsot::process {
 namespace {
 
-// Values that Debian 12's headers lack. The kernel's version of Landlock determines which of them it supports.
+// Landlock constants that Debian 12's headers lack. The version of the kernel determines which are supported.
 constexpr std::uint64_t kTruncate = 1ULL << 14, kDeviceControl = 1ULL << 15;
-constexpr std::uint64_t kBindAndConnect = 3;     // for TCP
-constexpr std::uint64_t kSocketsAndSignals = 3;  // to processes outside these rules
+constexpr std::uint64_t kBindAndConnect = 3;     // TCP
+constexpr std::uint64_t kSocketsAndSignals = 3;  // access to processes outside the sandbox
 constexpr int kWithRenaming = 2, kWithTruncate = 3, kWithNetwork = 4, kWithDevices = 5, kWithScopes = 6;
 
 struct Handled {
@@ -49,9 +49,10 @@ std::uint64_t knownRights(int version) {
 int versionOfKernel() {
   const long version = syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
   if (version >= kWithRenaming) return static_cast<int>(version);
-  failRule(fmt::format(
-      "this kernel cannot hold a process to its files ({}); it takes Linux 5.19 with Landlock switched on",
-      version < 0 ? core::systemReason(errno) : "its Landlock is too old"));
+  failRule(
+      fmt::format("this kernel cannot restrict a process to its files ({}); Linux 5.19 or later with Landlock "
+                  "enabled is needed",
+                  version < 0 ? core::systemReason(errno) : "its Landlock is too old"));
 }
 
 core::FileHandle makeRules(int version) {
@@ -71,7 +72,7 @@ core::FileHandle makeRules(int version) {
 }  // namespace
 
 Landlock::Landlock() : version_(versionOfKernel()), rules_(makeRules(version_)) {
-  if (!rules_) failRule("no rules for files: " + core::systemReason(errno));
+  if (!rules_) failRule("cannot create rules for files: " + core::systemReason(errno));
 }
 
 void Landlock::mayRead(const std::filesystem::path& path) { allow(path, kReading); }
@@ -89,12 +90,13 @@ void Landlock::allow(const std::filesystem::path& path, unsigned long long right
   rule.allowed_access = rights & knownRights(version_);
   rule.parent_fd = file.get();
   if (syscall(SYS_landlock_add_rule, rules_.get(), LANDLOCK_RULE_PATH_BENEATH, &rule, 0) != 0)
-    failRule(fmt::format("no rule for {}: {}", core::printable(path.native()), core::systemReason(errno)));
+    failRule(
+        fmt::format("cannot add a rule for {}: {}", core::printable(path.native()), core::systemReason(errno)));
 }
 
 void Landlock::enforce() const {
   if (syscall(SYS_landlock_restrict_self, rules_.get(), 0) != 0)
-    failRule("the rules for files do not hold: " + core::systemReason(errno));
+    failRule("cannot enforce the rules for files: " + core::systemReason(errno));
 }
 
 }  // namespace poinsot::process

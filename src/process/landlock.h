@@ -7,21 +7,22 @@
 
 namespace poinsot::process {
 
-/// Access rules for files, which the kernel enforces for a process and all that it starts (Landlock). Files that
-/// were opened before stay open. Requires Linux 5.19, because older versions (from 5.13) forbid renaming into
-/// another folder.
+/// Access rules for files (Landlock). The kernel enforces the rules for this process and all processes that it
+/// starts. Files that are already open stay accessible. Requires Linux 5.19, because older versions forbid
+/// renaming a file to another folder.
 class Landlock {
  public:
-  /// Starts with rules that allow nothing. @throws core::Error(kGraphics) if the kernel has no Landlock
+  /// Creates rules that allow no access. @throws core::Error(kGraphics) if the kernel does not support Landlock
   Landlock();
 
-  /// Allows reading a file, or a folder with everything below it. Ignores a path that does not exist.
+  /// Allows reading a file, or a folder with all its contents. Ignores a missing path.
   /// @throws core::Error(kIo) if the path cannot be opened
   void mayRead(const std::filesystem::path& path);
-  /// Allows reading and writing; in a folder also making, renaming and removing files, but no links or devices.
+  /// Allows reading and writing a file, or a folder with all its contents. In a folder, files may also be created,
+  /// renamed and removed, but not links or devices.
   void mayWrite(const std::filesystem::path& path);
 
-  /// Enforces the rules for good. @pre the process has one thread, and can gain no privileges.
+  /// Enforces the rules permanently. @pre the process has one thread, and can gain no privileges.
   void enforce() const;
 
  private:

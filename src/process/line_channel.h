@@ -9,29 +9,29 @@
 
 namespace poinsot::process {
 
-/// Splits a stream into lines. Does not own the descriptor.
+/// Reader that splits a stream into lines. Does not own the descriptor.
 class LineReader {
  public:
   explicit LineReader(int fd) : fd_(fd) {}
 
-  /// Reads once, waiting for data. Returns false at the end of the stream, and on an error, which for a pipe means
-  /// the same: the other side is gone.
+  /// Reads available data, or waits for data. Returns false at the end of the stream or after an error. For a
+  /// pipe, both mean that the other process has ended.
   bool fill();
-  /// Returns the next line that is complete in the buffer, without its newline.
+  /// Returns the next complete line in the buffer, without its newline, or nullopt.
   std::optional<std::string> take();
-  /// Waits for the next line. Returns nullopt at the end of the stream.
+  /// Waits for the next line. Returns nullopt at the end of the stream or after an error.
   std::optional<std::string> wait();
 
  private:
   int fd_;
   std::string buffer_;
-  std::size_t searched_ = 0;  // the buffer has no newline before this offset
+  std::size_t searched_ = 0;  // offset before which the buffer contains no newline
 };
 
-/// Writes the line and a newline. Returns false on an error, such as a reader that is gone.
+/// Writes the line and a newline. Returns false on failure, for example if the reader has ended.
 bool writeLine(int fd, std::string_view line);
 
-/// Writes the whole text. Returns 0 or an errno.
+/// Writes the complete text. Returns 0 or an errno.
 int writeText(int fd, std::string_view text);
 
 }  // namespace poinsot::process

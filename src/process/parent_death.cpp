@@ -11,7 +11,7 @@ namespace poinsot::process {
 
 void dieWith(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(EXIT_FAILURE);  // the parent ended before prctl()
+  if (getppid() != parent) _exit(EXIT_FAILURE);  // the parent ended before the call of prctl()
 }
 
 }  // namespace poinsot::process

@@ -5,7 +5,7 @@
 
 namespace poinsot::process {
 
-/// Makes the kernel kill this new process when `parent`, which forked it, ends in any way.
+/// Makes the kernel kill this process when `parent` ends. Call it in a new fork of `parent`.
 void dieWith(pid_t parent);
 
 }  // namespace poinsot::process

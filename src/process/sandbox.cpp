@@ -17,8 +17,8 @@ namespace {
 
 bool inside = false;
 
-/// Files that every program may read, none of them private: folders of libraries on Debian and others, lists of
-/// drivers and libraries, the processors (for thread counts) and the available memory.
+/// Files that every program may read, without private data: library folders of Debian and others, lists of drivers
+/// and libraries, CPUs (for thread counts) and available memory.
 constexpr const char* kOfTheSystem[] = {"/usr/lib",
                                         "/usr/lib64",
                                         "/usr/local/lib",
@@ -38,8 +38,8 @@ constexpr const char* kOfTheSystem[] = {"/usr/lib",
   throw core::graphicsError(std::string("--untrusted: ") + what + ": " + core::systemReason(errno));
 }
 
-/// Lowers a limit of this process; never raises one. The hard limit is `warned` above the soft limit, where a
-/// signal warns the process.
+/// Lowers a resource limit of this process; never raises it. At the soft limit `most`, the kernel sends a signal.
+/// The hard limit is higher by `warned`.
 void limit(__rlimit_resource resource, std::uint64_t most, std::uint64_t warned = 0) {
   rlimit now{};
   if (getrlimit(resource, &now) != 0) fail("getrlimit");
@@ -49,7 +49,7 @@ void limit(__rlimit_resource resource, std::uint64_t most, std::uint64_t warned 
 }
 
 void limitResources(const Sandbox& sandbox) {
-  constexpr std::uint64_t kMostFiles = 1024, kMostTasks = 4096;  // tasks of the user; root has no such limit
+  constexpr std::uint64_t kMostFiles = 1024, kMostTasks = 4096;  // of the user; not enforced for root
   limit(RLIMIT_AS, sandbox.mostMemory_bytes);
   limit(RLIMIT_FSIZE, sandbox.mostFile_bytes);
   limit(RLIMIT_NOFILE, kMostFiles);
@@ -69,7 +69,7 @@ void enterSandbox(const Sandbox& sandbox) {
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) fail("no-new-privileges");
   files.enforce();
   forbidCalls();
-  limitResources(sandbox);  // last: libseccomp crashes if memory runs out while it makes a filter
+  limitResources(sandbox);  // last, because libseccomp crashes if memory runs out while it creates a filter
   inside = true;
 }
 

@@ -21,11 +21,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-volatile sig_atomic_t confined = 0;  // ID of the process that receives the signals
+volatile sig_atomic_t confined = 0;  // process to which signals are forwarded
 
 void passOn(int signal) { kill(static_cast<pid_t>(confined), signal); }
 
-/// Forwards the signals that end a program. A signal that is ignored (nohup) stays ignored.
+/// Scope that forwards SIGINT, SIGTERM and SIGHUP to a process. Signals that were ignored (nohup) stay ignored.
 class SignalsPassedOn {
  public:
   explicit SignalsPassedOn(pid_t to) {
@@ -45,9 +45,9 @@ class SignalsPassedOn {
   SignalsPassedOn(const SignalsPassedOn&) = delete;
 };
 
-/// Copies the shader cache into a folder that setEnvironment() names as the cache.
+/// Copies the shader cache to a folder, which setEnvironment() later makes the cache of the new process.
 void copyShaderCache(const fs::path& cache, const fs::path& folder) {
-  std::error_code ignored;  // without a copy, shaders are compiled again
+  std::error_code ignored;  // ignored: without a cache, shaders are compiled again
   if (!cache.empty()) fs::copy(cache, folder / cache.filename(), fs::copy_options::recursive, ignored);
 }
 
@@ -72,16 +72,15 @@ int runConfined(Confinement confinement, const std::function<int(const std::func
   copyShaderCache(confinement.shaderCache, shaders.path());
   confinement.sandbox.write.insert(confinement.sandbox.write.end(), {folder.path(), shaders.path()});
   const pid_t supervisor = getpid();
-  std::fflush(nullptr);  // or both processes would write the buffered text
+  std::fflush(nullptr);  // otherwise both processes would write the buffered text
   std::optional<SignalsHeld> held(std::in_place);
   const pid_t process = fork();
-  if (process < 0)
-    throw core::graphicsError("--untrusted: no process can be started: " + core::systemReason(errno));
+  if (process < 0) throw core::graphicsError("--untrusted: cannot start a process: " + core::systemReason(errno));
   if (process == 0) {
     held.reset();
     dieWith(supervisor);
     setEnvironment(folder.path(), shaders.path());
-    // A return would destroy the supervisor's objects on the stack.
+    // Calls std::exit(), because a return would destroy the supervisor's objects on the stack.
     std::exit(guard([&] {
       enterSandbox(confinement.sandbox);
       return work();

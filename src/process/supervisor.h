@@ -8,20 +8,20 @@
 
 namespace poinsot::process {
 
-/// Sandbox and shader cache of a process that runConfined() starts.
+/// Sandbox and shader cache of the process that runConfined() starts.
 struct Confinement {
   Sandbox sandbox;
-  /// Shader cache that the process gets a copy of; empty if it draws nothing. Other processes run the original, so
-  /// `work` must not write to it.
+  /// Shader cache to copy for the process; empty if the process draws nothing. A copy is needed because other
+  /// processes run the shaders in the original, so untrusted work must not change them.
   std::filesystem::path shaderCache;
 };
 
-/// Runs `work` in a new process, in a sandbox and with a temporary folder, which is removed afterwards in any
-/// case. Forwards SIGINT, SIGTERM and SIGHUP to the new process.
-/// @param guard  calls its argument, and returns the exit status of the call or of its exception; throws nothing
+/// Runs `work` in a new process, in a sandbox, with a temporary folder that is removed at the end. Forwards
+/// SIGINT, SIGTERM and SIGHUP to the new process.
+/// @param guard  calls its argument and returns the exit code, also after an exception; never throws
 /// @pre this process has one thread.
-/// @returns the exit status of the new process; 128 + n if signal n ended it
-/// @throws core::Error if the folder cannot be made, or if no process can be started
+/// @returns the exit code of the new process; 128 + n if signal n ended it
+/// @throws core::Error if the folder cannot be created, or if no process can be started
 int runConfined(Confinement confinement, const std::function<int(const std::function<int()>&)>& guard,
                 const std::function<int()>& work);
 

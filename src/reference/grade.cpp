@@ -21,10 +21,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kUnitLength = 1e-6;  // error in length of a quaternion with six printed digits
-constexpr double kClose = 0.02;       // rms, rad or relative to omega: above it, a reading only "fits better"
+constexpr double kUnitLength = 1e-6;  // tolerated error in the length of a quaternion with six digits
+constexpr double kClose = 0.02;       // rms, rad or relative; with a larger one, a reading only "fits better"
 
-/// Columns from which each quantity is computed; empty if the log lacks them.
+/// Names of the columns from which each quantity is computed. Empty if the log lacks the columns.
 struct Origins {
   std::string attitude, omega_B, omega_W, rate_B, rate_W, directionOfL, lengthOfL, kineticEnergy;
 };
@@ -45,8 +45,8 @@ Origins originsOf(const LoggedState& theirs) {
   return origins;
 }
 
-/// Comparison of a log with the motion, under some readings. Rows at times for which the motion is unknown are
-/// left out; no chosen reading moves a row of finite numbers to such a time (grade_convention.h).
+/// Comparison of a log with the motion, with some readings applied. Omits rows at times for which the motion is
+/// unknown. The readings in use move no row with finite values to such a time (grade_convention.h).
 class Comparison {
  public:
   Comparison(const KnownMotion& motion, const TrajectoryTable& theirs, std::vector<Reading> readings)
@@ -68,7 +68,7 @@ class Comparison {
   void compare(const physics::RigidBodyState& ours, const LoggedState& theirs);
   void compareVectors(const physics::RigidBodyState& ours, const LoggedState& theirs);
   void compareMomenta(const physics::RigidBodyState& ours, const LoggedState& theirs);
-  /// @param scale  divisor of the errors; 0 leaves them in `unit`
+  /// @param scale  number that divides the errors; 0 keeps the errors in `unit`
   GradedQuantity summary(std::string_view key, std::string_view label, std::string_view unit,
                          const std::string& from, std::vector<double>& errors, double scale) const;
   GradedQuantity signedSummary(std::string_view key, const std::string& from, std::vector<double>& differences,
@@ -80,9 +80,9 @@ class Comparison {
   std::vector<std::size_t> order_;
   std::vector<double> t_s_;
   std::vector<double> attitude_, omega_B_, omega_W_, rate_B_, rate_W_, directionOfL_;
-  std::vector<double> lengthOfL_, kineticEnergy_;  // signed
+  std::vector<double> lengthOfL_, kineticEnergy_;  // with their signs
   double largestOmega_ = 0, largestL_ = 0, largestT_ = 0;
-  double worstLength_ = 0;  // largest deviation of a quaternion's length from 1
+  double worstLength_ = 0;  // largest | |q| - 1 | of the quaternions of the log
   std::vector<double> notFinite_s_;
 };
 
@@ -120,8 +120,8 @@ void Comparison::compare(const physics::RigidBodyState& ours, const LoggedState&
 std::vector<std::string> Comparison::valueNotes() const {
   std::vector<std::string> notes;
   if (worstLength_ > kUnitLength)
-    notes.push_back(
-        fmt::format("quaternions are off unit length by up to {:.2g}; graded as normalised", worstLength_));
+    notes.push_back(fmt::format(
+        "lengths of quaternions differ from 1 by up to {:.2g}; they are graded as normalised", worstLength_));
   if (!notFinite_s_.empty())
     notes.push_back(
         fmt::format("{} of {} rows have a value that is not a number, or a quaternion of length 0; the "
@@ -152,7 +152,7 @@ void Comparison::compareMomenta(const physics::RigidBodyState& ours, const Logge
 
 double rootMeanSquare(const std::vector<double>& errors, double largest) {
   if (largest == 0 || !std::isfinite(largest)) return largest;
-  double sum = 0;  // sum of squares of at most 1, which cannot overflow or vanish
+  double sum = 0;  // sum of (error / largest)^2; no term exceeds 1, so there is no overflow
   for (const double error : errors) sum += (error / largest) * (error / largest);
   return largest * std::sqrt(sum / static_cast<double>(errors.size()));
 }
@@ -171,7 +171,7 @@ GradedQuantity Comparison::summary(std::string_view key, std::string_view label,
                        std::nullopt, Trend::kNone}};
 }
 
-/// Returns the predominant sign in the last quarter of the rows; kNone if there is none.
+/// Returns the sign that predominates in the last quarter of the rows, or kNone if neither sign does.
 Trend trendOf(const std::vector<double>& differences) {
   double sum = 0, sizes = 0;
   for (std::size_t i = differences.size() - (differences.size() + 3) / 4; i < differences.size(); ++i) {

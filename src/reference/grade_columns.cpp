@@ -27,7 +27,7 @@ std::string namesOf(const Vector& vector) {
   return names;
 }
 
-/// Returns whether a name looks like the time: "time", "Time [s]", "t_s", "t (s)".
+/// Returns whether a column name probably means the time: "time", "Time [s]", "t_s", "t (s)".
 bool meansTime(std::string_view name) {
   const auto startsWith = [&](std::string_view word) {
     return std::ranges::equal(name.substr(0, word.size()), word, {}, [](char c) { return c | 0x20; });
@@ -68,7 +68,7 @@ std::optional<std::size_t> GradeColumns::timeAt() const {
 
 std::string GradeColumns::timeHint() const {
   const auto found = std::ranges::find_if(names_, meansTime);
-  return found == names_.end() ? "" : fmt::format("; is it '{}'?", core::printable(*found));
+  return found == names_.end() ? "" : fmt::format("; if '{}' is the time, name it t", core::printable(*found));
 }
 
 std::string GradeColumns::lack() const {
@@ -83,16 +83,17 @@ std::string GradeColumns::lack() const {
                          namesOf(vector));
   }
   if (has(kQAt) || has(kOmegaBAt) || has(kOmegaWAt)) return "";
-  return "no motion to grade: it takes q_w, q_x, q_y, q_z or omega_B_x, omega_B_y, omega_B_z" + foreignText();
+  return "no motion to grade: expected the columns q_w, q_x, q_y, q_z or omega_B_x, omega_B_y, omega_B_z" +
+         foreignText();
 }
 
-/// Returns ", not qx, qy" with up to eight foreign names; empty if there are none.
+/// Returns ", got qx, qy" with up to eight unknown column names. Returns an empty text if there are none.
 std::string GradeColumns::foreignText() const {
   constexpr std::size_t kMost = 8;
   std::string names;
   for (std::size_t i = 0, count = 0; i < names_.size() && count < kMost; ++i)
     if (all_[i] == kForeign && ++count > 0) names += (names.empty() ? "" : ", ") + core::printable(names_[i]);
-  return names.empty() ? "" : ", not " + names;
+  return names.empty() ? "" : ", got " + names;
 }
 
 }  // namespace poinsot::reference

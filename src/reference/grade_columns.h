@@ -9,7 +9,7 @@
 
 namespace poinsot::reference {
 
-/// Columns of a log, matched by name with kTrajectoryColumns. Other names are foreign and ignored.
+/// Columns of a log, recognised by their names in kTrajectoryColumns. Columns with other names are ignored.
 class GradeColumns {
  public:
   static constexpr std::size_t kForeign = static_cast<std::size_t>(-1);
@@ -19,21 +19,22 @@ class GradeColumns {
 
   bool empty() const { return all_.empty(); }
   std::size_t size() const { return all_.size(); }
-  /// Returns the index in kTrajectoryColumns of the i-th name, or kForeign.
+  /// Returns the index in kTrajectoryColumns of the log's column number i, or kForeign.
   std::size_t operator[](std::size_t i) const { return all_[i]; }
   const std::vector<std::size_t>& known() const { return known_; }
 
-  /// Returns the position of the first name that repeats an earlier one.
+  /// Returns the position of the first name that occurs a second time. Returns nullopt if no name is repeated.
   std::optional<std::size_t> repeated() const;
   bool hasTime() const { return timeAt().has_value(); }
   std::optional<std::size_t> timeAt() const;
-  /// Returns "; is it 'Time [s]'?" for a name that looks like the time; empty if there is none.
+  /// Returns "; if 'Time [s]' is the time, name it t" if a name probably means the time. Otherwise, the text is
+  /// empty.
   std::string timeHint() const;
-  /// Returns why the log cannot be graded, apart from a missing time: a vector lacks a component, or both attitude
-  /// and angular velocity are missing. Empty if nothing is missing.
+  /// Returns why the log cannot be graded: a vector lacks a component, or both attitude and angular velocity are
+  /// missing. Does not check for the time. Returns an empty text if nothing is missing.
   std::string lack() const;
 
-  /// Returns the index in kTrajectoryColumns of a name, or kForeign.
+  /// Returns the index in kTrajectoryColumns of a column name, or kForeign.
   static std::size_t columnNamed(std::string_view name);
 
  private:

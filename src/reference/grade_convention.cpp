@@ -15,14 +15,14 @@
 namespace poinsot::reference {
 namespace {
 
-constexpr std::size_t kFewestSampleRows = 3;  // fewer rows fit by chance
+constexpr std::size_t kFewestSampleRows = 3;  // fewer rows may fit by chance
 constexpr std::size_t kSampleRows = 64;
 constexpr std::size_t kMostReadings = 3;
-constexpr double kWrong = 1e-3;             // rad, or relative to omega: more than the rounding of a log
-constexpr double kMostLeft = 0.05;          // share of the earlier misfit
-constexpr double kUnrelated = 0.5;          // rad, or relative to omega: limit on the remaining misfit
-constexpr double kWorse = 2;                // factor by which a misfit may grow
-const double kEqualScores = std::log(10.);  // the simpler reading is chosen if scores differ by less
+constexpr double kWrong = 1e-3;             // rad or relative; larger than the rounding errors of a log
+constexpr double kMostLeft = 0.05;          // largest fraction of a misfit that may remain
+constexpr double kUnrelated = 0.5;          // rad or relative; largest misfit that may remain
+constexpr double kWorse = 2;                // largest factor by which a misfit may grow
+const double kEqualScores = std::log(10.);  // if scores differ by less, the simpler reading is chosen
 
 bool isWrong(const std::optional<double>& misfit) { return misfit && *misfit > kWrong; }
 bool isWrong(const Misfit& misfit) { return isWrong(misfit.attitude) || isWrong(misfit.omega); }
@@ -40,13 +40,13 @@ bool isBetter(const Misfit& after, const Misfit& before) {
   return helps(after.attitude, before.attitude) || helps(after.omega, before.omega);
 }
 
-/// Returns whether every misfit that was wrong has been reduced.
+/// Returns whether every misfit that was too large has been reduced.
 bool explains(const Misfit& after, const Misfit& before) {
   return isBetter(after, before) && (!isWrong(before.attitude) || helps(after.attitude, before.attitude)) &&
          (!isWrong(before.omega) || helps(after.omega, before.omega));
 }
 
-/// Samples rows with finite values only, spread evenly, in the order of time.
+/// Returns a sample of the log: rows with finite values, in the order of time, evenly distributed over the log.
 LogSample sampleOf(const KnownMotion& motion, const TrajectoryTable& theirs) {
   std::vector<std::size_t> rows(theirs.rows());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
@@ -85,7 +85,7 @@ class ConventionSearch {
 
   const KnownMotion& motion_;
   LogSample asWritten_;
-  std::vector<Hypothesis> usual_;  // simplest first
+  std::vector<Hypothesis> usual_;  // ordered by simplicity, simplest first
   const std::vector<Hypothesis> exchanges_ = exchangeHypotheses(), twoTurns_{twoTurnsHypothesis()};
 };
 
@@ -121,7 +121,8 @@ std::vector<Finding> ConventionSearch::pairs(const Finding& found) const {
   return all;
 }
 
-/// Returns the first of the findings that fit best; nullopt if none is better than before.
+/// Returns the finding with the best score; if several are about as good, the first of them. Returns nullopt if
+/// none improves the fit.
 std::optional<Finding> bestOf(std::vector<Finding> findings, const Misfit& before) {
   std::erase_if(findings, [&](const Finding& finding) { return !isBetter(misfitOf(finding.sample), before); });
   double least = std::numeric_limits<double>::infinity();
@@ -131,7 +132,7 @@ std::optional<Finding> bestOf(std::vector<Finding> findings, const Misfit& befor
   return std::nullopt;
 }
 
-/// Returns the simplest finding that reduces every misfit, or failing that, the simplest that reduces one.
+/// Returns the simplest finding that reduces every misfit, or else the simplest that reduces one misfit.
 std::optional<Finding> ConventionSearch::better(const Finding& found) const {
   const Misfit before = misfitOf(found.sample);
   std::optional<Finding> partly;

@@ -7,16 +7,17 @@
 
 namespace poinsot::reference {
 
-/// Returns readings of a log that together make it fit the motion. Returns none if the log fits as written, or
-/// under no usual convention.
+/// Returns readings of a log that together make it fit the motion. Returns none if the log fits as written, or if
+/// no known convention makes it fit. With the result, a caller can distinguish a wrong motion from a different
+/// convention.
 ///
-/// Distinguishes a wrong motion from one that is written in another convention. Up to 64 rows, spread over the
-/// log, are read in each usual way (grade_reading.h, grade_shift.h, grade_turn.h). A reading counts if it reduces
-/// a misfit of the attitude or of omega above 1e-3 to a twentieth, and at most doubles the other, or keeps it
-/// below 5e-5. The best reading is chosen, and of equals the simplest. If no single reading reduces every misfit,
-/// pairs are tried. The search then goes on with what is still wrong.
+/// Up to 64 rows of the log are read in each known way (grade_reading.h, grade_shift.h, grade_turn.h). A misfit is
+/// the rms error of the attitude (rad) or of omega (relative); above 1e-3 it is wrong. A reading is accepted if it
+/// reduces a wrong misfit to a twentieth or less. The other misfit must at most double, or stay below 5e-5. Of the
+/// accepted readings, the best is chosen, and the simplest of equally good ones. If no reading reduces every wrong
+/// misfit, pairs of readings are tried. The search is repeated for the misfits that are still wrong.
 ///
-/// @param motion  known over the log's times; on return also over the times under the readings
+/// @param motion  motion that is known at the log's times; on return, also at the times that the readings need
 /// @param maker  makes the motion over other spans; if empty, no reading shifts the time
 std::vector<Reading> fittingReadings(KnownMotion& motion, const MotionMaker& maker, const TrajectoryTable& theirs);
 

@@ -11,37 +11,37 @@
 namespace poinsot::reference {
 namespace {
 
-constexpr std::size_t kFewestRows = 16;    // two per group
-constexpr std::size_t kFewestGroups = 8;   // needed to fit four numbers
-constexpr std::size_t kMostGroups = 125;   // the start is found to a row anyway; the cost of the fits is quadratic
-constexpr std::size_t kRowsPerGroup = 8;   // enough for an oscillating error to show its size
-constexpr std::size_t kFewestGrowing = 4;  // groups needed to fit a growth
-constexpr double kLeastGrowth = 4;         // factor over the level before
-constexpr double kMostUnexplained = 0.5;   // share of the scatter, for a drift
-constexpr double kWorthAStart = 0.5;       // share of the residual of growth from the first row on
-constexpr double kCloseFit = 0.1;  // rms of ln e below which a fit is clear, even with little scatter to explain
-constexpr double kMostUnclear = 0.1;  // share of the scatter, for an order of growth
+constexpr std::size_t kFewestRows = 16;    // two rows per group
+constexpr std::size_t kFewestGroups = 8;   // needed to fit the four parameters of Model
+constexpr std::size_t kMostGroups = 125;   // limited, because the cost of the fits is quadratic
+constexpr std::size_t kRowsPerGroup = 8;   // includes the peaks of an oscillating error
+constexpr std::size_t kFewestGrowing = 4;  // groups needed to fit the growth
+constexpr double kLeastGrowth = 4;         // smallest growth that counts as a drift, as a factor
+constexpr double kMostUnexplained = 0.5;   // largest unexplained fraction of the scatter, for a drift
+constexpr double kWorthAStart = 0.5;       // largest ratio of residuals: later start to start at row 0
+constexpr double kCloseFit = 0.1;          // rms of ln e; a closer fit is clear even with little scatter
+constexpr double kMostUnclear = 0.1;       // largest unexplained fraction of the scatter for a clear law of growth
 
-/// Group of neighbouring rows, represented by their largest error.
+/// Group of consecutive rows, represented by the largest error.
 struct Group {
-  double start;     ///< |t - t0| at the end of the group before
-  double time;      ///< |t - t0| of the largest error
-  double logError;  ///< ln of the largest error, or of kRoundingError if that is larger
+  double start;     ///< |t - t0| of the last row of the previous group
+  double time;      ///< |t - t0| of the row with the largest error
+  double logError;  ///< ln of the largest error, but at least ln kRoundingError
   std::size_t lastRow;
 };
 
-/// Least-squares line y = intercept + slope x.
+/// Least-squares fit of a line, y = intercept + slope x.
 struct Line {
   double intercept = 0, slope = 0;
-  double residual = 0;  ///< sum of squares
-  double scatter = 0;   ///< sum of squares about the mean
+  double residual = 0;  ///< sum of the squared residuals
+  double scatter = 0;   ///< sum of the squared deviations from the mean
   std::size_t count = 0;
 };
 
 class LineFit {
  public:
   void add(double x, double y) {
-    // Welford's updates avoid cancellation in the sums of squares.
+    // Welford's method, which avoids cancellation in the sums of squares.
     ++n_;
     const double dx = x - meanX_, dy = y - meanY_, n = static_cast<double>(n_);
     meanX_ += dx / n;
@@ -60,7 +60,7 @@ class LineFit {
   double meanX_ = 0, meanY_ = 0, xx_ = 0, yy_ = 0, xy_ = 0;
 };
 
-/// Model of an error that is constant before group `first`, and a power of time from it on.
+/// Model of an error that is constant before the group `first`, and then grows as a power of time.
 struct Model {
   std::size_t first = 0;
   double residual = std::numeric_limits<double>::infinity();
@@ -89,7 +89,7 @@ Line constant(std::span<const Group> groups) {
   return fit.line();
 }
 
-/// Fits a line to ln e against ln(|t - t0| - origin).
+/// Fits a power of time: a line through ln e as a function of ln(|t - t0| - origin).
 Line power(std::span<const Group> groups, double origin) {
   LineFit fit;
   for (const Group& group : groups)
@@ -126,7 +126,8 @@ bool grows(const Model& model, std::span<const Group> groups) {
   return end - level > std::log(kLeastGrowth);
 }
 
-/// Returns the last row, up to the first growing group, that is as good as the rows before (see findDrift()).
+/// Returns the row at which the drift starts: the last row, up to the group model.first, whose error is not yet
+/// larger than before (see findDrift()).
 std::size_t startOf(const Model& model, std::span<const Group> groups, std::span<const double> errors) {
   if (model.first < 2) return 0;
   double level = 0;
@@ -161,7 +162,7 @@ Drift findDrift(std::span<const double> t_s, std::span<const double> errors) {
   const std::size_t judged = judgedRows(errors);
   if (std::ranges::all_of(errors, [](double e) { return e <= kRoundingError; })) return {DriftKind::kRounding};
   if (judged < kFewestRows) {
-    // Too few rows for a fit. The error left the truth after the last row within rounding.
+    // There are too few rows for a fit. The drift starts after the last row whose error is within rounding.
     if (judged == errors.size()) return {DriftKind::kTooFewRows};
     std::size_t last = judged;
     while (last > 0 && errors[last] > kRoundingError) --last;
@@ -171,7 +172,7 @@ Drift findDrift(std::span<const double> t_s, std::span<const double> errors) {
   const Model model = bestModel(groups);
   if (!grows(model, groups)) {
     if (judged == errors.size()) return {DriftKind::kLevel};
-    return {DriftKind::kDrift, t_s[judged - 1]};  // level, then beyond kLostError within one row
+    return {DriftKind::kDrift, t_s[judged - 1]};  // constant, then above kLostError from one row to the next
   }
   const double from_s = t_s[startOf(model, groups, errors.first(judged))];
   Drift drift{DriftKind::kDrift, from_s};

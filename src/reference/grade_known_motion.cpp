@@ -20,7 +20,7 @@ bool KnownMotion::extend(const MotionMaker& maker, const physics::TimeSpan& span
     parts_.push_back(std::move(part));
     return true;
   } catch (const core::Error&) {
-    return false;  // grading goes on without other times
+    return false;  // grading continues without these times
   }
 }
 

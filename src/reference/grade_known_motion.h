@@ -10,19 +10,19 @@
 
 namespace poinsot::reference {
 
-/// Function that makes the motion that a log is graded against, known over a given span. May throw core::Error.
+/// Function that makes the motion for a given span of time, to compare a log with it. May throw core::Error.
 using MotionMaker = std::function<std::unique_ptr<const physics::Motion>(const physics::TimeSpan&)>;
 
-/// One motion, known over several spans of time. A driven motion is integrated over each span that is needed.
+/// Motion that is known over several spans of time. A driven motion is integrated separately for each span.
 class KnownMotion {
  public:
   /// @param motion  must outlive this object
-  /// @param span  span over which `motion` is known, extended to include 0
+  /// @param span  times at which `motion` is known; 0 is always included
   KnownMotion(const physics::Motion& motion, const physics::TimeSpan& span)
       : motion_(motion), span_{std::min(0., span.from_s), std::max(0., span.to_s)} {}
 
-  /// Makes the motion known over another span, too. Returns false if this fails because of too many steps, of
-  /// losses that cannot be followed backwards, or of times out of range.
+  /// Adds another span of time to the motion. Returns false on failure: too many integration steps, dissipation
+  /// that cannot be followed backwards, or times out of range.
   bool extend(const MotionMaker& maker, const physics::TimeSpan& span);
 
   bool knows(double t_s) const { return motionAt(t_s) != nullptr; }

@@ -13,7 +13,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using physics::Quaternion;
 
-constexpr double kExact = 1e-10;  // misfits below differ only by rounding
+constexpr double kExact = 1e-10;  // smaller misfits differ only by rounding
 
 class MeanSquare {
  public:
@@ -41,7 +41,7 @@ bool hasOmega(const LoggedState& s) { return s.omega_B || s.omega_W; }
 Hypothesis scaledOmega(const std::string& unit, double unit_radPerS) {
   return hypothesis(
       hasOmega,
-      {Aspect::kUnit, {"omega is in " + unit, "its columns are in rad/s"}, [unit_radPerS](LoggedState s) {
+      {Aspect::kUnit, {"omega is in " + unit, "its columns must be in rad/s"}, [unit_radPerS](LoggedState s) {
          for (auto* omega : {&s.omega_B, &s.omega_W})
            if (*omega) **omega *= unit_radPerS;
          return s;
@@ -49,14 +49,15 @@ Hypothesis scaledOmega(const std::string& unit, double unit_radPerS) {
 }
 
 Hypothesis scaledTime(const std::string& unit, double perSecond) {
-  return hypothesis([](const LoggedState&) { return true; },
-                    {Aspect::kTimeUnit, {"t is in " + unit, "its column is in s"}, [perSecond](LoggedState s) {
-                       s.t_s /= perSecond;
-                       return s;
-                     }});
+  return hypothesis(
+      [](const LoggedState&) { return true; },
+      {Aspect::kTimeUnit, {"t is in " + unit, "its column must be in s"}, [perSecond](LoggedState s) {
+         s.t_s /= perSecond;
+         return s;
+       }});
 }
 
-/// Solves omega + alpha (I omega) × omega = rate for omega, rad/s, by Newton's method from omega = rate.
+/// Solves omega + alpha (I omega) × omega = rate for omega in rad/s, by Newton's method from omega = rate.
 Vector3d omegaTurningAt(const Vector3d& rate, const Matrix3d& I, double alpha) {
   const auto crossing = [](const Vector3d& v) {
     Matrix3d m;

@@ -17,19 +17,20 @@ using Eigen::Vector3d;
 using physics::Quaternion;
 using physics::RigidBodyState;
 
-constexpr double kStep_rad = 0.1;       // step of the search: a minimum of the distance is wider
-constexpr double kReach_rad = 1000;     // largest reach to either side
-constexpr double kLeastReach_rad = 20;  // reach for a short log: three turns
-constexpr double kNear_rad = 0.3;       // largest distance of a candidate for the first row
-constexpr double kClock_s = 1e8;        // three years; larger shifts come from a calendar's clock
-constexpr std::size_t kProbeRows = 16;  // enough to discard unlikely shifts
-constexpr double kUnlike = 0.5;         // rms over these rows, in rad or relative to omega, that discards a shift
+constexpr double kStep_rad = 0.1;       // step of the search, smaller than the width of a minimum
+constexpr double kReach_rad = 1000;     // largest shift to search, to either side
+constexpr double kLeastReach_rad = 20;  // shift to search for a short log: three turns
+constexpr double kNear_rad = 0.3;       // largest distance between the first row and a candidate
+constexpr double kClock_s = 1e8;        // three years; a larger shift suggests calendar time
+constexpr std::size_t kProbeRows = 16;  // rows for the first check of a candidate
+constexpr double kUnlike = 0.5;         // rms over these rows, rad or relative; larger: discarded
 constexpr std::size_t kFewCandidates = 24;
-constexpr double kEqualMeans = 4;  // factor below which two mean squares count as equal
-constexpr double kNoise = 1e-20;   // mean square of rounding
-constexpr int kRounds = 30;        // limit on rounds of the fit, which takes five
+constexpr double kEqualMeans = 4;  // two mean squares within this factor count as equal
+constexpr double kNoise = 1e-20;   // mean square of rounding errors
+constexpr int kRounds = 30;        // limit on the iterations of the fit; about five are needed
 
-/// Returns the differences of a row from a state: rotation vector of the attitude, rad; omega relative to `scale`.
+/// Returns the differences between a row and a state: attitude (rotation vector, rad) and omega (relative to
+/// `scale`).
 std::array<Vector3d, 3> differences(const LoggedState& theirs, const RigidBodyState& ours, double scale) {
   std::array<Vector3d, 3> d{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
   if (theirs.q_WB) {
@@ -46,7 +47,7 @@ double squared(const std::array<Vector3d, 3>& d) {
   return d[0].squaredNorm() + d[1].squaredNorm() + d[2].squaredNorm();
 }
 
-/// Returns the decimal with the fewest digits within `tolerance` of a value.
+/// Returns the decimal number with the fewest digits that differs from `value` by at most `tolerance`.
 double shortestNear(double value, double tolerance) {
   for (int digits = 1; digits < std::numeric_limits<double>::max_digits10; ++digits) {
     const double rounded = *core::parseNumber(fmt::format("{:.{}g}", value, digits));
@@ -57,7 +58,7 @@ double shortestNear(double value, double tolerance) {
 
 struct Candidate {
   double shift_s = 0;
-  double mean = 0;  ///< mean square of the differences
+  double mean = 0;  ///< mean square of the differences between log and motion
 };
 
 class ShiftSearch {
@@ -81,16 +82,16 @@ class ShiftSearch {
   physics::TimeSpan span_;
   bool prepared_ = false;
   double scale_ = 0, step_s_ = 0;
-  std::vector<std::vector<RigidBodyState>> scans_;  // states at the times that the first row may have
+  std::vector<std::vector<RigidBodyState>> scans_;  // states of the motion to compare with the first row
 };
 
-/// Samples the motion at times that the first row may have: around its time as written, and around 0.
+/// Computes the motion at possible times of the first row: near the time in the log, and near 0.
 void ShiftSearch::prepare(const LogSample& sample) {
   prepared_ = true;
   if (!maker_) return;
   const double length_s = span_.to_s - span_.from_s;
   scale_ = largestOmega(sample);
-  if (motion_.extend(maker_, {0, length_s}))  // at 0, losses have not slowed the body
+  if (motion_.extend(maker_, {0, length_s}))  // at t = 0, before dissipation, the body is fastest
     scale_ = std::max(scale_, motion_.at(0).omega_B.norm());
   if (!(scale_ > 0)) return;
   step_s_ = kStep_rad / scale_;
@@ -104,7 +105,7 @@ void ShiftSearch::prepare(const LogSample& sample) {
   scan({first_s - reach_s, first_s + reach_s});
 }
 
-/// Samples the motion for a range of starts, from 0 on if its losses cannot be followed backwards.
+/// Computes the motion at possible start times. Begins at 0 if the dissipation cannot be followed backwards.
 void ShiftSearch::scan(const physics::TimeSpan& starts) {
   double from_s = starts.from_s;
   const double end_s = starts.to_s + span_.to_s - span_.from_s;
@@ -113,11 +114,11 @@ void ShiftSearch::scan(const physics::TimeSpan& starts) {
     if (!(from_s < starts.to_s) || !motion_.extend(maker_, {from_s, end_s})) return;
   }
   std::vector<RigidBodyState>& states = scans_.emplace_back();
-  const auto count = static_cast<std::size_t>((starts.to_s - from_s) / step_s_);  // 40 000 at most
+  const auto count = static_cast<std::size_t>((starts.to_s - from_s) / step_s_);  // at most 40 000
   for (std::size_t k = 0; k < count; ++k) states.push_back(motion_.at(from_s + static_cast<double>(k) * step_s_));
 }
 
-/// Returns the shifts at which the motion comes closest to the first row.
+/// Returns the shifts for which the motion is closest to the first row.
 std::vector<double> ShiftSearch::likelyShifts(const LogSample& sample) const {
   const LoggedState& first = sample.theirs.front();
   std::vector<double> shifts;
@@ -145,7 +146,7 @@ double ShiftSearch::meanOver(const LogSample& sample, double shift_s, std::size_
   return sum / count;
 }
 
-/// Fits the shift to all rows by the Gauss-Newton method, with slopes by differences.
+/// Fits the shift to all rows with the Gauss-Newton method. Derivatives are central differences.
 double ShiftSearch::fitted(const LogSample& sample, double shift_s) const {
   const double h_s = 1e-4 / scale_;
   for (int round = 0; round < kRounds; ++round) {
@@ -176,7 +177,7 @@ std::string shiftRemark(double shift_s, double first_s) {
                      std::abs(shift_s), first_s + shift_s);
 }
 
-/// Returns the shift that fits best; of equally good ones, the smallest.
+/// Returns the shift that fits best. If several fit equally well, returns the smallest.
 std::optional<double> ShiftSearch::bestShift(const LogSample& sample) const {
   std::vector<Candidate> candidates;
   for (const double shift_s : likelyShifts(sample)) {

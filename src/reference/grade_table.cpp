@@ -20,16 +20,16 @@
 namespace poinsot::reference {
 namespace {
 
-constexpr std::ptrdiff_t kFewestNames = 2;  // known names that make a comment a header
+constexpr std::ptrdiff_t kFewestNames = 2;  // known column names that make a comment a header
 
 struct Field {
   std::string_view text;
-  int column = 1;  ///< position of the first byte, from 1
+  int column = 1;  ///< position of the first byte in the line, from 1
 };
 
 constexpr std::string_view kBlanks = " \t\r";
 
-/// Returns the end of the field that starts at `from`: a separator outside quotes, or the end of the line.
+/// Returns the end of the field that starts at `from`: the next separator outside quotes, or the end of the line.
 std::size_t endOfField(std::string_view line, std::size_t from, std::string_view separators) {
   bool quoted = false;
   for (std::size_t i = from; i < line.size(); ++i) {
@@ -39,8 +39,8 @@ std::size_t endOfField(std::string_view line, std::size_t from, std::string_view
   return line.size();
 }
 
-/// Splits a line at commas or, without commas, at blanks. numpy.savetxt separates numbers by blanks, but writes
-/// the header as given.
+/// Splits a line at commas, or at spaces and tabs if there are no commas. numpy.savetxt writes spaces between
+/// numbers, but users may write commas in its header.
 void splitFields(std::string_view line, std::vector<Field>& fields, std::size_t start = 0) {
   fields.clear();
   const bool commas = endOfField(line, start, ",") < line.size();
@@ -56,7 +56,7 @@ void splitFields(std::string_view line, std::vector<Field>& fields, std::size_t 
 }
 
 struct Cursor {
-  std::string_view rest;  ///< lines still to be read
+  std::string_view rest;  ///< lines that have not been read yet
   std::string_view line;
   int number = 0;
 };
@@ -87,8 +87,8 @@ class Reader {
                       core::SourceLocation{core::printable(fileName_), cursor_.number, 0});
   }
 
-  /// Goes to the next line that is neither blank nor a comment. Above the header, also looks for names in
-  /// comments.
+  /// Moves to the next line that is neither blank nor a comment. Before the header is found, also searches
+  /// comments for column names.
   bool nextLine() {
     while (!cursor_.rest.empty()) {
       std::string_view& line = cursor_.line;
@@ -104,7 +104,7 @@ class Reader {
     return false;
   }
 
-  /// Remembers the first comment that names at least two known columns.
+  /// Stores the position of the first comment with at least two known column names.
   void readComment() {
     hasComments_ = true;
     if (names_) return;
@@ -115,12 +115,13 @@ class Reader {
     if (std::ranges::count_if(fields_, known) >= kFewestNames) names_ = cursor_;
   }
 
-  /// Finds the header: the first line or, if that holds numbers, a comment above it, as numpy.savetxt writes it.
+  /// Finds the header. This is the first line, unless it contains numbers. Then the header is a comment above, as
+  /// written by numpy.savetxt.
   void findHeader() {
     const bool found = nextLine();
     if (found) splitFields(cursor_.line, fields_);
     if (found && !core::parseNumber(fields_[0].text)) return;
-    if (!found && !names_) fail("is empty; its first line names the columns");
+    if (!found && !names_) fail("is empty; expected a first line with the names of the columns");
     if (!names_) return;
     cursor_ = *names_;
     splitFields(cursor_.line, fields_, cursor_.line.find('#') + 1);
@@ -132,7 +133,7 @@ class Reader {
     for (const Field& field : fields_) names.emplace_back(field.text);
     columns_ = GradeColumns(names);
     if (const auto twice = columns_.repeated())
-      fail(fmt::format("column {} is there twice", names[*twice]), cursor_.number, fields_[*twice].column);
+      fail(fmt::format("column {} occurs twice", names[*twice]), cursor_.number, fields_[*twice].column);
     if (!columns_.hasTime()) fail(withoutTime(), cursor_.number);
     if (const std::string lack = columns_.lack(); !lack.empty()) fail(lack, cursor_.number);
     row_.resize(columns_.known().size());
@@ -140,21 +141,21 @@ class Reader {
 
   std::string withoutTime() const {
     if (std::ranges::any_of(fields_, [](const Field& f) { return f.text.find(';') != std::string_view::npos; }))
-      return "semicolons: columns are separated by commas or blanks here, and numbers have a decimal point";
+      return "columns are separated by semicolons; expected commas or blanks, and numbers with a decimal point";
     if (core::parseNumber(fields_[0].text))
       return hasComments_
-                 ? "no line names the columns: this one holds numbers, and no comment above has names that "
-                   "are known here; name them as in t,q_w,q_x,q_y,q_z,..., with or without a # before"
-                 : "the first line holds numbers; it names the columns: t,q_w,q_x,q_y,q_z,...";
+                 ? "no line names the columns: this line holds numbers, and no comment above it has known names; "
+                   "name them as in t,q_w,q_x,q_y,q_z,..., with or without a leading #"
+                 : "the first line holds numbers; expected the names of the columns: t,q_w,q_x,q_y,q_z,...";
     const std::string meant = columns_.timeHint();
     return "no column t" +
-           (meant.empty() ? "; the first line names the columns, separated by commas or blanks" : meant);
+           (meant.empty() ? "; the first line must name the columns, separated by commas or blanks" : meant);
   }
 
   void readRow() {
     splitFields(cursor_.line, fields_);
     if (fields_.size() != columns_.size())
-      fail(fmt::format("{} values in a row, where the header has {} columns", fields_.size(), columns_.size()),
+      fail(fmt::format("the row has {} values, but the header has {} columns", fields_.size(), columns_.size()),
            cursor_.number);
     std::size_t next = 0;
     for (std::size_t i = 0; i < fields_.size(); ++i)
@@ -167,14 +168,15 @@ class Reader {
     const auto value = core::parseNumber(field.text);
     const std::string_view name = kTrajectoryColumns[column].name;
     if (!value)
-      fail(fmt::format("{}: no number: '{}'", name, core::printable(field.text)), cursor_.number, field.column);
+      fail(fmt::format("{}: '{}' is not a number", name, core::printable(field.text)), cursor_.number,
+           field.column);
     if (column == kTimeAt && !std::isfinite(*value))
-      fail(fmt::format("t: no time: {}", *value), cursor_.number, field.column);
+      fail(fmt::format("t: {} is not a finite number", *value), cursor_.number, field.column);
     return *value;
   }
 
   Cursor cursor_;
-  std::optional<Cursor> names_;  // position of the comment that names columns
+  std::optional<Cursor> names_;  // position of the comment with the column names
   bool hasComments_ = false;
   std::string fileName_;
   std::vector<Field> fields_;
@@ -206,7 +208,7 @@ TrajectoryTable trajectoryTableOf(const std::vector<NamedColumn>& named) {
   for (const NamedColumn& one : named) names.push_back(one.name);
   const GradeColumns columns(names);
   if (const auto twice = columns.repeated())
-    refuse(core::ErrorKind::kUsage, fmt::format("column {} is there twice", names[*twice]));
+    refuse(core::ErrorKind::kUsage, fmt::format("column {} occurs twice", names[*twice]));
   if (!columns.hasTime()) refuse(core::ErrorKind::kUsage, "no column t" + columns.timeHint());
   if (const std::string lack = columns.lack(); !lack.empty()) refuse(core::ErrorKind::kUsage, lack);
 
@@ -227,7 +229,7 @@ TrajectoryTable trajectoryTableOf(const std::vector<NamedColumn>& named) {
   std::vector<double> row(known.size());
   for (std::size_t k = 0; k < times_s.size(); ++k) {
     if (!std::isfinite(times_s[k]))
-      refuse(core::ErrorKind::kUsage, fmt::format("t[{}]: no time: {}", k, times_s[k]));
+      refuse(core::ErrorKind::kUsage, fmt::format("t[{}]: {} is not a finite number", k, times_s[k]));
     for (std::size_t i = 0; i < known.size(); ++i) row[i] = known[i][k];
     table.append(row, {});
   }
@@ -245,7 +247,8 @@ TrajectoryTable readTrajectoryTable(const std::string& fileName) {
   }
   if (csv.size() > kMostTableBytes)
     throw core::Error(core::ErrorKind::kLimit,
-                      fmt::format("has more than {} MiB, the most that are read", kMostTableBytes >> 20), place);
+                      fmt::format("is larger than {} MiB, the largest size that is read", kMostTableBytes >> 20),
+                      place);
   return parseTrajectoryTable(csv, fileName);
 }
 

@@ -13,12 +13,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kNearlyWhole = 0.25;  // distance of an order of growth from a whole number that has a name
+constexpr double kNearlyWhole = 0.25;  // an exponent this close to 1 is called "linear", and so on
 
 constexpr std::string_view kRow = "{:<18} {:>9} {:<{}} {:>11} {:>10} {:>10}   {}\n";
 
 std::string growthText(const Drift& drift) {
-  if (drift.growth == Growth::kExponential) return fmt::format(", times e every {:.3g} s", 1 / drift.rate);
+  if (drift.growth == Growth::kExponential)
+    return fmt::format(", by a factor of e every {:.3g} s", 1 / drift.rate);
   if (drift.growth == Growth::kUnclear) return "";
   constexpr std::array kNames{", then level", ", linear", ", quadratic", ", cubic"};
   const double whole = std::round(drift.order);
@@ -30,7 +31,7 @@ std::string growthText(const Drift& drift) {
 std::string driftText(const Drift& drift) {
   switch (drift.kind) {
     case DriftKind::kTooFewRows:
-      return "(too few rows to tell)";
+      return "unknown: too few rows";
     case DriftKind::kRounding:
       return "none: rounding";
     case DriftKind::kLevel:
@@ -45,7 +46,7 @@ constexpr std::array kTrendWords{"none", "loses", "gains"};
 
 constexpr const char* trendWord(Trend trend) { return kTrendWords[static_cast<std::size_t>(trend)]; }
 
-/// Returns the error at the last row, with its sign if it has one and exceeds rounding: "-5.91e-02".
+/// Returns the error at the last row, such as "-5.91e-02". Errors within rounding get no sign.
 std::string finalText(const ErrorSummary& errors) {
   const bool hasSign = errors.signedFinal && errors.drift.kind != DriftKind::kRounding;
   return hasSign ? fmt::format("{:+.2e}", *errors.signedFinal) : fmt::format("{:.2e}", errors.final);
@@ -65,7 +66,7 @@ std::string row(const GradedQuantity& quantity, std::size_t unitWidth) {
                      driftText(e.drift) + trend);
 }
 
-/// Returns a sentence on the errors with a trend: "T -5.9e-02 (loses), |L| -3.0e-02 (loses)".
+/// Returns a sentence about errors with a trend, with texts such as "T -5.9e-02 (loses), |L| -3.0e-02 (loses)".
 std::string trendText(const Grade& grade) {
   std::string text;
   for (const GradedQuantity& quantity : grade.quantities) {
@@ -80,12 +81,12 @@ std::string sentence(const std::string& note) {
   return fmt::format("Note: {}{}\n", note, note.ends_with('?') || note.ends_with('.') ? "" : ".");
 }
 
-/// Lists the quantities that are computed from other columns; the rest need no remark.
+/// Returns a line for each quantity that is computed from other columns.
 std::string derivedText(const Grade& grade) {
   std::string text;
   for (const GradedQuantity& quantity : grade.quantities)
     if (quantity.errors && quantity.from.find("omega") != std::string::npos && !quantity.key.starts_with("omega"))
-      text += fmt::format("{} is worked out from {}.\n", quantity.label, quantity.from);
+      text += fmt::format("{} is computed from {}.\n", quantity.label, quantity.from);
   return text;
 }
 

@@ -20,11 +20,11 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 using physics::Quaternion;
 
-constexpr double kTurned_rad = 0.001;  // smaller turns are not a choice of axes
+constexpr double kTurned_rad = 0.001;  // smaller angles count as rounding, not as other axes
 
-const double kExchangeAllowance = std::log(20.);  // excess tolerated in a score of exchanged axes
+const double kExchangeAllowance = std::log(20.);  // largest excess of the score if axes are exchanged
 
-/// Rotations from components along the log's axes to components along the scene's axes.
+/// Rotations from components along the log's axes to components along the scene's axes, for body and space.
 struct Turn {
   Quaternion body = Quaternion::Identity(), space = Quaternion::Identity();
 };
@@ -45,7 +45,7 @@ LoggedState turned(LoggedState s, const Turn& turn, Columns columns) {
   return s;
 }
 
-/// Returns the rotations that map coordinate axes to coordinate axes, half turns first, without the identity.
+/// Returns the rotations that map coordinate axes to coordinate axes, except the identity. Half turns come first.
 std::vector<Quaternion> makeExchanges() {
   std::vector<Quaternion> turns;
   std::array<int, 3> axes{0, 1, 2};
@@ -66,9 +66,9 @@ const std::vector<Quaternion>& exchanges() {
   return turns;
 }
 
-/// Least-squares fit of the turn that takes vectors or rotations of the log to those of the motion. Both the fit
-/// of vectors and the mean of rotations, of either sign, maximise a quadratic form in the turn's unit quaternion
-/// (P. Davenport's q-method; F. L. Markley et al., J. Guid. Control Dyn. 30 (2007) 1193).
+/// Least-squares fit of a rotation that maps vectors or attitudes of the log to those of the motion. Both kinds of
+/// fit maximise a quadratic form in the unit quaternion of the rotation, so the signs of quaternions have no
+/// effect (P. Davenport's q-method; F. L. Markley et al., J. Guid. Control Dyn. 30 (2007) 1193).
 class TurnFit {
  public:
   void add(const Vector3d& ours, const Vector3d& theirs) {
@@ -81,11 +81,12 @@ class TurnFit {
   }
   void add(const Quaternion& turn) { form_ += turn.coeffs() * turn.coeffs().transpose(); }
 
-  /// Returns the best turn; if several are as good, as for parallel vectors, the one by the smallest angle.
+  /// Returns the rotation that fits best. If several fit equally well, for example for parallel vectors, returns
+  /// the one with the smallest angle.
   Quaternion turn() const {
     constexpr double kEqual = 1e-14;
     const Eigen::SelfAdjointEigenSolver<Matrix4d> solver(form_);
-    const Vector4d& values = solver.eigenvalues();  // ascending
+    const Vector4d& values = solver.eigenvalues();  // in ascending order
     const double least = values[3] - kEqual * values.cwiseAbs().maxCoeff();
     Vector4d best = solver.eigenvectors().col(3), smallest = Vector4d::Zero();
     for (int i = 0; i < 4; ++i)
@@ -95,10 +96,10 @@ class TurnFit {
   }
 
  private:
-  Matrix4d form_ = Matrix4d::Zero();  ///< in the components x, y, z, w
+  Matrix4d form_ = Matrix4d::Zero();  ///< rows and columns in the order x, y, z, w
 };
 
-/// Returns the axis of a rotation times the sine of its angle, a vector that turns with the axes.
+/// Returns the axis of a rotation times the sine of its angle. This vector rotates with the axes.
 Vector3d axialOf(const Quaternion& q) { return 2 * q.w() * q.vec(); }
 
 template <class Add>
@@ -108,13 +109,14 @@ TurnFit fitOver(const LogSample& sample, const Add& add) {
   return fit;
 }
 
-/// Returns the unit of omega, in rad/s, in which omega weighs as much as a rotation.
+/// Returns the largest |omega| of a sample, by which omega is divided to give it the weight of a rotation; never
+/// 0.
 double scaleOf(const LogSample& sample) {
   const double largest = largestOmega(sample);
   return largest > 0 ? largest : 1;
 }
 
-/// Fits the turn of the body's axes to omega_B and to the rotations since the first row.
+/// Fits a rotation of the body's axes to omega_B and to the change of the attitude since the first row.
 Quaternion fittedBody(const LogSample& sample) {
   const double scale = scaleOf(sample);
   const Quaternion ours0 = sample.ours.front().q_WB.conjugate();
@@ -166,7 +168,7 @@ LogSample turned(LogSample sample, const Turn& turn, Columns columns) {
   return sample;
 }
 
-/// Returns the fitted turn, or an exchange of axes if that fits about as well.
+/// Returns an exchange of axes if one fits about as well as `fitted`. Otherwise returns `fitted`.
 Quaternion chosenTurn(const Quaternion& fitted, const std::function<double(const Quaternion&)>& score) {
   const auto best = std::ranges::min_element(exchanges(), {}, score);
   return score(*best) <= score(fitted) + kExchangeAllowance ? *best : fitted;
@@ -201,7 +203,7 @@ Turn both(const Quaternion& q) { return {q, q}; }
 Turn body(const Quaternion& q) { return {q, Quaternion::Identity()}; }
 Turn space(const Quaternion& q) { return {Quaternion::Identity(), q}; }
 
-/// Returns the turn of the space axes that fits after the body's axes are turned.
+/// Returns the rotation of the space axes that fits best if the body's axes are rotated by `bodyTurn`.
 Quaternion spaceBeside(const LogSample& sample, const Quaternion& bodyTurn) {
   const LogSample half = turned(sample, body(bodyTurn), Columns::kAll);
   return chosenTurn(fittedSpaceAlone(half), [&](const Quaternion& candidate) {

@@ -7,21 +7,21 @@
 
 namespace poinsot::reference {
 
-/// Returns hypotheses that a log's axes are turned by a constant rotation, which is fitted. Rotations that
-/// exchange or reverse the coordinate axes are preferred. The frames turned are, in order: both alike
-/// (forward-right-down, left-handed axes), the body's, that of space, one frame of q alone, and one of omega
-/// alone.
+/// Returns hypotheses that the log's axes are rotated by a constant rotation, which is fitted. Rotations that
+/// exchange or reverse coordinate axes are preferred. The rotated axes are, in this order: body and space alike
+/// (such as forward-right-down, or left-handed axes), body, space, body or space for q only, and the axes of omega
+/// only.
 ///
-/// Mirrors need no hypothesis of their own. With M the matrix of the mirrored axes, R' = M R M^-1, and omega' =
-/// det(M) M omega, because omega and L are axial vectors. The proper rotation -M has the same effect.
+/// Mirrored axes need no hypothesis of their own. If M is the matrix of the mirrored axes, then R' = M R M^-1.
+/// Because omega and L are axial vectors, omega' = det(M) M omega. The rotation -M has the same effect.
 std::vector<Hypothesis> turnHypotheses();
 
-/// Returns a hypothesis for each exchange of coordinate axes, with both frames turned alike. Try them before a
-/// hypothesis that cannot be fitted while the axes are turned.
+/// Returns a hypothesis for each exchange of coordinate axes, the same for body and space. Combine these
+/// hypotheses with others that can be fitted only after the axes are right.
 std::vector<Hypothesis> exchangeHypotheses();
 
-/// Returns the hypothesis that both frames are turned, each by a rotation of its own. Try this hypothesis last,
-/// because its six free numbers also fit many other conventions.
+/// Returns the hypothesis that the axes of body and space are rotated differently. Try this hypothesis last,
+/// because its six free parameters also fit many other conventions.
 Hypothesis twoTurnsHypothesis();
 
 }  // namespace poinsot::reference

@@ -14,8 +14,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using physics::Quaternion;
 
-/// Usual name of a turn of both frames that only exchanges axes and signs; `mapping` is the scene's x, y, z in
-/// terms of the log's. Some names speak of mirrors, because a mirror and a rotation have the same effect
+/// Common name for an exchange of axes, the same for body and space. `mapping` gives the scene's x, y, z in terms
+/// of the log's axes. Some names contain "mirrored", because a mirror and a rotation have the same effect
 /// (grade_turn.h).
 struct KnownAxes {
   std::string_view mapping, name;
@@ -28,10 +28,11 @@ constexpr KnownAxes kKnownAxes[] = {
     {"-x, -z, -y", "the same as y and z exchanged: left-handed axes with y up (Unity)"},
     {"y, x, -z", "north-east-down and east-north-up axes"},
     {"x, -z, y", "axes with y up"},
-    {"x, z, -y", "axes with z up for the scene's with y up"},
+    {"x, z, -y", "axes with z up, where the scene has y up"},
 };
 
-/// Returns the scene's axes in terms of the log's, such as "x, -y, -z"; empty unless the turn exchanges axes.
+/// Returns the scene's axes in terms of the log's axes, such as "x, -y, -z". Empty if the rotation does more than
+/// exchange or reverse axes.
 std::string mappingOf(const Quaternion& toScene) {
   const Matrix3d m = toScene.toRotationMatrix();
   std::string mapping;
@@ -43,7 +44,7 @@ std::string mappingOf(const Quaternion& toScene) {
   return mapping;
 }
 
-/// Returns "x" for (1, 0, 0); for other axes, the components.
+/// Returns "x" for (1, 0, 0), and so on. For an axis between the coordinate axes, returns its components.
 std::string axisText(const Vector3d& axis) {
   Eigen::Index largest = 0;
   axis.cwiseAbs().maxCoeff(&largest);
@@ -52,8 +53,8 @@ std::string axisText(const Vector3d& axis) {
   return fmt::format("({:.3g}, {:.3g}, {:.3g})", rounded(axis[0]), rounded(axis[1]), rounded(axis[2]));
 }
 
-/// Returns the angle, at most 180 deg, and the axis of a turn. At 180 deg, the axis's first nonzero component is
-/// positive.
+/// Returns the angle and the axis of a rotation as text. The angle is at most 180 deg. At 180 deg, the first
+/// nonzero component of the axis is positive.
 std::string turnText(const Quaternion& turn) {
   Vector3d axis = (turn.w() < 0 ? -1 : 1) * turn.vec().normalized();
   if (std::abs(turn.w()) < 1e-9)
@@ -92,7 +93,7 @@ FitCause turnCause(TurnedAxes axes, const Quaternion& toScene) {
       {"the axes of omega are", "turn omega"},
   };
   const auto& [subject, formula] = words[static_cast<std::size_t>(axes)];
-  // In the scene's axes, q is space q body^-1, so a turn of the body's axes stands on the right.
+  // With the scene's axes, the attitude is space q body^-1, so a rotation of the body's axes is to the right of q.
   const bool onTheRight = axes == TurnedAxes::kBody || axes == TurnedAxes::kBodyOfAttitude;
   return {
       fmt::format("{} turned by {}", subject, turnText(onTheRight ? Quaternion(toScene.conjugate()) : toScene)),

@@ -19,29 +19,30 @@ namespace poinsot::reference {
 namespace {
 
 bool isFarOff(const Grade& grade) {
-  constexpr double kFarOff = 0.1;  // rad, or relative to omega
+  constexpr double kFarOff = 0.1;  // rms error, rad or relative
   return std::ranges::any_of(grade.quantities, [](const GradedQuantity& quantity) {
     return quantity.errors && quantity.errors->rms > kFarOff;
   });
 }
 
-/// Returns a note if the log's times go far beyond the film's: they may be milliseconds, or another clock's.
+/// Returns a note if the log's times are far beyond the film's, perhaps in milliseconds or from another clock.
 std::string timeNote(const Grade& grade, const scene::Scene& scene, const physics::TimeSpan& span) {
   constexpr double kFar = 20;
   const double end_s = scene.time.start_s + scene::chosenSpeed(scene) * scene.time.duration_s;
   const double theirs_s = std::max(std::abs(span.from_s), std::abs(span.to_s));
   if (grade.fit || !isFarOff(grade) || !(std::abs(end_s) > 0) || theirs_s < kFar * std::abs(end_s)) return "";
   return fmt::format(
-      "their times go to {:.4g} s, the film's motion to {:.4g} s; t is the motion's time in seconds", theirs_s,
-      end_s);
+      "the log's times go to {:.4g} s, the film's motion to {:.4g} s; t must be the motion time in seconds",
+      theirs_s, end_s);
 }
 
-/// Returns the errors of a log whose first row is taken at motion time 0; empty if that motion is too long, too.
+/// Returns a note on the errors of a log with its first row moved to time 0. Empty if that motion is too long,
+/// too.
 std::string noteFromFirstRow(const MotionMaker& maker, const TrajectoryTable& theirs) {
   try {
     return firstRowNote(gradeFromZero(maker, theirs));
   } catch (const core::Error&) {
-    return "";  // the caller reports the error of the log as written
+    return "";  // the caller reports the error for the log as written
   }
 }
 
@@ -52,7 +53,8 @@ std::size_t farthestRow(const TrajectoryTable& theirs) {
   return farthest;
 }
 
-/// Makes the motion over a log's times. @throws core::Error as gradeAgainst(), at the place of the farthest time.
+/// Makes the motion over the log's times.
+/// @throws core::Error as gradeAgainst(), with the position of the farthest time
 std::unique_ptr<const physics::Motion> motionOver(const MotionMaker& maker, const TrajectoryTable& theirs) {
   const physics::TimeSpan span = spanOf(theirs);
   try {
@@ -64,7 +66,7 @@ std::unique_ptr<const physics::Motion> motionOver(const MotionMaker& maker, cons
     throw core::Error(error.kind(),
                       note.empty()
                           ? error.message()
-                          : fmt::format("{}; their t starts at {} s: {}", error.message(), span.from_s, note),
+                          : fmt::format("{}; the log's t starts at {} s: {}", error.message(), span.from_s, note),
                       theirs.placeOfTime(farthestRow(theirs)));
   }
 }
@@ -88,7 +90,7 @@ double attitudeLimit_rad(std::string_view name, std::string_view word) {
   const auto quantity =
       number ? scene::Quantity{*number, ""} : scene::parseQuantity(text, scene::Dimension::kAngle);
   if (quantity.ok() && quantity.value >= 0) return quantity.value;
-  throw core::usageError(fmt::format("{} '{}': an angle that is not negative, such as 1e-6 (rad) or '0.1 deg'",
+  throw core::usageError(fmt::format("{} '{}': must be an angle of at least 0, such as 1e-6 (rad) or '0.1 deg'",
                                      name, core::printable(text)));
 }
 

@@ -12,8 +12,8 @@ namespace poinsot::reference {
 
 namespace {
 
-constexpr std::size_t kPiece = 1 << 16;   // capacity of a pipe
-constexpr std::size_t kLongestRow = 660;  // bytes of 21 numbers, reserved beyond a piece
+constexpr std::size_t kPiece = 1 << 16;   // the capacity of a pipe
+constexpr std::size_t kLongestRow = 660;  // bytes of the longest row, 21 numbers
 
 constexpr const char* kJsonFormat = "poinsot trajectory 1";
 constexpr const char* kAxes =

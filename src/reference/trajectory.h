@@ -14,20 +14,20 @@
 namespace poinsot::reference {
 
 enum class TrajectoryFormat {
-  kCsv,   ///< a header with the column names, then one line per time
-  kJson,  ///< an object with format, scene, units, axes, columns and rows
+  kCsv,   ///< header with the column names, then one line per time
+  kJson,  ///< object with format, scene, units, axes, columns and rows
 };
 
-/// Returns the first line of a CSV trajectory, without newline. @param alpha  energy loss, s/(kg·m²).
+/// Returns the first line of a CSV trajectory, without newline. @param alpha  dissipation, s/(kg·m²)
 std::string trajectoryHeader(double alpha = 0);
 
-/// Returns the first bytes of every trajectory in a format, by which an earlier output is recognised.
+/// Returns the first bytes of every trajectory in this format, which identify an earlier output.
 std::string trajectoryMark(TrajectoryFormat format);
 
 using TextSink = std::function<void(std::string_view)>;
 
-/// Writes the motion at some times, in pieces of about 64 kB, of which memory never holds more than one. Numbers
-/// are the shortest decimals that read back as the same doubles.
+/// Writes the motion at the given times, in pieces of about 64 kB, so that little memory is needed. Numbers are
+/// the shortest decimals that read back as the same doubles.
 /// @throws core::Error(kLimit) if the phase of the motion at a time exceeds the range of a double;
 /// process::Interrupted
 void writeTrajectory(const physics::Motion& motion, const TrajectoryTimes& times, TrajectoryFormat format,
@@ -37,10 +37,9 @@ struct TrajectoryColumn {
   std::string_view name, unit;
 };
 
-/// Columns of a trajectory, in order: t; q, which takes components along the body's axes B, as the scene gives
-/// them, to components along the inertial axes W; angular velocity I^-1 m in B and W; angular momentum; rotational
-/// energy. With dissipation, the rate at which the attitude turns, in B and W, follows, because it then differs
-/// from omega.
+/// Columns of a trajectory, in order: time; q, which maps components along the scene's body axes B to components
+/// along the inertial axes W; angular velocity I^-1 m in B and in W; angular momentum; rotational energy. With
+/// dissipation, the angular velocity of the attitude follows, in B and in W, because it then differs from omega.
 inline constexpr std::array<TrajectoryColumn, 21> kTrajectoryColumns{{{"t", "s"},
                                                                       {"q_w", "1"},
                                                                       {"q_x", "1"},
@@ -63,7 +62,7 @@ inline constexpr std::array<TrajectoryColumn, 21> kTrajectoryColumns{{{"t", "s"}
                                                                       {"rate_W_y", "rad/s"},
                                                                       {"rate_W_z", "rad/s"}}};
 
-/// Index of the first column of each quantity.
+/// Index in kTrajectoryColumns of the first column of each quantity.
 enum TrajectoryPlace : std::size_t {
   kTimeAt = 0,
   kQAt = 1,
@@ -79,9 +78,9 @@ using TrajectoryRow = std::array<double, kTrajectoryColumns.size()>;
 
 TrajectoryRow trajectoryRow(const physics::Motion& motion, const physics::RigidBodyState& state);
 
-/// Returns the columns of a trajectory. Without energy loss (alpha = 0), the rate of turning is omega and left
-/// out.
-/// @param alpha  energy loss, s/(kg·m²)
+/// Returns the columns of a trajectory. Without dissipation (alpha = 0), omits the angular velocity of the
+/// attitude, because it equals omega.
+/// @param alpha  dissipation, s/(kg·m²)
 constexpr std::span<const TrajectoryColumn> trajectoryColumns(double alpha) {
   return std::span(kTrajectoryColumns).first(alpha > 0 ? kTrajectoryColumns.size() : std::size_t{kRateBAt});
 }

@@ -12,7 +12,7 @@ TrajectoryTarget parseTrajectoryTarget(const std::string& name) {
   const std::filesystem::path path(name);
   if (path.extension() == ".csv") return {TrajectoryFormat::kCsv, path};
   if (path.extension() == ".json") return {TrajectoryFormat::kJson, path};
-  throw core::usageError(fmt::format("output '{}': works: NAME.csv, NAME.json, - (CSV on standard output){}",
+  throw core::usageError(fmt::format("output '{}': must be NAME.csv, NAME.json or - (CSV on standard output){}",
                                      core::printable(name), core::smallLettersHint(name, {".csv", ".json"})));
 }
 

@@ -16,11 +16,11 @@ struct TrajectoryTarget {
   bool isStream() const { return path.empty(); }
 };
 
-/// Takes the format from the extension of a name; "-" means CSV on standard output.
-/// @throws core::Error(kUsage) with the names that work
+/// Returns the target for a file name, with the format from the extension. "-" means CSV on standard output.
+/// @throws core::Error(kUsage) with the allowed names
 TrajectoryTarget parseTrajectoryTarget(const std::string& name);
 
-/// Returns a kind of file that recognises earlier trajectories of this program.
+/// Returns the file kind by which earlier trajectories of this program are recognised.
 output::FileKind trajectoryKind(TrajectoryFormat format);
 
 }  // namespace poinsot::reference

@@ -16,14 +16,15 @@ namespace poinsot::reference {
 
 namespace {
 
-constexpr double kExactIntegers = 0x1p53;  // every integer up to this number is a double
+constexpr double kExactIntegers = 0x1p53;  // largest range in which every integer is a double
 
-/// Returns how many k >= 0 have k / rate <= span. Tolerates four roundings: speed times duration, times the rate.
+/// Returns the number of k >= 0 with k / rate <= span. Includes a last k that exceeds the span only by rounding.
 std::int64_t countWithin(double span_s, const core::Rational& rate_hz) {
   const double last = std::floor(std::abs(span_s) * rate_hz.value() * (1 + 0x1p-50));
   if (!(last * static_cast<double>(rate_hz.den) < kExactIntegers))
     throw core::limitError(
-        fmt::format("--rate {}: {:.3g} rows are more than can be told apart", core::toString(rate_hz), last));
+        fmt::format("--rate {}: the times of {:.3g} rows cannot be distinguished; lower the rate",
+                    core::toString(rate_hz), last));
   return static_cast<std::int64_t>(last) + 1;
 }
 
@@ -33,7 +34,7 @@ TrajectoryTimes::TrajectoryTimes(std::vector<double> listed_s)
     : listed_s_(std::move(listed_s)), count_(static_cast<std::int64_t>(listed_s_.size())) {
   if (listed_s_.empty()) throw core::usageError("no times are given");
   for (const double t_s : listed_s_)
-    if (!std::isfinite(t_s)) throw core::usageError(fmt::format("no motion time: {}", t_s));
+    if (!std::isfinite(t_s)) throw core::usageError(fmt::format("{} is not a motion time", t_s));
   const auto [least, largest] = std::minmax_element(listed_s_.begin(), listed_s_.end());
   earliest_s_ = *least;
   latest_s_ = *largest;
@@ -51,16 +52,17 @@ double TrajectoryTimes::operator[](std::int64_t k) const {
 
 namespace {
 
-constexpr double kRounding = 0x1p-52;  // relative rounding of an input
+constexpr double kRounding = 0x1p-52;  // relative rounding error of an input
 
-/// Uncertainty of the attitude at the phase kExactPhase_rad, from the rounding of omega.
+/// Uncertainty of the attitude after a rotation by kExactPhase_rad, caused by rounding errors of omega.
 constexpr double kUncertain_rad = kRounding * physics::kExactPhase_rad;
 
-/// Phase at which the rounding of omega turns the body by a radian: 4.5e15 rad.
+/// Rotation angle after which rounding errors of omega change the attitude by one radian: 4.5e15 rad.
 constexpr double kLastPhase_rad = 1 / kRounding;
 
-/// Ratio of the uncertainty to that from omega's rounding alone, above which the separatrix is to blame. Far from
-/// it, moments (1, 2, 3) and omega (1, 1, 1) give 3.3; closer, the ratio grows as the inverse of the distance.
+/// Ratio above which the note names the separatrix as the cause: uncertainty of the attitude, divided by the part
+/// that comes from the rounding of omega alone. Far from the separatrix, the ratio is about 3, for example 3.3 for
+/// moments (1, 2, 3) and omega (1, 1, 1).
 constexpr double kCloseToSeparatrix = 100;
 
 std::string farTurnNote(double t_s, double angle_rad) {

@@ -10,16 +10,16 @@
 
 namespace poinsot::reference {
 
-/// Motion times of a trajectory's rows, in order, in s. Times by a rate take no memory.
+/// Motion times in s for the rows of a trajectory. Times at a constant rate are computed, not stored.
 class TrajectoryTimes {
  public:
-  /// Takes a list in any order, repeated or not. @throws core::Error(kUsage) for an empty list or a time not
-  /// finite.
+  /// Keeps a list of times, in the given order, with repetitions. @throws core::Error(kUsage) if the list is
+  /// empty, or if a time is not finite.
   explicit TrajectoryTimes(std::vector<double> listed_s);
 
-  /// Makes the times start + k/rate for k = 0, 1, ... within `span_s`, both ends included if they are hit;
-  /// backwards if the span is negative. Each k/rate is rounded once, so that errors do not accumulate. A last time
-  /// beyond the end by no more than the rounding of the span is included.
+  /// Creates the times start + k/rate for k = 0, 1, ... over `span_s`, including the end if it is one of the
+  /// times. If the span is negative, the times decrease. Each k/rate is rounded once, so that errors do not
+  /// accumulate. A last time that exceeds the end only by rounding is included.
   /// @throws core::Error(kLimit) if there are too many times to be distinct.
   TrajectoryTimes(const core::Rational& rate_hz, double start_s, double span_s);
 
@@ -30,7 +30,7 @@ class TrajectoryTimes {
   double latest_s() const { return latest_s_; }
 
  private:
-  std::vector<double> listed_s_;  // empty if the times have a rate
+  std::vector<double> listed_s_;  // empty for times at a constant rate
   core::Rational rate_hz_;
   double start_s_ = 0;
   double direction_ = 1;
@@ -38,9 +38,9 @@ class TrajectoryTimes {
   double earliest_s_ = 0, latest_s_ = 0;
 };
 
-/// Returns a sentence if the attitude at the farthest time is uncertain by more than 0.02 rad. Either the body has
-/// turned too far for a double's phase, or the run amplifies the rounding of its input, most of all close to the
-/// separatrix. Empty otherwise, and for driven motion.
+/// Returns a warning if the attitude at the farthest time is uncertain by more than 0.02 rad. Reasons are: the
+/// body has rotated so far that a double cannot represent the phase, or the motion amplifies rounding errors of
+/// the input, mostly near the separatrix. Returns an empty text otherwise, and for a driven motion.
 std::string accuracyNote(const scene::Scene& scene, const TrajectoryTimes& times);
 
 }  // namespace poinsot::reference

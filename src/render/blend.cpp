@@ -11,8 +11,7 @@
 namespace poinsot::render {
 namespace {
 
-/// Blends one colour into pixels. Caches the last result, because flat areas over plain paper blend the same pixel
-/// value repeatedly.
+/// Blends one colour into pixels. Caches the last result, because pixels of a flat area often have the same value.
 template <typename Sample>
 class Blender {
  public:
@@ -48,7 +47,8 @@ class Blender {
   draw::Color color_;
   float opacity_;
   std::size_t channels_;
-  std::uint8_t coverage_ = 0;  // no blended pixel has coverage 0, so nothing is cached yet
+  // coverage of the cached pixel; 0 if nothing is cached, because pixels of coverage 0 are not blended
+  std::uint8_t coverage_ = 0;
   std::array<Sample, 4> under_{}, blended_{};
 };
 
@@ -59,8 +59,7 @@ bool nextEightEmpty(const std::uint8_t* coverage) {
   return eight == 0;
 }
 
-/// Calls use(pixel, coverage) for every picture pixel that the map covers. Returns the map's bounds, clipped to
-/// the picture.
+/// Calls use(pixel, coverage) for every covered pixel. Returns the map's bounds, clipped to the picture.
 template <typename Sample, class Use>
 PixelBounds forEachCovered(const text::CoverageMap& map, image::BasicImage<Sample>& picture, Use use) {
   const int left = std::max(map.left, 0), right = std::min(map.left + map.width, picture.size.width);

@@ -29,7 +29,8 @@ void readPart(const PixelBounds& part, std::vector<Sample>& rgba, image::BasicIm
   rgba.resize(4 * width * static_cast<std::size_t>(rows));
   glReadPixels(x, y, widthOf(part), rows, GL_RGBA, sizeof(Sample) == 1 ? GL_UNSIGNED_BYTE : GL_UNSIGNED_SHORT,
                rgba.data());
-  gl::expectStored("pixels to be read", rgba.size() * sizeof(Sample));  // glReadPixels may need a copy of its own
+  // glReadPixels may have allocated memory for a copy
+  gl::expectStored("pixels to be read", rgba.size() * sizeof(Sample));
   for (int row = 0; row < rows; ++row) {
     const Sample* from = rgba.data() + 4 * width * static_cast<std::size_t>(row);
     if (picture.channels == 4)
@@ -46,7 +47,7 @@ std::vector<Sample> paperRow(int width, const draw::Color& background, int chann
     const auto value = draw::srgbFromLinear<Sample>(background[static_cast<int>(c)]);
     for (std::size_t i = c; i < row.size(); i += static_cast<std::size_t>(channels)) row[i] = value;
   }
-  return row;  // alpha stays 0
+  return row;  // the alpha of each pixel, if present, is 0
 }
 
 }  // namespace

@@ -10,24 +10,24 @@
 
 namespace poinsot::render {
 
-/// Pixels of a picture or of one of its panels, kept from picture to picture. Only tiles that have changed since
-/// the previous picture are drawn and read again.
+/// Pixels of a picture, or of one panel of a picture, kept from one frame to the next. Only tiles that have
+/// changed since the previous frame are drawn and read back.
 class CachedPanel {
  public:
-  /// Starts a picture and returns its cache of tiles. Pixels kept from before are dropped if size or channels
-  /// differ.
-  /// @param common  numbers, besides size and format, that all tiles depend on
+  /// Starts a picture and returns the cache of its tiles. Discards the pixels of the previous picture if the size
+  /// or the number of channels has changed.
+  /// @param common  numbers that the pixels of all tiles depend on, apart from size and format
   template <typename Sample>
   TileCache& begin(image::PixelSize size, bool transparent, Constants common);
-  /// Reads the drawn tiles of the mosaic from the bound framebuffer and fills its empty tiles with the background.
+  /// Reads the drawn tiles of the mosaic back from the bound framebuffer. Fills the empty tiles.
   template <typename Sample>
   void read(const Mosaic& mosaic, const draw::Color& background);
-  /// Fills these parts with the background. Alpha, if present, is set to 0.
+  /// Fills the given rectangles with the background colour. Alpha, if present, is set to 0.
   template <typename Sample>
   void layPaper(const std::vector<PixelBounds>& parts, const draw::Color& background);
-  /// Marks places as painted over, so that the next picture draws their tiles again.
+  /// Marks rectangles as painted over, such as by a label. The next picture draws their tiles again.
   void forget(const std::vector<PixelBounds>& places);
-  /// Marks the picture as complete. Without this call, the next picture reuses none of its tiles.
+  /// Marks the picture as complete. Without this call, the next picture redraws all tiles.
   void end() { tiles_.endPicture(); }
 
   template <typename Sample>
@@ -35,7 +35,7 @@ class CachedPanel {
     return std::get<image::BasicImage<Sample>>(picture_);
   }
   const image::AnyImage& any() const { return picture_; }
-  /// Returns where the picture may differ from the previous picture in this place.
+  /// Returns the rectangles in which the picture may differ from the previous picture of this panel.
   const std::vector<image::PixelRect>& changed() const { return changed_; }
 
  private:

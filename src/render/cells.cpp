@@ -10,7 +10,7 @@ namespace {
 constexpr float kMargin_px = 1;
 constexpr float kLargest_px = kTile_px;
 
-/// Adds the part of an aligned square that lies within the rectangle, as smaller aligned squares if necessary.
+/// Adds the part of an aligned square that lies within the rectangle. Splits a square that lies partly within.
 void addSquares(std::vector<Square>& squares, const PixelBounds& r, glm::vec2 corner, float side) {
   if (corner.x >= r.right || corner.y >= r.bottom || corner.x + side <= r.left || corner.y + side <= r.top) return;
   if (corner.x >= r.left && corner.y >= r.top && corner.x + side <= r.right && corner.y + side <= r.bottom)
@@ -36,7 +36,7 @@ Cells cutIntoCells(const PixelBounds& b, const std::function<bool(glm::vec2)>& i
                              std::min(y + kCell_px, b.bottom)};
       const float l = cell.left - kMargin_px, r = cell.right + kMargin_px;
       const float t = cell.top - kMargin_px, u = cell.bottom + kMargin_px;
-      // The outline is convex, so the whole cell is inside if its four corners are.
+      // The outline is convex, so the whole cell is inside if its four corners are inside.
       const bool whole = inside({l, t}) && inside({r, t}) && inside({l, u}) && inside({r, u});
       addSquares(whole ? cells.full : cells.edge, cell);
     }

@@ -9,13 +9,13 @@
 
 namespace poinsot::render {
 
-/// Side of a cell, in pixels. Smaller cells would cost more to draw than the skipped pixels save.
+/// Side of a cell in pixels. Smaller cells would cost more time to draw than they save.
 inline constexpr float kCell_px = 16;
-/// Side of a tile, in pixels. llvmpipe's own tiles have this size.
+/// Side of a tile in pixels. llvmpipe divides its framebuffers into tiles of the same size.
 inline constexpr int kTile_px = 64;
 
-/// Square of pixels that is drawn as one OpenGL point (squares.vert). For triangles, llvmpipe shades the 2 x 2
-/// blocks on a common edge once per triangle and compiles set-up code; for points it does neither.
+/// Square of pixels that is drawn as one OpenGL point (squares.vert). In llvmpipe, points are cheaper: two
+/// adjacent triangles both shade the 2 x 2 blocks on their common edge, and triangles need compiled set-up code.
 struct Square {
   glm::vec2 centre_px;
   float side_px;
@@ -23,21 +23,20 @@ struct Square {
   PixelBounds bounds() const;
 };
 
-/// Pixels of a convex outline, cut into cells: squares that the outline may cross (`edge`) and squares wholly
-/// inside (`full`). The edge passes draw only `edge`, because in llvmpipe a pixel that is shaded and then
-/// discarded costs as much as one that is kept.
+/// Pixels of a convex outline, divided into squares. The outline may cross the squares in `edge`; the squares in
+/// `full` lie completely inside. Edge passes draw only `edge`, because in llvmpipe discarded pixels cost time too.
 struct Cells {
   std::vector<Square> edge;
   std::vector<Square> full;
 };
 
-/// Cuts the bounds of a convex outline into cells on a fixed grid of the picture, clipped to the bounds.
-/// @param clipped  whole pixels within the picture, because shaders find no valid data beyond
+/// Divides the bounds of a convex outline into cells on a fixed grid of the picture.
+/// @param clipped  bounds of the outline in whole pixels, clipped to the picture
 /// @param inside  returns whether a point of the picture is inside the outline
 Cells cutIntoCells(const PixelBounds& clipped, const std::function<bool(glm::vec2)>& inside);
 
-/// Adds the fewest squares that make up a rectangle of whole pixels. Each has a side of 1, 2, 4, ... or 64 pixels
-/// and is aligned to its side.
+/// Adds the fewest squares that make up a rectangle of whole pixels. The side of a square is a power of two from 1
+/// to 64 pixels, and its position is a multiple of its side.
 void addSquares(std::vector<Square>& squares, const PixelBounds& rectangle);
 
 }  // namespace poinsot::render

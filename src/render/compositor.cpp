@@ -39,14 +39,13 @@ std::string kindsOf(const SheetCounts& sheets) {
       sheets.polygons, polygonConstants(sheets.polygonSides), sheets.polygonSides);
 }
 
-/// Returns the line "#define EACH_name(f) f(from) ... f(to - 1)".
 std::string each(const char* name, std::size_t from, std::size_t to) {
   std::string text = fmt::format("#define EACH_{}(f)", name);
   for (std::size_t i = from; i < to; ++i) text += fmt::format(" f({})", i);
   return text + "\n";
 }
 
-/// Returns the loops of composite.frag, unrolled as macros.
+/// Returns macros that replace the loops of composite.frag by one call for each index.
 std::string unrolled(const SheetCounts& sheets, std::size_t edges) {
   const std::size_t all = edges + sheets.fragments();
   std::string pairs = "#define EACH_PAIR(f)";

@@ -11,17 +11,18 @@
 
 namespace poinsot::render {
 
-/// Composes solids and translucent sheets, pixel by pixel in order of depth (composite.frag). A shader made for
-/// the content of each rectangle (mosaic.h) draws it, so that empty paper costs nothing.
+/// Combines solids and translucent sheets, pixel by pixel in order of depth (composite.frag). Each rectangle of
+/// the mosaic has a shader compiled for its content, so that empty background costs nothing.
 class Compositor {
  public:
-  /// Draws the parts of the mosaic into the bound framebuffer. `sheets` must be made from `list`.
+  /// Draws the parts of the mosaic into the bound framebuffer.
+  /// @pre `sheets` was created from `list`.
   void draw(const draw::DrawList& list, const SolidLayers& layers, const Sheets& sheets, const Mosaic& mosaic,
             float sharpness, bool transparent);
 
  private:
-  /// Content that a program is compiled for: transparent, solids, outlines, sheets. All features are fixed when
-  /// the program is compiled, because llvmpipe runs both sides of an `if`.
+  /// Content that a program is compiled for: transparent background, solids, outlines of sheets, sheets. No
+  /// feature is selected at run time, because llvmpipe executes both sides of an `if`.
   using Variant = std::tuple<bool, SolidReach, bool, SheetCounts>;
   const gl::ShaderProgram& program(const Variant& variant);
 

@@ -11,7 +11,8 @@
 namespace poinsot::render {
 namespace {
 
-// llvmpipe has 31 varyings besides the position, and curves use two of them. Constants beyond these 28 are slower.
+// Number of constants that the vertex shader passes on as varyings; the fragment shader reads the others from
+// uniforms, which is slower. llvmpipe has 31 varyings in addition to the position. Curves use two of them.
 constexpr std::size_t kMostHandedOn = 28;
 constexpr std::size_t kOfPicture = 3;
 

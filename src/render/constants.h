@@ -11,21 +11,22 @@
 
 namespace poinsot::render {
 
-/// Values that all pixels of a draw call share, in the order in which shaders index them (constants.glsl).
+/// Constants of one draw call, in the order in which shaders index them (constants.glsl).
 using Constants = std::vector<glm::vec4>;
 
-/// Constants that all draw calls of a picture share: its size, which only vertex shaders read, the top left corner
-/// of the solid layers in it, and `shared`, the first constants of every draw call.
+/// Constants that all draw calls of a picture have in common. `size_px` is for vertex shaders only. `layers_px` is
+/// the top left corner of the solid layers in the picture. `shared` holds the first constants of each draw call.
 struct PictureConstants {
   glm::vec2 size_px;
   glm::vec2 layers_px;
   Constants shared;
 };
 
+/// @param sharpness  steepness of edges, as in RenderOptions
 PictureConstants pictureConstants(const draw::DrawList& list, float sharpness, glm::vec2 layers_px);
 
-/// Makes a program whose draw calls have `own` constants besides those of the picture.
-/// @param defines  lines put before the fragment shader
+/// Compiles a program whose draw calls have `own` constants in addition to the picture's constants.
+/// @param defines  lines inserted before the fragment shader
 gl::ShaderProgram programWithConstants(const std::string& vertexFile, const std::string& fragmentFile,
                                        std::size_t own, const std::string& defines);
 

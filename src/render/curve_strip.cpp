@@ -11,14 +11,16 @@ namespace poinsot::render {
 namespace {
 
 constexpr float kRamp_px = 1.0f;
-constexpr float kShortest_px = 0.25f;  // points closer than this are merged
-// Largest distance, across and along the view, of a left-out point from the straight line between its neighbours.
-// Triangles are expensive; the limit along the view keeps a line in front of the surface it lies on.
+constexpr float kShortest_px = 0.25f;  // neighbouring points closer than this are merged
+// Largest distance of a left-out point from the line between its neighbours: kOff_px in the picture,
+// kOffAlongView_px along the view. The second limit keeps a line in front of the surface on which it lies.
 constexpr float kOff_px = 0.02f;
 constexpr float kOffAlongView_px = 0.05f;
-constexpr std::size_t kMostLeftOut = 15;  // in a row; each further point tests all of them again
-constexpr float kFoldCosine = 0.0f;       // a bend above 90 degrees is a fold, where a new strip begins
-constexpr float kEndless = 1e4f;          // distance to the end if no end is near
+// Limit of consecutive points that are left out. Each further point requires a check of all of them.
+constexpr std::size_t kMostLeftOut = 15;
+// cosine of the largest bend; a larger bend is a fold, at which a new strip begins
+constexpr float kFoldCosine = 0.0f;
+constexpr float kEndless = 1e4f;  // distance to the end of a curve that stands for "no end nearby"
 
 struct ScreenPoint {
   glm::vec2 p_px;
@@ -29,7 +31,8 @@ struct ScreenPoint {
 
 using Run = std::vector<ScreenPoint>;
 
-// Returns the points in front of the camera as runs without gaps. Merges neighbours closer than a quarter pixel.
+// Returns the points in front of the camera, as one run for each unbroken part of the curve. Leaves out points
+// closer than a quarter pixel to the previous point.
 std::vector<Run> visibleRuns(const draw::Camera& camera, const draw::Curve& curve) {
   const std::size_t n = curve.points_V.size();
   const auto at = [&](std::size_t i) { return toCamera(camera, curve.points_V[i % n]); };
@@ -106,8 +109,8 @@ class StripBuilder {
 
   void add(Run run, bool closed) {
     if (run.size() < 2) return;
-    // A third point keeps the two ends in different pieces, so that the distance to the end is linear along each
-    // piece.
+    // The vertices store the distance to the nearest end, and shaders interpolate it linearly. With a third point
+    // the two ends lie in different pieces, so the interpolation is correct.
     if (run.size() == 2) run.insert(run.begin() + 1, midpoint(run[0], run[1]));
     pairs_.clear();
     const std::size_t n = run.size();
@@ -137,7 +140,8 @@ class StripBuilder {
     pairs_.push_back({vertex(1), vertex(-1)});
   }
 
-  // Returns the direction to the left, seen with y down. Vertices on this side have a positive offset.
+  // Returns the direction to the left of `d` in the picture, where y points down. Offsets to the left are
+  // positive.
   static glm::vec2 leftOf(glm::vec2 d) { return {d.y, -d.x}; }
 
   void addEnd(const ScreenPoint& point, glm::vec2 along, float outwards) {
@@ -153,7 +157,8 @@ class StripBuilder {
     if (last) out = closed ? direction(run[0], run[1]) : in;
     const glm::vec2 sum = in + out;
     const glm::vec2 along = glm::length(sum) > 1e-6f ? glm::normalize(sum) : in;
-    // The mitre is longer than the half width by 1 / cos(half the bend), at most sqrt(2) because folds were cut.
+    // A mitre is longer than the half width by 1 / cos(half the bend): at most sqrt(2), as curves are cut at
+    // folds.
     const float stretch = 1.0f / std::max(glm::dot(along, in), 0.7071f);
     const bool atEnd = !closed && (first || last);
     addPair(run[i], run[i].p_px, leftOf(along) * stretch, atEnd ? 0.0f : kEndless);
@@ -162,7 +167,7 @@ class StripBuilder {
   void emitTriangles() {
     for (std::size_t i = 0; i + 1 < pairs_.size(); ++i) {
       Pair a = pairs_[i], b = pairs_[i + 1];
-      // Only the pieces next to an end hold the true distance to it; elsewhere the end counts as far away.
+      // Only the pieces next to an end store the true distance to that end. Elsewhere the end counts as far away.
       const float length = glm::distance(0.5f * (a.left.position_px + a.right.position_px),
                                          0.5f * (b.left.position_px + b.right.position_px));
       if (a.left.across.z >= kEndless && b.left.across.z < kEndless)

@@ -10,7 +10,7 @@
 
 namespace poinsot::render {
 
-/// Vertex of a strip; curve.vert documents its components.
+/// Vertex of a strip. The file curve.vert documents its components.
 struct StripVertex {
   glm::vec2 position_px;
   glm::vec4 across;
@@ -22,8 +22,8 @@ struct CurveStrip {
   PixelBounds bounds;
 };
 
-/// Widens a curve to its width in pixels, with mitres at bends. Leaves out parts behind the camera, and points
-/// within 1/50 pixel (along the view 1/20 pixel) of the line between their neighbours.
+/// Widens a curve to its width in pixels, with mitres at bends. Leaves out parts behind the camera. Leaves out
+/// points that are at most 1/50 pixel (1/20 pixel along the view) off the line between their neighbours.
 CurveStrip makeCurveStrip(const draw::Camera& camera, const draw::Curve& curve);
 
 }  // namespace poinsot::render

@@ -19,11 +19,11 @@ EllipsoidRays ellipsoidRays(const draw::Camera& camera, glm::vec3 centre_C, cons
   const auto focal_px = static_cast<double>(camera.focal_px());
   const glm::dvec2 q = (glm::dvec2(origin_px) - glm::dvec2(camera.centre_px)) / focal_px;
   const double distance = -centre.z;
-  // Side of a pixel at the centre's distance, and its growth with distance, which is 0 for parallel rays.
+  // Length of a pixel's side at the centre's distance, and its growth with distance (0 for parallel rays).
   const double side = (camera.orthographic ? 1 : distance) / focal_px;
   const double growth = camera.orthographic ? 0 : 1 / focal_px;
   const glm::dvec3 right = toUnitSphere[0], down = -toUnitSphere[1];
-  const glm::dvec2 at = focal_px * side * q;  // where the ray through origin_px passes the centre
+  const glm::dvec2 at = focal_px * side * q;  // point of the ray through origin_px, at the centre's distance
   const glm::dvec3 along(growth * focal_px * q.x, -growth * focal_px * q.y, -1);
   EllipsoidRays rays;
   rays.from_S =

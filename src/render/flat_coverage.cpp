@@ -15,15 +15,15 @@ using text::Point;
 using text::Segment;
 using Polygon = std::vector<Point>;
 
-// Largest distance of a chord from its arc; it changes no 8-bit value by more than one step.
+// Largest distance of a chord from its arc. An error of this size changes an 8-bit value by at most one step.
 constexpr double kArcTolerance_px = 0.005;
 
 double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 Point unit(Point v) { return v * (1 / text::distance({0, 0}, v)); }
 
-/// Outline of a stroke piece with round joins and ends. It follows the left side of the piece and returns along
-/// the other side. Every point of the stroke has a winding number of at least 1, about the number of times that
-/// the pen reaches it, so the outline may cross itself.
+/// Outline of a stroke piece with round joins and ends. The outline follows the left side of the piece forwards
+/// and the right side back, and may cross itself. Points of the stroke have a winding number of at least 1; a
+/// point that the pen passes twice has about 2.
 class StrokeOutline {
  public:
   StrokeOutline(StrokePiece piece, double halfWidth) : piece_(std::move(piece)), r_(halfWidth) {
@@ -61,7 +61,7 @@ class StrokeOutline {
     const Point p = piece_[i], a = leftOf(in), b = leftOf(out);
     const double cosine = dot(a, b);
     const bool inner = dot(a, out) > 0;
-    // On the inner side of a bend the two sides meet in one point if they are long enough.
+    // On the inner side of a bend, the outlines of two long enough segments meet in one point.
     const double shortest = std::min(text::distance(piece_[i - 1], p), text::distance(p, piece_[i + 1]));
     if (inner && r_ * std::abs(dot(a, out)) <= 0.5 * shortest * (1 + cosine)) {
       add(p, (a + b) * (1 / (1 + cosine)));
@@ -83,11 +83,11 @@ class StrokeOutline {
     addArc(p, along, leftOf(along) * -1);
   }
 
-  // Adds an arc from normal a, already in the outline, to normal b, at most a right angle further. Halving the
-  // angle needs no function of libm except sqrt.
+  // Adds an arc from the normal `a`, whose point is already in the outline, to the normal `b`. The angle between
+  // the normals is at most 90 degrees. Halving the angle needs only sqrt, which has the same bits everywhere.
   void addArc(Point p, Point a, Point b) {
     const Point sum = a + b;
-    const double twiceCosine = text::distance({0, 0}, sum);  // 2 cos(half the angle)
+    const double twiceCosine = text::distance({0, 0}, sum);  // 2 cos(angle / 2), with the angle between a and b
     if (r_ * (1 - 0.5 * twiceCosine) <= kArcTolerance_px) {
       add(p, b);
       return;
@@ -119,8 +119,8 @@ PixelBounds boundsOf(const Polygon& polygon) {
   return bounds;
 }
 
-/// Sums the areas of segments clipped to width x height. A segment to the left still counts, because it covers
-/// everything to its right.
+/// Sums the areas of segments, clipped to a map of width x height pixels. Segments to the left of the map count
+/// too, because an edge covers everything to its right.
 class ClippedArea {
  public:
   ClippedArea(int width, int height) : width_(width), height_(height), area_(width, height) {}

@@ -12,18 +12,18 @@
 
 namespace poinsot::render {
 
-/// Paints areas and strokes over a finished picture on the CPU. Coverage is exact area, cached because axes and
-/// past curves stand still; blending is in linear light.
+/// Paints areas and strokes over a finished picture on the CPU, blended in linear light. Coverage is the exact
+/// area. It is cached, because axes and finished curves are the same in every frame.
 class FlatPainter {
  public:
   void beginPicture() { coverage_.beginPicture(); }
 
-  /// Paints the areas, then the strokes, each in list order. Returns the places that may have changed.
+  /// Paints the areas, then the strokes, each in list order. Returns the rectangles that may have changed.
   template <typename Sample>
   std::vector<PixelBounds> paint(const draw::Picture& flat, image::BasicImage<Sample>& picture);
 
  private:
-  /// Inputs of a coverage map: picture size, points, line width (0 for an area), dash length, closed.
+  /// Inputs of a coverage map: picture width and height, points, line width (0 for an area), dash length, closed.
   using Key = std::tuple<int, int, std::vector<float>, float, float, bool>;
 
   template <typename Sample>

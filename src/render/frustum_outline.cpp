@@ -9,18 +9,19 @@
 namespace poinsot::render {
 namespace {
 
-// Returns two unit vectors that form a right-handed frame with the axis.
+// Returns two unit vectors that form a right-handed frame with `axis`.
 std::array<glm::vec3, 2> perpendiculars(glm::vec3 axis) {
   const glm::vec3 other = std::abs(axis.x) < 0.6f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
   const glm::vec3 first = glm::normalize(glm::cross(axis, other));
   return {first, glm::cross(axis, first)};
 }
 
-// Returns the two rulings on the silhouette, as directions from the axis. There the side's normal is perpendicular
-// to the sight line: n·p = 0 with n = radial - slope axis and p = sight + radius radial, where sight is the vector
-// to from_C. With parallel rays, sight is the direction of the rays and p = sight.
+// Returns the two straight lines of the side that lie on the silhouette, as unit vectors from the axis.
+// On the silhouette the normal of the side is perpendicular to the sight line: n·p = 0 with n = radial - slope
+// axis and p = sight + radius radial. Here `sight` is the vector from the eye to from_C. With parallel rays,
+// `sight` is the direction of the rays and p = sight. Written with the angle φ about the axis:
 //   a cos φ + b sin φ = slope (axis·sight) - radius,    a, b = e1·sight, e2·sight
-// Returns nullopt if the eye is inside the (extended) cone, where one disc covers the other.
+// Returns nullopt if the eye is inside the cone or its extension, because one disc then covers the other.
 std::optional<std::array<glm::vec3, 2>> silhouetteRulings(glm::vec3 sight_C, glm::vec3 axis_C, float radius,
                                                           float slope) {
   const auto [e1, e2] = perpendiculars(axis_C);
@@ -70,11 +71,11 @@ FrustumOutline frustumOutline(const draw::Camera& camera, const draw::Frustum& f
   const auto corner = [&](glm::vec3 end_C, float radius, std::size_t k) {
     return projectCamera(camera, end_C + radius * (*rulings)[k]);
   };
-  // The corners run along one ruling and back along the other, so that edges 0 and 2 are the silhouette.
+  // The corners go along one silhouette line and back along the other: edges 0 and 2 are the silhouette.
   const std::array<glm::vec2, 4> corners{corner(outline.from_C, f.fromRadius, 0), corner(to_C, f.toRadius, 0),
                                          corner(to_C, f.toRadius, 1), corner(outline.from_C, f.fromRadius, 1)};
   outline.sides = quadEdges(corners);
-  // A pointed end has no edge across, because the two silhouettes meet there.
+  // At the tip of a cone the two silhouette lines meet, so the strip has no edge across.
   if (f.toRadius == 0) outline.sides[1] = glm::vec3(0, 0, 1e6f);
   if (f.fromRadius == 0) outline.sides[3] = glm::vec3(0, 0, 1e6f);
   return outline;

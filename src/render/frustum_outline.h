@@ -8,14 +8,15 @@
 
 namespace poinsot::render {
 
-/// Picture of a frustum: the hull of its two end discs, and the values that frustum.frag needs to shade it.
+/// Outline of a frustum in the picture: the convex hull of its two end discs, and other inputs of frustum.frag.
 struct FrustumOutline {
   glm::vec3 from_C{0}, axis_C{0, 0, 1};
   float height = 0;
   ScreenEllipse first, second;
-  std::array<glm::vec3, 4> sides{};  ///< edges of the strip between the tangents; 0 and 2 are the silhouette
-  int visibleCap = 0;                ///< disc that faces the eye: 1 the first, 2 the second, 0 none
-  PixelBounds bounds;                ///< empty if the frustum is not wholly in front of the camera
+  /// edges of the strip between the two discs; edges 0 and 2 are the silhouette
+  std::array<glm::vec3, 4> sides{};
+  int visibleCap = 0;  ///< disc that faces the eye: 1 for the first, 2 for the second, 0 for neither
+  PixelBounds bounds;  ///< empty if the frustum is not completely in front of the camera
 
   bool inside(glm::vec2 p_px) const;
 };

@@ -12,14 +12,15 @@ using glm::dvec2;
 using glm::dvec3;
 
 constexpr double kSoftEdge_px = 1;
-// Largest growth of depth per pixel across a face, in pixel sizes. Without a limit, a face seen almost edge-on
-// would lift its line in front of everything.
+// Limit on how steeply the depth of a face may grow, in pixel sizes per pixel. The line on an edge is moved in
+// front of the adjacent faces by a distance proportional to their steepness. Without the limit, a face seen almost
+// edge-on would move its line in front of everything.
 constexpr double kSteepest = 40;
-// Largest depth error of a piece of line, in pixel sizes.
+// Largest depth error of a straight piece of a line, as a multiple of the pixel size.
 constexpr double kDepthError = 0.1;
 
-// Returns how fast the distance along the view grows across a face, per pixel. 1 / t is linear in the picture, or
-// t itself if rays are parallel.
+// Returns how much the depth (distance along the view) of a triangle changes from one pixel to the next. The
+// calculation uses that 1 / depth is linear in the picture; with parallel rays the depth itself is linear.
 double steepness(const std::array<dvec3, 3>& t, bool parallel) {
   const dvec2 u = dvec2(t[1] - t[0]), v = dvec2(t[2] - t[0]);
   const auto linear = [&](double depth) { return parallel ? depth : 1 / depth; };
@@ -57,7 +58,7 @@ class LineMaker {
   std::vector<draw::Curve> take() { return std::move(lines_); }
 
  private:
-  // Returns the distance to move a line towards the eye, so that half its width is in front of the adjacent faces.
+  // Returns the distance by which a line is moved towards the eye, so that adjacent faces hide no half of it.
   double lift(const MeshEdge& edge) const {
     const double pixel = pixelSize(camera_, screen_.vertices[edge.from].z);
     double steepest = 0;
@@ -68,7 +69,7 @@ class LineMaker {
     return across_px * (std::min(steepest, kSteepest * pixel) + 0.5 * pixel);
   }
 
-  // Adds an edge in pieces along which depth is nearly linear, as curve.vert assumes.
+  // Adds an edge, divided into pieces along which the depth is nearly linear, as curve.vert assumes.
   void addPiece(std::uint32_t from, std::uint32_t to, double lift) {
     const double a = screen_.vertices[from].z, b = screen_.vertices[to].z, nearest = std::min(a, b);
     const double longest = 2 * std::sqrt(kDepthError * pixelSize(camera_, nearest) * nearest);
@@ -83,7 +84,7 @@ class LineMaker {
     return screen_.mesh->origin_V + screen_.mesh->axes_V * screen_.mesh->mesh->vertices_M[vertex];
   }
 
-  // Moves a point along the ray to the eye, which keeps its place in the picture.
+  // Moves a point towards the eye. Its position in the picture does not change.
   glm::vec3 lifted(glm::vec3 p_V, double lift) const {
     const float depth = depthOf(camera_, p_V),
                 share = std::min(static_cast<float>(lift) / (depth - camera_.near), 0.9f);

@@ -8,8 +8,8 @@
 
 namespace poinsot::render {
 
-/// Returns the sharp edges that face the eye as lines, moved slightly towards the eye so that the adjacent faces
-/// do not hide them. Empty if the mesh's edge_px is 0.
+/// Returns the visible sharp edges of a mesh as lines. The lines are moved slightly towards the eye, so that the
+/// faces beside them do not hide them. Returns no lines if the mesh's edge_px is 0.
 std::vector<draw::Curve> meshEdgeLines(const draw::Camera& camera, const ScreenMesh& screen);
 
 }  // namespace poinsot::render

@@ -10,11 +10,11 @@ namespace poinsot::render {
 
 namespace {
 
-// Reports whether edges are hard, as the many samples of the reference renderer need. No pixel is resolved then.
+// Reports whether edges are drawn hard, for the reference renderer. The CPU resolves no pixel in that case.
 bool hardEdges(float sharpness) { return sharpness > 1; }
 
-// Area below which a rough face is resolved, in square pixels. One sample a pixel would pick such faces by chance,
-// and the surface would sparkle.
+// Largest area of a rough face whose pixels the CPU resolves, in square pixels. OpenGL takes one sample per pixel
+// and would hit such small faces by chance, so the surface would sparkle.
 constexpr double kSmall_px2 = 2;
 
 void markEdges(const ScreenMesh& screen, PixelMarks& marks) {
@@ -38,7 +38,8 @@ void markPixel(const ResolvedPixel& pixel, SolidCells& cells) {
   cells.markEdge(PixelBounds{p.x - 0.25f, p.y - 0.25f, p.x + 0.25f, p.y + 0.25f});
 }
 
-// Marks resolved pixels as edges of one strand. An edge behind another in one pixel begins a new strand.
+// Marks the resolved pixels as edges of one strand (a set of edges that never hide one another). If two edges lie
+// in one pixel, the second begins a new strand.
 void markResolved(const ResolvedPixels& resolved, SolidCells& cells) {
   cells.nextStrand();
   for (const ResolvedPixel& pixel : resolved.full) markPixel(pixel, cells);
@@ -60,7 +61,7 @@ void markSmallFaces(const ScreenMesh& screen, PixelMarks& marks) {
   }
 }
 
-// Returns the constants in the order of mesh.vert.
+// Returns the constants of a mesh in the order in which mesh.vert reads them.
 Constants constantsOf(const ScreenMesh& screen, float solid) {
   Constants own{{screen.origin_C, solid}};
   for (int i = 0; i < 3; ++i) own.emplace_back(screen.axes_C[i], 0);
@@ -156,7 +157,7 @@ void MeshPainter::resetMarks(glm::ivec2 size_px) {
   gl::expectStored("marks", static_cast<std::size_t>(size_px.x) * static_cast<std::size_t>(size_px.y));
 }
 
-// Uploads the marks of the part only. Texels outside the part are stale, and shaders do not read them.
+// Uploads only the marks within marks_.part(). The rest of the texture is out of date, and shaders do not read it.
 void MeshPainter::uploadMarks() {
   const PixelBounds& part = marks_.part();
   const glm::ivec2 from(part.left, part.top), to(part.right, part.bottom);
@@ -180,7 +181,7 @@ void MeshPainter::drawFaces(SolidPass pass, const PictureConstants& ofPicture) {
   SolidProgram& program = faces_[full ? 0 : 1];
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_RECTANGLE, marksTexture_.id());
-  // Rows count downwards, so a face that is counter-clockwise to the eye is clockwise to OpenGL.
+  // OpenGL's y axis points up but rows count downwards, so faces counter-clockwise for the eye are clockwise here.
   glFrontFace(GL_CW);
   glEnable(GL_CULL_FACE);
   for (std::size_t i = 0; i < screens_.size(); ++i) {
@@ -225,7 +226,7 @@ namespace {
 
 using Index = std::uint32_t;
 
-// Returns a cube with corners at (±1, ±1, ±1). Bit k of a corner's number is its side along axis k.
+// Returns a cube with corners at (±1, ±1, ±1). Bit k of a corner's index is 1 if coordinate k of the corner is +1.
 std::shared_ptr<const draw::TriangleMesh> makeCube() {
   auto cube = std::make_shared<draw::TriangleMesh>();
   for (int i = 0; i < 8; ++i) cube->vertices_M.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
@@ -247,7 +248,7 @@ draw::Mesh boxMesh(const draw::Box& box) {
   if (determinant != 0) mesh.mesh = cube;
   mesh.origin_V = box.centre_V;
   mesh.axes_V = box.halfAxes_V;
-  if (determinant < 0) mesh.axes_V[0] *= -1.0f;  // keeps the axes right-handed: a box is its own mirror image
+  if (determinant < 0) mesh.axes_V[0] *= -1.0f;  // makes the axes right-handed; a mirrored box is the same box
   mesh.material = box.material;
   return mesh;
 }

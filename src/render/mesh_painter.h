@@ -18,26 +18,26 @@
 
 namespace poinsot::render {
 
-/// Draws the triangle meshes and boxes of a draw list. OpenGL draws the insides of faces; the CPU resolves the
-/// pixels that an outline or a crease crosses. Meshes that are not wholly in front of the camera are left out.
+/// Draws the triangle meshes and boxes of a draw list. OpenGL draws the interiors of faces. The CPU computes the
+/// pixels that an outline or a crease crosses. Meshes that are not completely in front of the camera are left out.
 class MeshPainter {
  public:
   MeshPainter();
 
   void beginPicture() { kept_.beginPicture(); }
 
-  /// Prepares the meshes of a list for all passes, and marks the cells that they may touch.
+  /// Prepares the meshes of a list for all passes, and marks the cells that the meshes may touch.
   /// @returns for each visible mesh, its sharp edges as lines to draw
   std::vector<std::vector<draw::Curve>> prepare(const draw::DrawList& list, float sharpness,
                                                 SolidCells& solidCells);
 
-  /// Draws the prepared meshes into the bound framebuffer, with the passes of SolidPainter::draw().
+  /// Draws the prepared meshes into the bound framebuffer. The passes are those of SolidPainter::draw().
   void draw(SolidPass pass, const PassInputs& inputs, const PictureConstants& ofPicture);
 
  private:
-  /// Data of one mesh (keyed by its address and crease angle), cached while consecutive pictures show the mesh.
+  /// Data of one mesh, cached while consecutive pictures show the mesh. Key: address and crease angle.
   struct Kept {
-    std::shared_ptr<const draw::TriangleMesh> mesh;  // held, so that its address stays a unique key
+    std::shared_ptr<const draw::TriangleMesh> mesh;  // owned here, so that no other mesh can get the same address
     MeshTopology topology;
     gl::VertexArrayName vertexArray;
     gl::BufferName corners, indices;
@@ -52,25 +52,25 @@ class MeshPainter {
   void drawFaces(SolidPass pass, const PictureConstants& ofPicture);
   void drawPixels(SolidPass pass, const PictureConstants& ofPicture);
 
-  std::array<SolidProgram, 2> faces_;   // for the full pass and the seam pass
-  std::array<SolidProgram, 2> pixels_;  // indexed by SolidPass
+  std::array<SolidProgram, 2> faces_;  // programs of the full pass and of the seam pass
+  std::array<SolidProgram, 2> pixels_;
   gl::TextureName marksTexture_ = gl::TextureName::make();
   gl::VertexArrayName pixelVertices_ = gl::VertexArrayName::make();
   gl::BufferName pixelBuffer_ = gl::BufferName::make();
   PictureCache<Key, Kept> kept_;
 
-  // Data of the list that was prepared last.
+  // Data of the list that was last passed to prepare().
   std::vector<draw::Mesh> meshes_;
   std::vector<ScreenMesh> screens_;
   std::vector<const Kept*> screensKept_;
-  std::vector<float> solids_;  // numbers of the meshes as solids
+  std::vector<float> solids_;  // numbers of the meshes in solidCells_
   const SolidCells* solidCells_ = nullptr;
   PixelMarks marks_;
   ResolvedPixels resolved_;
 };
 
-/// Returns a box as a mesh of twelve triangles with sharp edges. All boxes share one surface; a box without volume
-/// has none.
+/// Returns a box as a mesh of twelve triangles with sharp edges. All boxes use one cube; a box without volume has
+/// a null mesh.
 draw::Mesh boxMesh(const draw::Box& box);
 
 }  // namespace poinsot::render

@@ -14,14 +14,14 @@ namespace {
 
 using glm::dvec3;
 
-// Share of a pixel above which emit.glsl treats it as filled.
+// Least coverage at which a pixel counts as filled, as in emit.glsl.
 constexpr double kWhole = 0.998;
-// Distance between surfaces, in pixel sizes, above which they count as a near one and a far one.
+// Smallest gap in depth between a near and a far surface, as a multiple of the pixel size.
 constexpr double kGap_px = 1;
-// Cosine of 11 degrees. Normals closer than this are shaded as one.
+// Cosine of 11 degrees. Surfaces whose normals differ by a smaller angle are shaded as one.
 constexpr float kSameNormal = 0.98f;
 
-/// Face that faces the eye and touches a marked pixel. `pixel` is the number of the mark.
+/// Face that faces the eye and touches a marked pixel. `pixel` is the index of the pixel among the marked pixels.
 struct Reach {
   std::uint32_t pixel, mesh, face;
 };
@@ -54,7 +54,7 @@ class Collector {
       if (screen.front[f]) addTriangle(screen.triangle(f), mesh, f);
   }
 
-  /// Returns the entries in pixel order; entries of one pixel keep their order of insertion.
+  /// Returns the entries in pixel order. Entries of the same pixel keep their order of insertion.
   std::vector<Reach> sorted() const {
     std::vector<std::size_t> starts(marks_.count() + 1);
     for (const Reach& r : reaches_) ++starts[r.pixel + 1];
@@ -95,7 +95,7 @@ glm::vec3 unit(const glm::vec3& v) {
   return length > 0 ? v / length : glm::vec3(0, 0, 1);
 }
 
-/// Merges the parts of a pixel into the few surface directions that the pixel is shaded with.
+/// Reduces the parts of surfaces in one pixel to the few surface directions with which the pixel is shaded.
 class FacetMixer {
  public:
   void add(const glm::vec3& normal_C, const draw::Material& material, float area) {
@@ -122,7 +122,7 @@ class FacetMixer {
     float area = 0;
   };
 
-  // Returns the most similar facet if it is close enough or no facet is free; otherwise a new facet.
+  // Returns the facet with the most similar normal, or a new facet if none is similar and one is free.
   Facet& facetFor(const glm::vec3& normal_C, const draw::Material& material) {
     std::size_t best = 0;
     float closest = -4;
@@ -167,8 +167,7 @@ class Resolver {
   ResolvedPixels take() { return std::move(result_); }
 
  private:
-  // Returns how many of the parts, front to back, belong to the near surface, which ends at the first gap in
-  // depth.
+  // Returns how many parts belong to the near surface. The near surface ends at the first gap in depth.
   std::size_t nearParts() const {
     double reached = 0;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -189,8 +188,8 @@ class Resolver {
     return unit(screen.normals_C * normal_M);
   }
 
-  // Adds the parts to the result as one pixel, and returns their area.
-  // @param room  area of the pixel in which the parts lie
+  // Adds the parts to the result as one pixel, and returns the sum of their areas.
+  // @param room  area of the pixel that nearer parts leave free
   double emit(glm::ivec2 at, std::span<const Part> parts, double room) {
     double area = 0, depth = 0;
     FacetMixer mixer;

@@ -15,7 +15,7 @@ namespace {
 using Index = std::uint32_t;
 using glm::dvec3;
 
-/// Directed side of a face. The face on the other side of the edge has the opposite direction.
+/// Side of a face, with a direction. The adjacent face has the same side in the opposite direction.
 struct HalfEdge {
   Index from, to, face;
   Index low() const { return std::min(from, to); }
@@ -34,9 +34,11 @@ std::vector<HalfEdge> sortedHalfEdges(const draw::TriangleMesh& mesh) {
   return sides;
 }
 
-/// Orders the sides of one edge so that consecutive sides form pairs of opposite direction. Pairs follow the order
-/// of faces, so that each part of a body keeps its edges; unpaired sides come last. If both sides of a pair ran
-/// the same way, both faces could face the eye at an outline, which would stay unmarked and jagged.
+/// Sorts the sides on one edge into consecutive pairs of opposite direction, if more than two faces meet there.
+/// Pairs are formed in the order of faces, so that each part of a body keeps its own edges. Unpaired sides come
+/// last.
+/// If both sides of a pair had the same direction, both faces could face the eye at an outline, which would look
+/// jagged.
 void pairOpposites(std::span<HalfEdge> sides) {
   const auto middle =
       std::stable_partition(sides.begin(), sides.end(), [](const HalfEdge& s) { return s.from < s.to; });
@@ -52,7 +54,7 @@ void pairOpposites(std::span<HalfEdge> sides) {
   std::copy(down.begin() + static_cast<std::ptrdiff_t>(pairs), down.end(), at);
 }
 
-/// Adds an edge for each pair of consecutive sides. A last side without a partner is a border of the mesh.
+/// Adds an edge for each pair of consecutive sides. The last of an odd number is a border.
 void addPairs(std::span<const HalfEdge> sides, std::vector<MeshEdge>& edges) {
   for (std::size_t i = 0; i < sides.size(); i += 2)
     edges.push_back(
@@ -81,8 +83,7 @@ dvec3 faceNormal(const draw::TriangleMesh& mesh, Index face) {
   return length > 0 ? n / length : dvec3(0);
 }
 
-// Marks edges as sharp. Borders of an open mesh are sharp; edges of degenerate faces are not, as these have no
-// normal.
+// Sets `sharp` for each edge. Borders of an open mesh are sharp. Edges of faces without area are not.
 void findCreases(const draw::TriangleMesh& mesh, float crease_rad, std::vector<MeshEdge>& edges) {
   const double least = std::cos(static_cast<double>(crease_rad));
   std::vector<dvec3> normals(mesh.triangles.size());
@@ -97,7 +98,8 @@ void findCreases(const draw::TriangleMesh& mesh, float crease_rad, std::vector<M
   }
 }
 
-/// Union-find over face corners (index 3 face + k). Corners on one smooth patch around a vertex share a root.
+/// Union-find over corners of faces (index 3 face + k). Corners at a vertex that no sharp edge separates have one
+/// root.
 class Patches {
  public:
   Patches(const draw::TriangleMesh& mesh, const std::vector<MeshEdge>& edges)
@@ -156,7 +158,7 @@ void addCorners(const draw::TriangleMesh& mesh, MeshTopology& topology) {
     if (const double length = glm::length(sums[i]); length > 0) topology.corners[i].normal_M = sums[i] / length;
 }
 
-// Cosine of a tenth of a radian, which changes shading by a few steps of 255.
+// Cosine of 0.1 rad. A difference of 0.1 rad in the normal changes shading by a few of 255 steps.
 constexpr double kRoughCosine = 0.995;
 
 bool isRough(const draw::TriangleMesh& mesh, const MeshTopology& topology, Index face) {
@@ -166,7 +168,7 @@ bool isRough(const draw::TriangleMesh& mesh, const MeshTopology& topology, Index
   });
 }
 
-/// Joins sharp edges into chains that pass through vertices where exactly two sharp edges meet.
+/// Joins sharp edges into chains. A chain continues through vertices at which exactly two sharp edges meet.
 class ChainFinder {
  public:
   ChainFinder(std::size_t vertices, const std::vector<MeshEdge>& edges) : edges_(edges), used_(edges.size()) {

@@ -38,8 +38,7 @@ class MosaicCutter {
   Mosaic take() { return std::move(mosaic_); }
 
  private:
-  /// Reports whether the tile still shows this content. Tiles with solids never do, because most solids move every
-  /// frame.
+  /// Reports whether the tile already shows this content. False if it has solids, because most solids move.
   bool stands(const PixelBounds& tile, const Content& content) {
     if (content.solids == SolidReach::kNone) return tiles_.shows(tile, content.sheets, sheets_);
     tiles_.forget(tile);
@@ -56,8 +55,8 @@ class MosaicCutter {
       }
   }
 
-  /// Returns the content that a part is drawn with. Parts are made as alike as possible, because each content
-  /// needs a shader: where edges cost more anyway, all planes and outlines are included.
+  /// Returns the content with which a part of the picture is drawn. Each different content needs a shader of its
+  /// own. To compile fewer shaders, parts with edges, which are slow in any case, include all planes and outlines.
   Content contentOf(SolidReach solids, SheetChoice chosen) const {
     const bool edges = solids >= SolidReach::kOneEdge;
     if (edges || (chosen.outlines && !(chosen.ellipsoids.empty() && chosen.cones.empty())))

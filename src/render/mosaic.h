@@ -10,7 +10,7 @@
 
 namespace poinsot::render {
 
-/// Solids and sheets that a part of the picture is drawn with.
+/// Solids and sheets that are drawn in one part of the picture.
 struct Content {
   SolidReach solids = SolidReach::kNone;
   SheetChoice sheets;
@@ -18,16 +18,17 @@ struct Content {
   bool empty() const { return solids == SolidReach::kNone && sheets.empty(); }
 };
 
-/// Picture cut into rectangles, grouped by content. A rectangle is a tile or wider, but may be as small as a cell
-/// at edges and outlines. Tiles that show the same as in the previous picture are left out.
+/// Picture divided into rectangles with equal content. Most rectangles are whole tiles or rows of tiles; at edges
+/// and outlines they may be as small as a cell. Tiles unchanged since the previous picture are left out.
 struct Mosaic {
-  std::map<Content, std::vector<PixelBounds>> parts;  ///< empty paper occurs only within a drawn tile
-  std::vector<PixelBounds> drawn;                     ///< tiles that the parts make up; adjacent ones are joined
-  std::vector<PixelBounds> paper;                     ///< tiles with nothing on them
+  /// rectangles to draw, by content; empty background only within drawn tiles
+  std::map<Content, std::vector<PixelBounds>> parts;
+  std::vector<PixelBounds> drawn;  ///< tiles that `parts` cover; adjacent tiles are joined
+  std::vector<PixelBounds> paper;  ///< tiles that show only the background
 };
 
-/// Cuts a picture into a mosaic.
-/// @param tiles  cache, begun with all numbers besides those of the sheets that the tiles depend on
+/// Divides a picture into a mosaic.
+/// @param tiles  cache of this picture, on which beginPicture() was called with all numbers except the sheets'
 Mosaic cutIntoMosaic(glm::vec2 size_px, const Sheets& sheets, const SolidCells& solids, TileCache& tiles);
 
 }  // namespace poinsot::render

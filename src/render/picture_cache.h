@@ -6,8 +6,8 @@
 
 namespace poinsot::render {
 
-/// Cache of values that are costly to make. A value stays as long as every picture uses it, because a film shows
-/// much the same things in every frame.
+/// Cache of values that are expensive to compute, such as coverage maps. A value is kept as long as every picture
+/// uses it, because most things are the same in every frame of a film.
 template <typename Key, typename Value>
 class PictureCache {
  public:
@@ -17,8 +17,8 @@ class PictureCache {
     current_.clear();
   }
 
-  /// Returns the value for `key`, or the result of `make()` if neither this nor the previous picture has used it.
-  /// The reference is valid until beginPicture().
+  /// Returns the value for `key`. If neither this picture nor the previous one has used the key, computes the
+  /// value with `make()`. The reference is valid until the next beginPicture().
   template <typename Make>
   const Value& get(const Key& key, Make&& make) {
     if (const auto known = current_.find(key); known != current_.end()) return known->second;

@@ -15,7 +15,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-// Least area, as a share of a pixel. Smaller ones would only be rounding errors.
+// Least area of a fragment, as a fraction of a pixel. Smaller areas would only be rounding errors.
 constexpr double kLeastArea = 1e-7;
 
 double crossOf(dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; }
@@ -27,7 +27,8 @@ struct PixelPolygon {
   void add(dvec2 p) { corners[size++] = p; }
 };
 
-// Clips the polygon to sign * coordinate `axis` >= sign * limit (Sutherland & Hodgman).
+// Clips a polygon by a vertical or horizontal line (Sutherland & Hodgman). With a `sign` of 1 the part with larger
+// coordinates remains, with -1 the part with smaller ones.
 PixelPolygon cut(const PixelPolygon& polygon, int axis, double sign, double limit) {
   PixelPolygon kept;
   const auto inside = [&](dvec2 p) { return sign * (p[axis] - limit); };
@@ -68,7 +69,7 @@ void measure(const PixelPolygon& polygon, PixelFragment& fragment) {
   if (fragment.area > 0) fragment.middle = origin + sum / (3 * twice);
 }
 
-// Returns the lines through the sides, positive inside. Line k is opposite corner k.
+// Returns the lines through the sides as (a, b, c) with a x + b y + c > 0 inside. Line k is opposite corner k.
 std::array<dvec3, 3> sidesOf(const std::array<dvec2, 3>& t) {
   std::array<dvec3, 3> sides;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -122,11 +123,11 @@ std::optional<PixelFragment> pixelFragment(const std::array<dvec3, 3>& triangle,
 namespace {
 
 constexpr std::size_t kSamples = 64;
-// Error of an area that the samples measure inside one edge.
+// Largest error of an area that is measured with the samples.
 constexpr double kCoverageError = 0.02;
 
-/// Hammersley points: one in each of 64 columns and rows, so that upright edges are sampled as well as slanting
-/// ones.
+/// Sample points in a pixel, one in each of 64 columns and rows (Hammersley points). Edges of any direction,
+/// upright ones too, therefore meet many different samples.
 struct SamplePoints {
   std::array<float, kSamples> x{}, y{};
   constexpr SamplePoints() {
@@ -168,11 +169,11 @@ class SampleDepths {
   double covered() const { return 1 - static_cast<double>(wins(-1)) / kSamples; }
 
  private:
-  std::array<float, kSamples> nearest_;  // nearness of the nearest fragment
+  std::array<float, kSamples> nearest_;  // nearness of the nearest fragment at each sample
   std::array<int, kSamples> winners_;
 };
 
-// Reports whether a fragment too small for any sample is hidden at its middle.
+// Reports whether another fragment hides the middle of a fragment that is too small for any sample.
 bool isHidden(const PixelFragment& f, std::span<const PixelFragment> fragments) {
   const double own = f.nearnessAt(f.middle);
   return std::any_of(fragments.begin(), fragments.end(), [&](const PixelFragment& other) {
@@ -185,8 +186,8 @@ double total(std::span<const PixelFragment> fragments) {
                          [](double sum, const PixelFragment& f) { return sum + f.area; });
 }
 
-// Scales the areas so that their sum agrees with the coverage that the samples measure. Many small folds may each
-// be hidden by less than a sample.
+// Scales the areas so that their sum agrees with `covered`, the coverage that the samples measure. The sum can be
+// wrong if many small folds of a surface are each hidden by less than a sample.
 void holdTo(double covered, std::vector<double>& areas) {
   const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
   const double held = std::clamp(sum, covered - kCoverageError, covered + kCoverageError);
@@ -210,15 +211,15 @@ std::vector<double> visibleAreas(std::span<const PixelFragment> fragments) {
     estimated.push_back(wins < counts[i]);
     double share = 1;
     if (estimated.back())
-      // Filled pixels are stretched to 1 below, so zero of a few samples must not count as nothing (rule of
-      // succession).
+      // In a filled pixel, the parts are scaled below to fill it. A part that no sample sees must therefore keep a
+      // small area (rule of succession).
       share = full ? (wins + 0.5) / (counts[i] + 1) : static_cast<double>(wins) / counts[i];
     else if (counts[i] == 0 && isHidden(f, fragments))
       share = 0;
     areas.push_back(share * f.area);
     (estimated.back() ? partlyHidden : open) += areas.back();
   }
-  // Partly hidden fragments fill the area that the others leave.
+  // Partly hidden fragments fill the area that the other fragments leave free.
   const double room = std::max(1 - open, 0.0);
   const bool fit = partlyHidden > 0 && (full || partlyHidden > room);
   const double stretch = fit ? room / partlyHidden : 1, shrink = open > 1 ? 1 / open : 1;

@@ -10,14 +10,19 @@
 
 namespace poinsot::render {
 
-/// Part of a triangle that lies in one pixel, in the pixel's own coordinates (0 to 1, y down).
+/// Part of a triangle that lies in one pixel. Coordinates in the pixel range from 0 to 1, y down.
 struct PixelFragment {
-  double area = 0;                      ///< exact share of the pixel
-  glm::dvec3 weights{0};                ///< perspective-correct weights of the triangle's vertices at `middle`
-  double near = 0, far = 0, depth = 0;  ///< distances along the view: least, greatest, at `middle`
-  std::array<glm::dvec3, 3> edges;      ///< each is (a, b, c) with a x + b y + c >= 0 inside the triangle
-  glm::dvec3 nearness{0};  ///< (a, b, c): nearness = a x + b y + c is 1 / depth, or -depth if rays are parallel
-  double nearest = 0, farthest = 0;  ///< bounds of the nearness over the triangle
+  double area = 0;  ///< exact area as a fraction of the pixel
+  /// Perspective-correct weights of the triangle's vertices at the point `middle`
+  glm::dvec3 weights{0};
+  /// Distances along the view: the least, the greatest, and the distance at the point `middle`
+  double near = 0, far = 0, depth = 0;
+  /// Sides of the triangle as (a, b, c), with a x + b y + c >= 0 inside
+  std::array<glm::dvec3, 3> edges;
+  /// (a, b, c), with a x + b y + c = 1 / depth; with parallel rays a x + b y + c = -depth
+  glm::dvec3 nearness{0};
+  /// Bounds of the nearness (1 / depth or -depth) within the triangle
+  double nearest = 0, farthest = 0;
   bool parallel = false;
 
   bool holds(glm::dvec2 p) const;
@@ -27,13 +32,13 @@ struct PixelFragment {
 };
 
 /// Clips a triangle to a pixel. Returns nullopt if the triangle does not reach the pixel.
-/// @param triangle  x and y in pixels, distance along the view; must face the eye
-/// @param parallel  whether rays are parallel
+/// @param triangle  corners: x and y in pixels, distance along the view. The triangle must face the eye.
+/// @param parallel  whether the view has parallel rays
 std::optional<PixelFragment> pixelFragment(const std::array<glm::dvec3, 3>& triangle, glm::ivec2 pixel,
                                            bool parallel = false);
 
-/// Returns for each fragment the share of the pixel in which it is visible: exact areas where nothing is hidden,
-/// otherwise estimates from samples. The sum is at most 1.
+/// Returns the visible area of each fragment, as a fraction of the pixel. Areas are exact if nothing is hidden;
+/// otherwise they are estimated from samples. The sum is at most 1.
 std::vector<double> visibleAreas(std::span<const PixelFragment> fragments);
 
 }  // namespace poinsot::render

@@ -8,13 +8,14 @@
 namespace poinsot::render {
 namespace {
 
-// Margin around a segment for rounding and for OpenGL's grid of 1/256 pixel.
+// Distance around a segment within which pixels are marked too. It allows for OpenGL's grid of 1/256 pixel.
 constexpr double kRounding_px = 1.0 / 128;
 
 }  // namespace
 
 void PixelMarks::reset(glm::ivec2 size_px, const PixelBounds& part) {
-  if (size_px == size_px_) {  // only the last part holds marks
+  // Only the previous part can contain marks.
+  if (size_px == size_px_) {
     for (int row = top(); row < bottom(); ++row)
       std::memset(&marks_[indexOf(left(), row)], 0, static_cast<std::size_t>(right() - left()));
   } else {

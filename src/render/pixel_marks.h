@@ -11,28 +11,28 @@
 
 namespace poinsot::render {
 
-/// Marks of the pixels of a picture that an edge crosses.
+/// Set of the pixels of a picture that edges of meshes cross.
 class PixelMarks {
  public:
   static constexpr std::uint8_t kMarked = 255;
 
-  /// Clears the marks and sets the part of the picture that may be marked and read.
+  /// Clears the marks. Only pixels within `part` can be marked and read afterwards.
   void reset(glm::ivec2 size_px, const PixelBounds& part);
-  /// Marks every pixel that the segment touches or misses only by rounding.
+  /// Marks every pixel that the segment touches, or misses only by a rounding error.
   void markSegment(glm::dvec2 a_px, glm::dvec2 b_px);
   void mark(const PixelBounds& bounds);
-  /// Numbers the marked pixels row by row. Must be called after the last mark.
+  /// Numbers the marked pixels row by row. Must be called after the last pixel was marked.
   void finish();
 
   std::size_t count() const { return columns_.size(); }
   glm::ivec2 size_px() const { return size_px_; }
   const PixelBounds& part() const { return part_; }
-  /// Returns the number of the first marked pixel of a row. Row size_px().y is allowed and gives count().
+  /// Returns the number of the first marked pixel in a row or below it. For the row size_px().y, returns count().
   std::size_t firstOfRow(int row) const { return rowStarts_[static_cast<std::size_t>(row)]; }
   /// Returns the columns of all marked pixels, in the order of their numbers.
   std::span<const std::uint16_t> columns() const { return columns_; }
-  /// Returns kMarked or 0 for each pixel, row by row from the first pixel of part(), for a texture. Rows are as
-  /// long as the picture's.
+  /// Returns the marks of part() as data of a texture, row by row: kMarked or 0 for each pixel. The distance
+  /// between rows is the width of the picture.
   const std::uint8_t* bytes() const { return marks_.data() + indexOf(left(), top()); }
 
  private:

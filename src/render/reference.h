@@ -5,8 +5,8 @@
 
 namespace poinsot::render {
 
-/// Renders a picture by brute force: n x n hard-edged samples a pixel, averaged in linear light. Slow; used to
-/// judge the analytic edges. Type is exact already and is painted once.
+/// Renders a picture by brute force, to check the anti-aliasing of the normal renderer. Each pixel is the mean of
+/// n x n samples with hard edges, in linear light. Text is painted once, because its coverage is already exact.
 image::Image renderReference(Renderer& renderer, const draw::DrawList& list, image::PixelSize size, int n);
 
 }  // namespace poinsot::render

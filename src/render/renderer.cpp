@@ -21,13 +21,13 @@
 namespace poinsot::render {
 namespace {
 
-/// OpenGL formats for one type of sample: `light` for the linear light of solids, `picture` for the last pass.
+/// OpenGL formats for 8-bit or 16-bit pictures: `light` for the light of solids, `picture` for the last pass.
 struct Formats {
   GLenum light;
   GLenum picture;
 };
-// For 8 bits of sRGB, 8 bits of linear light would show bands, and float costs twice as much as 16 bits. For 16
-// bits of sRGB, 16 bits of linear light would show bands: near black, their steps are 13 times as wide.
+// With only 8 bits of linear light, an 8-bit sRGB picture would show bands. Float would cost twice as much as 16
+// bits. A 16-bit sRGB picture needs float: near black, 16-bit linear light has steps 13 times as wide.
 constexpr Formats kFormats{GL_RGBA16, GL_RGBA8};
 constexpr Formats kDeepFormats{GL_RGBA32F, GL_RGBA16};
 
@@ -36,7 +36,8 @@ constexpr const Formats& formatsOf() {
   return sizeof(Sample) == 1 ? kFormats : kDeepFormats;
 }
 
-/// Framebuffers of the sizes used last. A picture's panels have few sizes, and the same ones in every frame.
+/// Cache of the most recently used framebuffers, one for each size and format. The panels of a picture have few
+/// different sizes, which are the same in every frame.
 class TargetShelf {
  public:
   const gl::Framebuffer& of(glm::ivec2 size, GLenum format) {
@@ -45,7 +46,7 @@ class TargetShelf {
     if (known != shelf_.end()) {
       std::rotate(shelf_.begin(), known, known + 1);
     } else {
-      if (shelf_.size() == kSizes) shelf_.pop_back();  // frees memory before the new one needs it
+      if (shelf_.size() == kSizes) shelf_.pop_back();  // frees memory before the new framebuffer is allocated
       shelf_.push_front({format, {size, {format}, 0}});
     }
     return shelf_.front().buffer;
@@ -57,7 +58,7 @@ class TargetShelf {
     gl::Framebuffer buffer;
   };
   static constexpr std::size_t kSizes = 4;
-  std::deque<Target> shelf_;  // most recently used first
+  std::deque<Target> shelf_;  // framebuffers, most recently used first
 };
 
 template <typename Sample>
@@ -76,9 +77,10 @@ struct Renderer::Passes {
   Compositor compositor;
   FlatPainter flat;
   TextPainter text;
-  std::vector<CachedPanel> kept;  // panels of the picture, in order
-  CachedPanel joined;             // the whole picture if it has several panels
-  bool alone = false;             // whether the last picture, `number`, was kept[0]
+  std::vector<CachedPanel> kept;  // panels of the picture in order
+  CachedPanel joined;             // complete picture if it has several panels
+  // Whether the last picture consisted of kept[0] alone. If so, `number` is the picture's number.
+  bool alone = false;
   std::uint64_t number = 0;
   core::StepLedger* steps;
 
@@ -102,13 +104,14 @@ struct Renderer::Passes {
     drawPass(SolidPass::kFull, {});
     layers.begin(SolidLayer::kEdge);
     drawPass(SolidPass::kEdges, {});
-    // Seams are stored like edges. A seam behind an edge is left out: a second pass would cost more than it shows.
+    // Seams, where solids intersect, are stored like edges. Only the nearest edge can be a seam; a second seam
+    // pass would cost more time than its small effect is worth.
     if (cells.anyShared()) drawPass(SolidPass::kSeams, {0, full.color(0), full.depth()});
     layers.begin(SolidLayer::kNextEdge);
     drawPass(SolidPass::kEdges, {edge.depth()});
   }
 
-  /// Draws the solids into the layers. Returns the cells that solids lie in.
+  /// Draws the solids into the layers. Returns the cells that contain solids.
   SolidCells draw(const draw::DrawList& list, const Formats& formats, const RenderOptions& options) {
     const core::StepScope timing(steps, core::Step::kDraw);
     SolidCells cells(list.camera.size_px);
@@ -120,11 +123,11 @@ struct Renderer::Passes {
     const glm::ivec2 origin(layers.origin_px());
     glViewport(-origin.x, -origin.y, size.x, size.y);
     drawSolids(cells, pictureConstants(list, options.sharpness, layers.origin_px()));
-    glFinish();  // so that the passes count in this step
+    glFinish();  // counts the time of the passes in this step
     return cells;
   }
 
-  /// Composes the picture in the target. Returns the mosaic, whose drawn tiles alone are valid in the target.
+  /// Composes the picture in the target. Returns the mosaic. Only its drawn tiles are valid in the target.
   Mosaic resolve(const draw::DrawList& list, const SolidCells& cells, const gl::Framebuffer& target,
                  const RenderOptions& options, TileCache& tiles) {
     const core::StepScope timing(steps, core::Step::kResolve);
@@ -137,7 +140,7 @@ struct Renderer::Passes {
     return mosaic;
   }
 
-  /// Returns all numbers, besides those of the sheets, that decide pixels without solids.
+  /// Returns all numbers that determine the pixels without solids, except the constants of the sheets.
   static Constants commonTo(const draw::DrawList& list, const RenderOptions& options) {
     Constants common = pictureConstants(list, options.sharpness, glm::vec2(0)).shared;
     common.emplace_back(list.background, 0);
@@ -191,7 +194,7 @@ struct Renderer::Passes {
   image::Frame drawPicture(const draw::Picture& picture, const RenderOptions& options) {
     expectWithin(picture);
     beginPicture();
-    const bool inRow = std::exchange(alone, false);  // stays false if this picture fails
+    const bool inRow = std::exchange(alone, false);  // if this picture fails, `alone` stays false
     number += inRow ? 1 : 2;
     CachedPanel& made = drawPanels<Sample>(picture, options);
     const core::StepScope timing(steps, core::Step::kText);

@@ -48,7 +48,8 @@ ScreenMesh screenMesh(const draw::Camera& camera, const draw::Mesh& mesh, const 
   screen.origin_C = toCamera(camera, mesh.origin_V);
   const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(screen.axes_C)));
   const double longest = std::max({glm::length(normals[0]), glm::length(normals[1]), glm::length(normals[2])});
-  screen.normals_C = normals / longest;  // avoids tiny numbers for a mesh in other units
+  // The scale avoids tiny numbers if the mesh's unit of length is very large or small.
+  screen.normals_C = normals / longest;
   if (!projectVertices(camera, screen)) return screen;
   for (const glm::dvec3& v : screen.vertices) screen.bounds.include(glm::vec2(v), 1.0f);
   screen.front.resize(mesh.mesh->triangles.size());

@@ -13,16 +13,16 @@
 
 namespace poinsot::render {
 
-/// Mesh, projected into one picture. A face is `front` if it faces the eye; a silhouette edge has one front face.
+/// Mesh as projected into one picture. At a silhouette edge, only one of two faces faces the eye.
 struct ScreenMesh {
   const draw::Mesh* mesh = nullptr;
   const MeshTopology* topology = nullptr;
-  std::vector<glm::dvec3> vertices;  ///< x and y in pixels, y down; distance along the view
-  std::vector<char> front;           ///< by face: 1 if the face faces the eye
+  std::vector<glm::dvec3> vertices;  ///< x and y in pixels (y down), and the distance along the view
+  std::vector<char> front;           ///< for each face: 1 if the face faces the eye, otherwise 0
   glm::mat3 axes_C{1};
   glm::vec3 origin_C{0};
-  glm::mat3 normals_C{1};  ///< takes normals from M to C; the results are not unit vectors
-  PixelBounds bounds;      ///< empty if the mesh is not wholly in front of the camera, and thus not drawn
+  glm::mat3 normals_C{1};  ///< matrix that transforms normals from M to C, without normalising them
+  PixelBounds bounds;  ///< empty if the mesh is not completely in front of the camera and is therefore not drawn
 
   std::array<glm::dvec3, 3> triangle(std::size_t face) const;
   bool isFront(std::uint32_t face) const { return face != kNoFace && front[face] != 0; }
@@ -30,15 +30,14 @@ struct ScreenMesh {
   bool isFront(const MeshEdge& e) const { return isFront(e.left) || isFront(e.right); }
 };
 
-/// Returns the length of a pixel's side at a distance along the view.
+/// Returns the side of a pixel as a length in space, at a distance along the view.
 double pixelSize(const draw::Camera& camera, double depth);
 
-/// Returns the area of a triangle in the picture. It is negative if the triangle faces the eye, because y counts
-/// downwards.
+/// Returns the area of a triangle in the picture. It is negative if the triangle faces the eye (y is down).
 double signedArea(const std::array<glm::dvec3, 3>& triangle);
 
 /// Projects a mesh into the picture.
-/// @pre mesh.mesh is not null, `topology` is its own, mesh.axes_V is right-handed; both outlive the result.
+/// @pre mesh.mesh is not null, `topology` was made from it, mesh.axes_V is right-handed; both outlive the result.
 ScreenMesh screenMesh(const draw::Camera& camera, const draw::Mesh& mesh, const MeshTopology& topology);
 
 }  // namespace poinsot::render

@@ -9,23 +9,23 @@
 namespace poinsot::render {
 namespace {
 
-// Room for half a pixel of ramp on either side, and for rounding.
+// Margin around an outline for its soft edge, which extends half a pixel to either side, and for rounding.
 constexpr float kOutlineMargin_px = 1.5f;
-// Added to the squared semi-axes. Keeps the form finite for a disc seen edge-on, and is too small to see (0.03
-// px).
+// Constant that is added to the squared semi-axes of an outline. It keeps numbers finite for a disc seen edge-on.
+// The change of at most 0.03 px is not visible.
 constexpr double kThinnest2_px2 = 1e-3;
 
-// Returns the dual conic of the outline, scaled so that its last element is -1.
+// Returns the dual conic of the outline as a matrix, scaled so that its last element is -1.
 glm::dmat3 dualConic(const draw::Camera& camera, const glm::dvec3& c, const glm::dmat3& A) {
   const double f = static_cast<double>(camera.focal_px());
   const glm::dvec2 middle(camera.centre_px);
   if (camera.orthographic) {
-    // p_px = L x + middle, so A and c are projected separately.
+    // With parallel rays, p_px = L x + middle. A and c are therefore projected separately.
     const glm::dmat3 L(f, 0, 0, 0, -f, 0, 0, 0, 0);
     const glm::dvec3 p = L * c + glm::dvec3(middle, 1);
     return L * A * glm::transpose(A) * glm::transpose(L) - glm::outerProduct(p, p);
   }
-  // p_px = (K x) / (K x).z with x right, y up, z backward.
+  // With perspective, p_px = (K x) / (K x).z. The camera axes are x right, y up, z backward.
   const glm::dmat3 K(f, 0, 0, 0, -f, 0, -middle.x, -middle.y, -1);
   const glm::dmat3 dual = K * (A * glm::transpose(A) - glm::outerProduct(c, c)) * glm::transpose(K);
   return dual / -dual[2][2];

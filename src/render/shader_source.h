@@ -5,9 +5,9 @@
 
 namespace poinsot::render {
 
-/// Returns the text of a file of shaders/ after `defines`, with its #include "..." lines replaced by those files.
-/// Files are embedded at build time. If POINSOT_SHADERS names a folder in the environment, they are read from
-/// there, for live editing.
+/// Returns the text of a shader: `defines`, then the file from shaders/ with each #include "..." line replaced by
+/// the included file. The files are embedded at build time. If the environment variable POINSOT_SHADERS names a
+/// folder, files are read from that folder instead, so that shaders can be edited without a build.
 /// @throws core::Error(kGraphics) for an unknown file.
 std::string shaderSource(const std::string& file, const std::string& defines = "");
 

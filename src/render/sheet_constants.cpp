@@ -7,7 +7,7 @@
 namespace poinsot::render {
 namespace {
 
-constexpr float kThinnest_px = 1e-3f;  // least width of a line whose reciprocal is taken
+constexpr float kThinnest_px = 1e-3f;  // least width of a line, so that its reciprocal is finite
 
 }  // namespace
 
@@ -54,7 +54,7 @@ void append(Constants& to, const draw::GlassPolygon& p, const PolygonSheet& shee
   to.emplace_back(p.color, p.opacity);
   to.emplace_back(p.lineColor, p.lineOpacity);
   to.emplace_back(sheet.depths, 0, 0);
-  const glm::vec3 nowhere(0, 0, 1e6f);  // an edge with the whole picture on its inside
+  const glm::vec3 nowhere(0, 0, 1e6f);  // edge (nx, ny, c) that has the complete picture on its inside
   const std::size_t own = sheet.edges.size(), last = own - 1;
   const auto corner = [&](std::size_t i) { return sheet.corners[std::min(i, last)]; };
   for (std::size_t i = 0; i < sides; ++i) to.emplace_back(i < own ? sheet.edges[i] : nowhere, corner(i).x);

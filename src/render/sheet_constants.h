@@ -4,7 +4,7 @@
 #include "render/constants.h"
 #include "render/sheets.h"
 
-/// Constants of one sheet, in the order of sheet_*.glsl.
+/// Functions that append the constants of one sheet, in the order in which sheet_*.glsl reads them.
 namespace poinsot::render {
 
 inline constexpr std::size_t kEllipsoidConstants = 12, kPlaneConstants = 10, kConeConstants = 9;
@@ -14,7 +14,7 @@ void append(Constants& to, const draw::GlassEllipsoid& ellipsoid, const Ellipsoi
 /// @param shadow  whether the plane's shadow is drawn
 void append(Constants& to, const draw::GridPlane& plane, const PlaneSheet& sheet, bool shadow);
 void append(Constants& to, const draw::GlassCone& cone, const ConeSheet& sheet);
-/// @param sides  number of sides that the program is compiled for
+/// @param sides  number of sides for which the program is compiled
 void append(Constants& to, const draw::GlassPolygon& polygon, const PolygonSheet& sheet, std::size_t sides);
 
 }  // namespace poinsot::render

@@ -12,7 +12,7 @@
 namespace poinsot::render {
 namespace {
 
-// Room for half a pixel of ramp on either side of an edge, and for rounding.
+// Margin around a sheet for its soft edge, which extends half a pixel to either side, and for rounding.
 constexpr float kSheetMargin_px = 1.5f;
 
 bool touches(const PixelBounds& bounds, const PixelBounds& tile) {
@@ -22,8 +22,8 @@ bool touches(const PixelBounds& bounds, const PixelBounds& tile) {
 
 enum class Relation { kApart, kCrossed, kFilled };
 
-// Compares a part of the picture with an outline. `least` and `most` bound the depth within the outline over the
-// part; the depth is 0 on the outline and negative outside.
+// Returns whether a part of the picture is outside an outline, crossed by it, or inside it. `least` and `most` are
+// bounds, over the part, of a function that is positive inside the outline and negative outside.
 Relation relation(float least, float most) {
   return most < 0 ? Relation::kApart : least > 0 ? Relation::kFilled : Relation::kCrossed;
 }
@@ -31,7 +31,7 @@ Relation relation(float least, float most) {
 glm::vec2 middleOf(const PixelBounds& b) { return {0.5f * (b.left + b.right), 0.5f * (b.top + b.bottom)}; }
 float radiusOf(const PixelBounds& b) { return 0.5f * std::hypot(b.right - b.left, b.bottom - b.top); }
 
-// rho of the outline changes by at most 1 / (its half width) per pixel.
+// rho of the outline (see ScreenEllipse) changes by at most 1 / (smaller semi-axis) per pixel.
 Relation relation(const ScreenEllipse& outline, const PixelBounds& part) {
   if (!touches(outline.bounds, part)) return Relation::kApart;
   const glm::vec3 f = outline.form;
@@ -42,7 +42,7 @@ Relation relation(const ScreenEllipse& outline, const PixelBounds& part) {
   return relation(1 - rho - reach, 1 - rho + reach);
 }
 
-// The border line of a plane counts as part of its outline.
+// A plane's border line is treated as part of the plane's outline.
 Relation relation(const PlaneSheet& plane, const PixelBounds& part) {
   if (!touches(plane.bounds, part)) return Relation::kApart;
   Relation whole = Relation::kFilled;
@@ -58,10 +58,10 @@ Relation relation(const PlaneSheet& plane, const PixelBounds& part) {
   return whole;
 }
 
-/// Sets the quotients of a plane. A ray meets the plane at x = from + t through; n is the plane's normal, c its
-/// centre:
+/// Sets the numbers with which shaders compute where a ray meets the plane. The ray is x = from + t through. With
+/// the plane's normal n and centre c:
 ///   t = n.(c - from) / n.through,  u = (t through - (c - from)).e_u
-/// Numerators and divisor are linear in the pixel, so three pixels determine them.
+/// Numerators and divisor are linear functions of the pixel, so their values at three pixels determine them.
 void setQuotients(const draw::Camera& camera, glm::vec3 centre_C, const std::array<glm::vec3, 2>& axes_C,
                   float spacing, PlaneSheet& sheet) {
   sheet.middle_px = projectCamera(camera, centre_C);
@@ -82,7 +82,7 @@ void setQuotients(const draw::Camera& camera, glm::vec3 centre_C, const std::arr
   const glm::dvec2 middle(sheet.middle_px);
   const glm::dvec4 here = at(middle), right = at(middle + glm::dvec2(1, 0)) - here,
                    down = at(middle + glm::dvec2(0, 1)) - here;
-  // A plane seen edge-on is a line, and nothing of it is drawn.
+  // Avoids a division by zero for a plane seen edge-on. No part of such a plane is drawn.
   const double scale = 1 / (std::abs(here.w) > 1e-9 ? here.w : 1e-9);
   const auto row = [&](int i) { return glm::vec3(scale * right[i], scale * down[i], scale * here[i]); };
   sheet.u = row(0);
@@ -91,8 +91,8 @@ void setQuotients(const draw::Camera& camera, glm::vec3 centre_C, const std::arr
   sheet.divisor = row(3);
 }
 
-// Returns the bounds of the square around the shadow, or of the whole plane if that square is not wholly in front
-// of the camera.
+// Returns the bounds of the square around the shadow, or of the plane if the square is not completely in front of
+// the camera.
 PixelBounds shadowBounds(const draw::Camera& camera, const draw::GridPlane& p, const PixelBounds& plane) {
   if (p.shadowRadius_V <= 0 || p.shadowOpacity <= 0) return {};
   const float reach = draw::GridPlane::kShadowReach * p.shadowRadius_V;
@@ -192,7 +192,7 @@ SheetChoice Sheets::reaching(const PixelBounds& part) const {
   };
   for (std::size_t i = 0; i < ellipsoids_.size(); ++i)
     take(relation(ellipsoids_[i].outline, part), chosen.ellipsoids, i);
-  // Cones that share an apex are drawn together, and so are polygons that share an edge.
+  // Cones with the same apex are drawn together, and so are polygons with a common edge.
   const auto together = [&](const auto& sheets, const auto& boundsOf, std::vector<std::size_t>& numbers) {
     const auto here = [&](const auto& s) { return touches(boundsOf(s), part); };
     if (std::ranges::none_of(sheets, here)) return;

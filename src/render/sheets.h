@@ -14,21 +14,21 @@
 
 namespace poinsot::render {
 
-/// Sheets that a part of the picture shows: indices into the list, by kind.
+/// Sheets (translucent surfaces) that a part of the picture shows, as indices into the draw list.
 struct SheetChoice {
   std::vector<std::size_t> ellipsoids, planes, cones, polygons;
-  bool outlines = false;  ///< whether a sheet may end in the part; otherwise each one fills it
-  bool shadows = false;   ///< whether a plane's shadow may be in the part; otherwise none is drawn
+  bool outlines = false;  ///< whether the part may contain the edge of a sheet; if not, each sheet fills the part
+  bool shadows = false;   ///< whether the part may contain the shadow on a plane; if not, no shadow is drawn
   auto operator<=>(const SheetChoice&) const = default;
   bool empty() const { return ellipsoids.empty() && planes.empty() && cones.empty() && polygons.empty(); }
 };
 
-/// Number of sheets of each kind that a shader is made for.
+/// Number of sheets of each kind for which a shader is compiled.
 struct SheetCounts {
   std::size_t ellipsoids = 0, planes = 0, cones = 0, polygons = 0, polygonSides = 0;
   auto operator<=>(const SheetCounts&) const = default;  // NOLINT(modernize-use-nullptr): of what is made here
   std::size_t constants() const;
-  /// Returns how many fragments of sheets a pixel can show. Ellipsoids and cones have two walls, cones also a rim.
+  /// Returns the most sheet surfaces in one pixel. Ellipsoids have two walls; cones have two walls and a rim.
   std::size_t fragments() const { return 2 * ellipsoids + planes + 3 * cones + polygons; }
 };
 
@@ -37,46 +37,46 @@ struct EllipsoidSheet {
   ScreenEllipse outline;
 };
 
-/// Grid plane in the picture, with its centre at middle_px. Its coordinates and depth are quotients of linear
-/// functions of the pixel. Each function is stored as its change per pixel to the right, its change per pixel
-/// down, and its value at middle_px.
+/// Grid plane as seen in the picture. Its grid coordinates and depth are quotients of two linear functions of the
+/// pixel. Each linear function is stored as three numbers: change per pixel to the right, change per pixel down,
+/// and value at middle_px, the pixel position of the plane's centre.
 struct PlaneSheet {
   glm::vec2 middle_px{0};
-  glm::vec3 u{0}, v{0};                  ///< coordinates from the plane's centre, in grid spacings
-  glm::vec3 depth{0}, divisor{0, 0, 1};  ///< depth as stored, 0 to 1; the divisor is 1 at middle_px
+  glm::vec3 u{0}, v{0};  ///< numerators of the coordinates from the plane's centre, in grid spacings
+  /// Numerator of the stored depth (0 to 1), and the common divisor, which is 1 at middle_px
+  glm::vec3 depth{0}, divisor{0, 0, 1};
   std::array<glm::vec3, 4> edges{};
   float border_px = 0;
-  PixelBounds bounds;  ///< empty, as for all sheets, if not wholly in front of the camera
-  PixelBounds shadow;  ///< where the shadow may be; empty if there is none
+  PixelBounds bounds;  ///< empty if the plane is not completely in front of the camera
+  PixelBounds shadow;  ///< part of the picture that the shadow may darken; empty without a shadow
 };
 
 struct ConeSheet {
   FrustumOutline outline;
-  float slope = 0;  ///< radius / height
+  float slope = 0;  ///< radius of the base divided by the height
 };
 
 struct PolygonSheet {
-  std::vector<glm::vec3> edges;  ///< in the picture; empty if the polygon is not visible
+  std::vector<glm::vec3> edges;  ///< lines (nx, ny, c) in the picture; empty if the polygon is not visible
   std::vector<glm::vec2> corners;
   glm::vec3 normal_C{0, 0, 1}, point_C{0};
-  glm::vec2 depths{0};  ///< distances of the nearest and the farthest corner
+  glm::vec2 depths{0};  ///< distances of the nearest and of the farthest corner along the view
   PixelBounds bounds;
 };
 
-/// Translucent sheets of one list, as composite.frag takes them, projected by the list's camera. The list must
-/// outlive this object.
+/// Translucent sheets of a draw list, projected for composite.frag. The list must outlive this object.
 class Sheets {
  public:
   /// @pre cones have half-angles below a right angle, polygons 3 to 16 corners.
   explicit Sheets(const draw::DrawList& list);
 
-  /// Returns all sheets that a part of the picture may show.
+  /// Returns all sheets that may be visible in a part of the picture.
   SheetChoice reaching(const PixelBounds& part) const;
-  /// Adds all planes to a choice that is costly anyway, so that fewer shaders need to be compiled.
+  /// Adds all planes to the choice. For parts that are slow to draw anyway, this saves shaders.
   void addPlanesTo(SheetChoice& chosen) const;
   static constexpr std::size_t kMostCorners = 16;
   SheetCounts counts(const SheetChoice& chosen) const;
-  /// Returns the constants of the chosen sheets, for a program made for their counts().
+  /// Returns the constants of the chosen sheets, for a program that was compiled for counts(chosen).
   Constants constants(const SheetChoice& chosen) const;
 
  private:

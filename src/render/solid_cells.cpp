@@ -15,7 +15,7 @@ int cellsFor(float length_px) { return (static_cast<int>(length_px) + kSide_px -
 
 }  // namespace
 
-// Counts a seam as an edge, because the surface that comes forward beside it is kept like an edge.
+// A seam, where two solids intersect, counts as an edge: the surface that appears there is stored like an edge.
 SolidReach SolidCells::Cell::reach() const {
   const int edges = (strand != 0 ? 1 : 0) + (manyStrands ? 1 : 0) + (shared ? 1 : 0);
   if (edges > 0) return edges > 1 ? SolidReach::kTwoEdges : SolidReach::kOneEdge;
@@ -26,7 +26,7 @@ SolidCells::SolidCells(glm::vec2 size_px)
     : size_px_(size_px), columns_(cellsFor(size_px.x)), rows_(cellsFor(size_px.y)), cells_(cellAt(0, rows_)) {}
 
 float SolidCells::nextSolid() {
-  // If numbers run out, they start again; two solids of the same number merely have no seam.
+  // After the last number, numbering starts again. Solids with the same number merely get no seam.
   solid_ = solid_ < 0xFFFF ? static_cast<std::uint16_t>(solid_ + 1) : static_cast<std::uint16_t>(kNoSolid + 1);
   nextStrand();
   return shown(solid_);
@@ -57,7 +57,8 @@ void SolidCells::forEachCell(const Triangle& t, Use use) const {
         part.include(glm::vec2(c.y == a.y ? c.x : a.x + (y - a.y) / (c.y - a.y) * (c.x - a.x), y));
     }
     if (part.left > part.right) continue;
-    part.include(glm::vec2(part.left, part.top), 0.5f);  // keeps a level triangle from being empty
+    // The margin keeps the part of a horizontal triangle from being empty.
+    part.include(glm::vec2(part.left, part.top), 0.5f);
     part.include(glm::vec2(part.right, part.bottom), 0.5f);
     part.top = std::max(part.top, top);
     part.bottom = std::min(part.bottom, bottom);
@@ -75,10 +76,10 @@ void SolidCells::addSolid(Cell& cell, const DepthRange& depths) {
     }
     cell.shared = cell.shared || solid.depths.overlaps(depths);
   }
-  cell.shared = cell.shared || own == nullptr;  // too many solids to compare
+  cell.shared = cell.shared || own == nullptr;  // no free entry: the new solid cannot be compared later
   anyShared_ = anyShared_ || cell.shared;
   if (own == nullptr) return;
-  // Solids after `own` in the list were added since this solid was first marked in the cell.
+  // Solids after `own` were added after this solid's first mark in the cell, so they are compared here.
   for (const Solid* other = own + 1; other != cell.solids.end(); ++other)
     cell.shared = cell.shared || (other->number != 0 && other->depths.overlaps(depths));
   anyShared_ = anyShared_ || cell.shared;

@@ -9,11 +9,11 @@
 
 namespace poinsot::render {
 
-/// Content of a part of the picture as to solids. The values are SOLIDS in composite.frag.
+/// Kind of content that solids have in a part of the picture. The values are those of SOLIDS in composite.frag.
 enum class SolidReach : std::uint8_t {
   kNone = 0,
-  kInside = 1,   ///< only insides of solids: no edges and no seams
-  kOneEdge = 2,  ///< edges, at most one in a pixel
+  kInside = 1,   ///< only interiors of solids, no edges and no seams
+  kOneEdge = 2,  ///< edges, but at most one per pixel
   kTwoEdges = 3
 };
 
@@ -27,8 +27,9 @@ struct DepthRange {
   bool overlaps(const DepthRange& other) const { return near <= other.far && other.near <= far; }
 };
 
-/// Cells of the picture in which solids lie, in which their edges lie, and in which two solids may cut each other
-/// because they may touch the cell at the same depth.
+/// Map of the cells of a picture: which cells contain solids, which contain edges of solids, and which contain a
+/// possible seam. A seam is a line along which two solids intersect. A cell may contain one if two solids have
+/// overlapping ranges of depth in the cell.
 class SolidCells {
  public:
   using Triangle = std::array<glm::vec2, 3>;
@@ -36,14 +37,14 @@ class SolidCells {
   SolidCells() = default;
   explicit SolidCells(glm::vec2 size_px);
 
-  /// Starts a solid and its first strand of edges. Returns its number, as emit.glsl takes it.
+  /// Starts a solid and its first strand of edges. Returns the solid's number / 65535, for emit.glsl.
   float nextSolid();
-  /// Returns the number of things that cut no solid, such as flat lines.
+  /// Returns the solid number for things that form no seam with a solid, such as flat lines.
   static float noSolid() { return shown(kNoSolid); }
-  /// Starts a strand. Edges of one strand are never behind one another in a pixel.
+  /// Starts a strand: a set of edges of which no two lie behind one another in any pixel.
   void nextStrand() { ++strand_; }
 
-  /// Marks the pixels that the current solid may touch.
+  /// Marks the pixels that the current solid may touch. The current solid is the one of the last nextSolid().
   void markSolid(const PixelBounds& bounds, const DepthRange& depths);
   void markSolid(const Triangle& triangle_px, const DepthRange& depths);
   /// Marks the pixels that an edge of the current strand may touch.
@@ -52,16 +53,16 @@ class SolidCells {
 
   bool any() const { return any_; }
   bool anyShared() const { return anyShared_; }
-  /// Reports whether two solids may cut each other, or (twoEdges) two edges share a pixel, within the bounds.
+  /// Whether two solids may intersect (shared) or two edges may share a pixel (twoEdges) within the bounds.
   bool shared(const PixelBounds& bounds) const { return !sharedPart(bounds).empty(); }
   bool twoEdges(const PixelBounds& bounds) const { return reach(bounds)[1] == SolidReach::kTwoEdges; }
-  /// Returns the bounds of all cells within `bounds` where two solids may cut each other; empty if there are none.
+  /// Returns the bounds of the cells within `bounds` in which two solids may intersect. Empty if there are none.
   PixelBounds sharedPart(const PixelBounds& bounds) const;
-  /// Returns the least and the greatest reach in any cell of these pixels.
+  /// Returns the smallest and the largest SolidReach of the cells within the bounds.
   std::array<SolidReach, 2> reach(const PixelBounds& bounds) const;
 
-  /// Returns the bounds of all cells that hold anything, with their neighbours. They start at a tile's corner, so
-  /// that the grouping of pixels that are shaded together does not depend on where the solids are.
+  /// Returns the bounds of all cells that contain solids or edges, and of their neighbours. The bounds start at
+  /// the corner of a tile. The grouping of pixels in shading then does not depend on the solids' position.
   PixelBounds part() const;
 
  private:
@@ -71,7 +72,7 @@ class SolidCells {
   };
   struct Cell {
     std::array<Solid, 3> solids;
-    std::uint32_t strand = 0;  // 0: no edge
+    std::uint32_t strand = 0;  // last strand with an edge in this cell; 0 if there is none
     bool shared = false, manyStrands = false;
 
     SolidReach reach() const;

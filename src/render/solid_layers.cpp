@@ -12,7 +12,7 @@
 namespace poinsot::render {
 namespace {
 
-// Layers grow in steps of this size, so that a turning body does not need new layers in every frame.
+// Layers grow in steps of this size. With smaller steps, a rotating body would need new layers in many frames.
 constexpr int kStep_px = 2 * kTile_px;
 
 glm::ivec2 sizeFor(const PixelBounds& part, glm::ivec2 most) {
@@ -20,17 +20,15 @@ glm::ivec2 sizeFor(const PixelBounds& part, glm::ivec2 most) {
   return glm::min(kStep_px * glm::ivec2(glm::ceil(size_px / float{kStep_px})), most);
 }
 
-// Returns `side`, or side + 1 if it is a power of two. llvmpipe recompiles a shader when a texture's side becomes
-// a power of two or ceases to be one. A worker that starts elsewhere in the film, with another part of the
-// picture, would recompile most shaders, which takes a second.
+// Returns `side`, or side + 1 if `side` is a power of two. llvmpipe compiles different shaders for textures whose
+// side is a power of two. Avoiding them saves a worker a second of recompilation.
 int notAPowerOfTwo(int side) { return std::has_single_bit(static_cast<unsigned>(side)) ? side + 1 : side; }
 
 }  // namespace
 
 void SolidLayers::fit(const PixelBounds& part, glm::ivec2 picture_px, GLenum light) {
   origin_px_ = {part.left, part.top};
-  // The composite pass reads the neighbours of each pixel. One texel more than the picture keeps these reads
-  // inside the texture; the content there is empty.
+  // The composite pass reads the neighbours of each pixel. An extra, empty texel keeps the reads in the texture.
   const glm::ivec2 most = picture_px + 1;
   glm::ivec2 size = sizeFor(part, most);
   if (!layers_.empty() && light == light_) {
@@ -39,16 +37,16 @@ void SolidLayers::fit(const PixelBounds& part, glm::ivec2 picture_px, GLenum lig
     size = glm::max(size, glm::min(old, most));
   }
   size = {notAPowerOfTwo(size.x), notAPowerOfTwo(size.y)};
-  if (!layers_.empty()) letGo();  // frees memory before the new layers need it
+  if (!layers_.empty()) letGo();  // frees memory before the new layers are allocated
   std::vector<gl::Framebuffer> made;
   for (int i = 0; i < 3; ++i) made.emplace_back(size, std::vector{light}, GL_DEPTH_COMPONENT32F);
   layers_ = std::move(made);
   light_ = light;
 }
 
-// Deletes the layers. Mesa keeps textures that a shader has read until another shader reads from their units, in
-// at least one pixel. A small shader does so here, into a pixel of its own, because the framebuffer bound before
-// may have been deleted with the layers.
+// Deletes the layers and makes Mesa free their memory. Mesa keeps a texture that a shader has read until another
+// shader reads from the same texture unit. A small shader therefore reads from all six units here. It draws one
+// pixel into its own framebuffer, as the bound one may be deleted.
 void SolidLayers::letGo() {
   layers_.clear();
   const gl::Framebuffer pixel(glm::ivec2(1), {GL_RGBA8}, 0);
@@ -75,7 +73,7 @@ void main() { pixel = texel(a) + texel(b) + texel(c) + texel(d) + texel(e) + tex
 
 void SolidLayers::begin(SolidLayer layer) const {
   (*this)[layer].bind();
-  glClear(GL_DEPTH_BUFFER_BIT);  // colours are not read where depth is 1
+  glClear(GL_DEPTH_BUFFER_BIT);  // colours need no clearing, because they are not read where the depth is 1
 }
 
 }  // namespace poinsot::render

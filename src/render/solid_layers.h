@@ -10,22 +10,24 @@
 
 namespace poinsot::render {
 
-/// Layers that the passes over the solids draw: the nearest full fragment, and the two nearest edges.
+/// Results of the passes over the solids. kFull has the nearest fragment that fills its pixel; kEdge and kNextEdge
+/// have the two nearest fragments that fill only part of it.
 enum class SolidLayer : std::uint8_t { kFull, kEdge, kNextEdge };
 
-/// Layers for one picture after another. They cover only the part of the picture that solids are in, because new
-/// memory costs more time than drawing there. They only grow, so that few pictures need new ones. Their size
-/// changes no pixel: nothing is in them beyond the part, and they include one pixel beyond the picture.
+/// Framebuffers for the passes over the solids, reused from picture to picture. They cover only the part of the
+/// picture that contains solids, because new memory costs more time than drawing. They never shrink, so new ones
+/// are seldom needed. Their size does not affect any pixel.
 class SolidLayers {
  public:
-  /// Makes room for a part of a picture of that size. Discards the contents of the layers.
-  /// @param light  format of the linear light
+  /// Makes room for a part of a picture, and discards the contents of the layers.
+  /// @param picture_px  size of the complete picture
+  /// @param light  OpenGL format of the linear light
   /// @throws core::Error(kGraphics) if the back end cannot hold the layers.
   void fit(const PixelBounds& part, glm::ivec2 picture_px, GLenum light);
-  /// Binds a layer for drawing and empties it.
+  /// Binds a layer for drawing and clears it.
   void begin(SolidLayer layer) const;
 
-  /// Returns the top left corner of the layers in the picture.
+  /// Returns the position of the layers' top left corner in the picture.
   glm::vec2 origin_px() const { return origin_px_; }
   /// @pre fit() was called.
   const gl::Framebuffer& operator[](SolidLayer layer) const { return layers_[static_cast<std::size_t>(layer)]; }

@@ -159,7 +159,7 @@ void SolidPainter::markStrip(const std::vector<StripVertex>& triangles, bool tub
   glm::vec2 begin(0), before(0);
   for (std::size_t i = 0; i + 5 < triangles.size(); i += 6) {
     const auto at = [&](std::size_t k) { return triangles[i + k].position_px; };
-    // While a strand keeps roughly one direction, it cannot come back to the same pixel.
+    // A strip that keeps roughly the same direction cannot return to a pixel. Its edges form one strand.
     const glm::vec2 along = (at(2) + at(5)) - (at(0) + at(1));
     if (i == 0 || glm::dot(along, begin) < 0 || glm::dot(along, before) < 0) {
       solidCells_->nextStrand();

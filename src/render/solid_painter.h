@@ -13,34 +13,35 @@
 
 namespace poinsot::render {
 
-/// Draws the opaque things of a draw list that need no mesh: ellipsoids, frustums and curves.
+/// Draws the opaque objects of a draw list that are not meshes: ellipsoids, frustums and curves.
 class SolidPainter {
  public:
   SolidPainter();
 
-  /// Prepares the outlines and strips of a list for all passes, and marks the cells that they may touch. All
-  /// solids that are not drawn here must be marked already.
-  /// @param meshEdges  drawn with the list's own curves; lines of one mesh differ only in their points
+  /// Prepares the objects of a list for all passes, and marks the cells that they may touch. Solids that other
+  /// painters draw must be marked before this call.
+  /// @param meshEdges  lines along the edges of each mesh, drawn like the list's own curves. Lines of one mesh may
+  /// differ only in their points.
   void prepare(const draw::DrawList& list, const std::vector<std::vector<draw::Curve>>& meshEdges,
                SolidCells& solidCells);
 
-  /// Draws the prepared list into the bound framebuffer. kEdges draws the nearest edge behind the depths of
-  /// inputs.edgeBefore, or the nearest of all if that is 0. kSeams draws the parts of solids that come forward
-  /// beside a seam.
+  /// Draws the prepared objects into the bound framebuffer. The pass kEdges draws the nearest edge behind the
+  /// depths in inputs.edgeBefore, or the nearest edge if edgeBefore is 0. The pass kSeams draws surfaces that come
+  /// to the front within a pixel where two solids intersect.
   void draw(SolidPass pass, const PassInputs& inputs, const PictureConstants& ofPicture);
 
  private:
   enum Kind : std::size_t { kEllipsoid, kFrustum, kFlatCurve, kTube, kKinds };
-  using Programs = std::vector<SolidProgram>;  // indexed by Kind
+  using Programs = std::vector<SolidProgram>;
 
   struct Range {
     GLint first = 0;
     GLsizei count = 0;
   };
 
-  /// One draw call with its constants. `full` holds all its squares or triangles, and `edges` those of the edge
-  /// pass. `nextEdges` and `seams` are copies of those for the second edge pass and of those that may touch
-  /// another solid.
+  /// One draw call with its constants. The ranges select vertices: `full` selects all squares or triangles,
+  /// `edges` those that may contain an edge. `nextEdges` and `seams` select copies of the vertices for the second
+  /// edge pass and for the seam pass.
   struct Item {
     Kind kind;
     Constants own;
@@ -56,7 +57,8 @@ class SolidPainter {
   template <typename Outline>
   Cells cellsWithin(const Outline& outline) const;
 
-  /// Appends copies of the groups in a range whose bounds are `wanted`. Each group has `group` vertices.
+  /// Appends copies of those groups of vertices in a range whose bounds satisfy `wanted`.
+  /// @param group  number of vertices per group
   template <typename Vertex, typename Wanted>
   static Range copied(const Range& range, std::vector<Vertex>& vertices, GLsizei group, Wanted wanted);
   template <typename Vertex>
@@ -70,7 +72,7 @@ class SolidPainter {
   gl::BufferName cellBuffer_ = gl::BufferName::make();
   gl::BufferName curveBuffer_ = gl::BufferName::make();
 
-  // Data of the list that was prepared last.
+  // Data of the list that was last passed to prepare().
   const draw::DrawList* list_ = nullptr;
   SolidCells* solidCells_ = nullptr;
   std::vector<Item> items_;

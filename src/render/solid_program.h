@@ -11,8 +11,8 @@
 
 namespace poinsot::render {
 
-/// Program for one pass over one kind of solid, from files of shaders/. It is compiled at first use, because a
-/// scene shows few kinds and programs take a fifth of the start-up time.
+/// Shader program for one pass over one kind of solid. It is compiled at its first use, because a scene shows only
+/// a few kinds and compiling all programs would take a fifth of the start-up time.
 class SolidProgram {
  public:
   SolidProgram(std::string vertex, std::string fragment, SolidPass pass, std::size_t ownConstants,

@@ -12,12 +12,11 @@ namespace {
 using text::Point;
 
 constexpr double kPiece_px = 64;
-// Diagonal of a pixel, and rounding. The half width is added for bends.
+// Overlap of neighbouring pieces: the diagonal of a pixel, and rounding. Half the line width is added for bends.
 constexpr double kOverlap_px = 2;
-// Points closer than this to the line between their neighbours are left out; the line moves by less than is
-// visible.
+// Largest distance of a left-out point from the line between its neighbours. A shift of this size is not visible.
 constexpr double kTolerance_px = 0.01;
-// Points left out in a row at most, so that testing all of them again stays cheap.
+// Limit of consecutive points that are left out. Each further point requires a check of all of them.
 constexpr std::size_t kLeftOut = 16;
 
 struct Range {
@@ -31,7 +30,7 @@ double distanceToSegment(Point p, Point from, Point to) {
   return text::distance(q, d * t);
 }
 
-/// Simplifies a polyline: curves are sampled more finely than they bend.
+/// Simplifies a polyline. Curves are sampled much more finely than their shape requires.
 class Simplifier {
  public:
   void add(Point p) {
@@ -71,10 +70,10 @@ std::vector<Point> simplified(const draw::Stroke& stroke) {
   return points;
 }
 
-/// Polyline, indexed by the length along it.
+/// Polyline with access by arc length.
 class Path {
  public:
-  /// @pre no point twice in a row
+  /// @pre no point is repeated directly after itself
   explicit Path(std::vector<Point> points) : points_(std::move(points)), lengths_{0} {
     for (std::size_t i = 1; i < points_.size(); ++i)
       lengths_.push_back(lengths_.back() + text::distance(points_[i - 1], points_[i]));
@@ -84,7 +83,7 @@ class Path {
   double lengthTo(std::size_t i) const { return lengths_[i]; }
   double length() const { return lengths_.back(); }
 
-  /// Returns the points of a range. A range may pass the end, where the path begins again.
+  /// Returns the part of the path within a range of arc length. A range beyond the end continues at the start.
   StrokePiece piece(Range range) const {
     StrokePiece piece{at(range.from)};
     addInner(range, 0, piece);
@@ -98,7 +97,8 @@ class Path {
     if (p.x != piece.back().x || p.y != piece.back().y) piece.push_back(p);
   }
 
-  // Adds the path's points strictly within the range, on the lap that begins at `offset`.
+  // Adds the points of the path that lie strictly within the range.
+  // @param offset  arc length at which the current lap starts: 0 or length()
   void addInner(Range range, double offset, StrokePiece& piece) const {
     auto i = std::upper_bound(lengths_.begin(), lengths_.end(), range.from - offset) - lengths_.begin();
     for (; i < std::ssize(lengths_) && lengths_[static_cast<std::size_t>(i)] + offset < range.to; ++i)
@@ -118,7 +118,7 @@ class Path {
   std::vector<double> lengths_;
 };
 
-// Reduces `share` to the values t with low <= a + t b <= high.
+// Narrows the range `share` of t to the values with low <= a + t b <= high.
 void cut(double a, double b, double low, double high, Range& share) {
   if (b == 0) {
     if (a < low || a > high) share.to = share.from - 1;
@@ -150,7 +150,7 @@ std::vector<Range> rangesWithin(const Path& path, const PixelBounds& rectangle, 
   return ranges;
 }
 
-// Returns the dashes within a range. Dashes begin at every second multiple of `dash`.
+// Returns the dashes within a range of arc length. Dashes begin at even multiples of `dash`.
 std::vector<Range> dashesIn(Range range, double dash) {
   std::vector<Range> dashes;
   for (double k = std::floor(range.from / (2 * dash)); 2 * dash * k < range.to; ++k) {
@@ -167,10 +167,10 @@ std::vector<StrokePiece> strokePieces(const draw::Stroke& stroke, const PixelBou
   const Path path(simplified(stroke));
   if (path.points().size() == 1) return {{path.points().front()}};
   const double halfWidth = 0.5 * static_cast<double>(stroke.width_px);
-  // Round ends close gaps that are not longer than the line's width.
+  // The round ends of dashes close gaps that are not longer than the line's width. Such a line has no dashes.
   const bool dashed = stroke.dash_px > stroke.width_px;
   const bool loop = stroke.closed && !dashed;
-  // A small loop gets at least three pieces, so that no piece meets its own beginning.
+  // A short loop is divided into at least three pieces, so that no piece reaches its own start.
   const double third = path.length() / 3;
   const double step = loop ? std::min(kPiece_px, third) : kPiece_px;
   const double overlap = loop ? std::min(kOverlap_px + halfWidth, third) : kOverlap_px + halfWidth;

@@ -9,16 +9,16 @@
 
 namespace poinsot::render {
 
-/// Part of a stroke's middle line: at least one point, and none twice in a row.
+/// Part of a stroke's centre line. It has at least one point, and no two consecutive points are equal.
 using StrokePiece = std::vector<text::Point>;
 
-/// Cuts the middle line of a stroke into its dashes, and dashes into overlapping pieces of about 64 pixels. Drawn
-/// with round ends, the pieces make up the stroke. Each pixel lies wholly within the reach of one piece, so the
-/// largest coverage of any piece is the coverage of the stroke.
+/// Divides the centre line of a stroke into its dashes, and each dash into overlapping pieces of about 64 pixels.
+/// Pieces overlap by more than a pixel, so every pixel of the stroke has a piece that does not end in it. The
+/// coverage of the stroke in a pixel is therefore the largest coverage of any piece.
 ///
-/// Without pieces, a line that runs over itself (a closed orbit traced ten times) would count each lap and get
-/// hard, ragged edges, and a long line would need an array as large as the picture.
-/// @param visible  rectangle outside which parts are left out
+/// Without pieces, a line that passes over itself, such as a closed orbit traced ten times, would add up the
+/// coverage of its laps and get hard, ragged edges. A long line would also need an array as large as the picture.
+/// @param visible  parts outside this rectangle are left out
 std::vector<StrokePiece> strokePieces(const draw::Stroke& stroke, const PixelBounds& visible);
 
 }  // namespace poinsot::render

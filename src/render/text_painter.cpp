@@ -27,7 +27,8 @@ PixelBounds TextPainter::paint(const draw::Text& item, image::BasicImage<Sample>
     place = eraseCoverage(coverage(item, item.halo_px), item.opacity, picture);
   else if (item.halo && item.halo_px > 0)
     place = blendCoverage(coverage(item, item.halo_px), *item.halo, item.opacity, picture);
-  if (item.halo && item.halo_px > 0 && item.color == *item.halo) return place;  // the halo covers the glyphs
+  // A halo of the same colour covers the glyphs completely
+  if (item.halo && item.halo_px > 0 && item.color == *item.halo) return place;
   place.include(blendCoverage(coverage(item, 0), item.color, item.opacity, picture));
   return place;
 }

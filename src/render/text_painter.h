@@ -15,20 +15,20 @@
 
 namespace poinsot::render {
 
-/// Paints type over a finished picture on the CPU. Glyph coverage is exact area, cached because titles stand
-/// still; blending is in linear light.
+/// Paints text over a finished picture on the CPU, blended in linear light. The coverage of glyphs is the exact
+/// area. It is cached, because labels are the same in most frames.
 class TextPainter {
  public:
   void beginPicture() { coverage_.beginPicture(); }
 
-  /// Paints the texts in order and returns the places that may have changed. In a picture of four channels a halo
-  /// erases the picture under it, regardless of the halo's colour.
+  /// Paints the texts in order. Returns the rectangles that may have changed. In a picture with four channels, a
+  /// halo erases the picture under it; the halo's colour has no effect.
   /// @throws core::Error(kUsage) if TeX cannot be set.
   template <typename Sample>
   std::vector<PixelBounds> paint(const std::vector<draw::Text>& texts, image::BasicImage<Sample>& picture);
 
  private:
-  /// Inputs of a coverage map: text, size, left end of the baseline, width of the halo.
+  /// Inputs that determine a coverage map: TeX text, size, x and y of the baseline's left end, width of the halo.
   using Key = std::tuple<std::string, float, float, float, float>;
 
   template <typename Sample>
@@ -36,7 +36,7 @@ class TextPainter {
   const text::GlyphRun& run(const std::string& tex);
   const text::CoverageMap& coverage(const draw::Text& text, float outline_px);
 
-  std::map<std::string, text::GlyphRun> runs_;  // a film shows the same few labels in every frame
+  std::map<std::string, text::GlyphRun> runs_;  // typeset labels; a film shows the same few labels in every frame
   PictureCache<Key, text::CoverageMap> coverage_;
 };
 

@@ -26,7 +26,8 @@ void TileCache::beginPicture(glm::ivec2 size_px, Constants common) {
   ended_ = false;
 }
 
-// Returns the name of a look. A look that the previous picture did not have gets a new name, which no tile shows.
+// Returns a number that identifies a look: sheets and their constants. If the previous picture had the same look,
+// its number is kept. A new look gets a new number, which no tile has yet.
 int TileCache::nameOf(const SheetChoice& chosen, const Sheets& sheets) {
   const auto isChosen = [&](const Look& look) { return look.chosen == chosen; };
   if (const auto known = std::ranges::find_if(current_, isChosen); known != current_.end()) return known->name;

@@ -9,17 +9,18 @@
 
 namespace poinsot::render {
 
-/// Cache of what the tiles of a picture showed last, for tiles of sheets or paper only. A film's plane and ground
-/// stand still and need not be drawn, read and converted again. All numbers that decide the pixels of a tile
-/// identify its content, so that its bytes do not depend on earlier pictures.
+/// Cache that records which sheets each tile of a picture showed last. A tile that shows the same sheets again,
+/// such as part of a fixed ground, need not be drawn again. Tiles with solids are not cached. Two tiles count as
+/// equal only if all numbers that determine their pixels are equal, so pictures do not depend on earlier ones.
 class TileCache {
  public:
-  /// Starts a picture. Clears the cache if the size or `common` has changed, or if the last picture was not ended.
-  /// @param common  numbers that all tiles depend on
+  /// Starts a picture. Clears the cache if the size or `common` has changed, or if endPicture() was not called for
+  /// the previous picture.
+  /// @param common  numbers on which all tiles depend
   void beginPicture(glm::ivec2 size_px, Constants common);
-  /// Reports whether the tile already shows exactly these sheets, and records that it does from now on.
+  /// Reports whether the tile already shows exactly these sheets. Records that the tile shows them now.
   bool shows(const PixelBounds& tile, const SheetChoice& chosen, const Sheets& sheets);
-  /// Clears the entries of the tiles at a place that shows something else now.
+  /// Clears the entries of all tiles that the rectangle touches, because they were painted over.
   void forget(const PixelBounds& place);
   /// Marks the picture as complete, so that the next one may reuse its tiles.
   void endPicture() { ended_ = true; }
@@ -39,7 +40,7 @@ class TileCache {
   Constants common_;
   bool ended_ = false;
   std::vector<Look> last_, current_;
-  std::vector<int> shown_;  // name of the look by tile, row by row; 0: unknown
+  std::vector<int> shown_;  // number of the look of each tile, row by row; 0 if unknown
   int names_ = 0;
 };
 

@@ -64,9 +64,9 @@ Shard parseShard(std::string_view text) {
   const auto k = parseFrameNumber(text.substr(0, slash));
   const auto n = slash == std::string_view::npos ? std::nullopt : parseFrameNumber(text.substr(slash + 1));
   if (!k || !n || *k < 1 || *k > *n || *n > kMostShards)
-    throw core::usageError(
-        fmt::format("--shard '{}': a shard is k/n, such as 2/7: the k-th of n, from 1/n to n/n, at most {}",
-                    core::printable(text), kMostShards));
+    throw core::usageError(fmt::format(
+        "--shard '{}': a shard is k/n, such as 2/7 for part 2 of 7; k must be from 1 to n, and n at most {}",
+        core::printable(text), kMostShards));
   return {static_cast<int>(*k), static_cast<int>(*n)};
 }
 

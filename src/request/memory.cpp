@@ -24,7 +24,7 @@ using std::filesystem::path;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// Returns the text of a file, empty if it cannot be read. Kernel files report no size, so this reads to the end.
+/// Returns the text of a file; empty if the file cannot be read. Files of the kernel do not report their size.
 std::string textOf(const path& file) {
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
@@ -49,17 +49,18 @@ double ofMachine(const path& root) {
   return available_kB ? 1024 * (*available_kB + field(text, "SwapFree:").value_or(0)) : kInfinite;
 }
 
-/// Returns the free memory of one control group. The kernel counts cached files as used but frees them on demand.
+/// Returns the free bytes of a control group. The file cache counts as free, because the kernel frees it on
+/// demand.
 double ofGroup(const path& group) {
-  const auto most = numberAt(textOf(group / "memory.max"));  // no number: "max"
+  const auto most = numberAt(textOf(group / "memory.max"));  // nullopt if the file contains "max"
   if (!most) return kInfinite;
   const std::string text = textOf(group / "memory.stat");
   const double files = field(text, "file ").value_or(0) - field(text, "shmem ").value_or(0);
   return *most - numberAt(textOf(group / "memory.current")).value_or(0) + files;
 }
 
-/// Returns the least free memory of this process's control group and its ancestors (cgroup version 2), as set by
-/// containers and Slurm.
+/// Returns the free memory of this process according to its control group and all groups above it (cgroup version
+/// 2). Containers and Slurm set such limits. The smallest value counts.
 double ofGroups(const path& root) {
   const std::string text = "\n" + textOf(root / "proc/self/cgroup");
   const auto at = text.find("\n0::/");
@@ -78,7 +79,7 @@ double ofProcess() {
   return known ? static_cast<double>(limit.rlim_cur) : kInfinite;
 }
 
-/// Returns the encoder's memory per pixel, in bytes.
+/// Returns the memory that the encoder needs for each pixel of a frame, in bytes.
 double encoderMemory_bytes(const output::FilmFormat& format) {
   constexpr std::array kOfCodec_bytes{48.0, 128.0, 12.0, 135.0, 130.0, 172.0, 172.0};  // in the order of FilmCodec
   double bytes = kOfCodec_bytes[static_cast<std::size_t>(format.codec)];
@@ -89,12 +90,14 @@ double encoderMemory_bytes(const output::FilmFormat& format) {
 
 }  // namespace
 
-// The peak memory of a worker grows linearly with the size of its pictures. The constant part is the libraries and
-// the driver's shaders. Each pixel adds 4 bytes of render target (8 at 16 bits; renderer.cpp), up to 36 (60) bytes
-// of layers where solids fill the picture (solid_layers.h), its picture, and the frames that the encoder keeps.
-// Measured from 640x360 to 8192x8192, see tests/faults/memory_nightly_test.cpp.
+// The peak memory of a worker grows linearly with the number of pixels. The constant part is the memory of the
+// libraries and of the driver's shaders. Each pixel of a picture needs:
+// - 4 bytes of render target, or 8 at 16 bits (renderer.cpp);
+// - up to 36 bytes of layers, or 60 at 16 bits, where solids fill the picture (solid_layers.h);
+// - the bytes of the picture and of the frames that the encoder keeps.
+// The values were measured from 640x360 to 8192x8192; see tests/faults/memory_nightly_test.cpp.
 double workerMemory_bytes(image::PixelSize size, const std::optional<output::FilmFormat>& film, int bits) {
-  const double start_bytes = film ? 148e6 : 115e6;  // FFmpeg's libraries are opened for films only
+  const double start_bytes = film ? 148e6 : 115e6;  // only a film needs FFmpeg's libraries
   const double picture_bytes = bits == 8 ? 46 : 80;
   const double encoder_bytes = film ? encoderMemory_bytes(*film) : 0;
   return start_bytes + (picture_bytes + encoder_bytes) * size.width * size.height;
@@ -106,8 +109,8 @@ double workerMemory_bytes(const OutputTarget& target, const scene::Output& asked
   return workerMemory_bytes({asked.width, asked.height}, film, form.bits);
 }
 
-// A triangle takes the scene's copy in doubles, the edges that find its outline, and floats in this program and in
-// the driver. Measured, see tests/faults/memory_nightly_test.cpp.
+// Each triangle needs memory for the scene's copy in doubles, the edges of the outline, and copies in floats in
+// this program and in the driver. The value was measured; see tests/faults/memory_nightly_test.cpp.
 double meshMemory_bytes(const scene::Scene& scene) {
   constexpr double kTriangle_bytes = 200;
   std::set<const geometry::Mesh*> meshes;
@@ -135,7 +138,7 @@ std::string memoryText(double bytes) { return fmt::format("{:.1f} GiB", bytes / 
 void expectWithinMemory(double bytes, const std::string& what, const scene::Limits& limits) {
   constexpr auto kMemory = scene::Limit::kMemory;
   if (bytes <= static_cast<double>(limits[kMemory])) return;
-  throw core::limitError(fmt::format("{}: about {} of memory, more than the {} that it may take; {}", what,
+  throw core::limitError(fmt::format("{}: about {} of memory, more than the allowed {}; {}", what,
                                      memoryText(bytes), limitText(kMemory, limits[kMemory]), howToRaise(kMemory)));
 }
 

@@ -18,8 +18,8 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& name, std::string_view why) {
   throw core::usageError(
-      fmt::format("output '{}': {}; works: {} (a film), NAME.png (one frame), "
-                  "NAME_{{frame:05}}.png (a numbered picture per frame)",
+      fmt::format("output '{}': {}; possible names: {} (a film), NAME.png (one frame), NAME_{{frame:05}}.png (a "
+                  "numbered picture per frame)",
                   core::printable(name), why, output::filmFormatsText()));
 }
 
@@ -45,27 +45,25 @@ OutputTarget parseTarget(const std::string& name) {
   if (name.empty() || !path.has_filename()) refuse(name, "not a file name");
   const bool film = output::filmContainer(path).has_value();
   const auto figure = path.extension();
-  if (figure == ".pdf" || figure == ".svg" || figure == ".tex")
-    refuse(name, "a figure is made by `poinsot still`");
+  if (figure == ".pdf" || figure == ".svg" || figure == ".tex") refuse(name, "`poinsot still` writes figures");
   if (isStandardOutput(path)) refuse(name, "for standard output give -o - with --format png or --format mp4");
   if (path.extension() != ".png" && !film)
-    refuse(name, "this kind of file is not written" + core::smallLettersHint(name, filmAndPictureEndings()));
+    refuse(name, "unsupported file type" + core::smallLettersHint(name, filmAndPictureEndings()));
   const bool pattern = output::FramePattern::isPattern(name);
   if (film) {
-    if (pattern) refuse(name, "a film is one file and has no {frame}");
+    if (pattern) refuse(name, "a film is one file, so its name must not contain {frame}");
     return {OutputKind::kFilm, path};
   }
   if (!pattern) return {OutputKind::kPicture, path};
-  static_cast<void>(output::FramePattern(name));  // throws for a malformed pattern
+  static_cast<void>(output::FramePattern(name));  // throws if the pattern is malformed
   return {OutputKind::kSequence, path};
 }
 
 OutputTarget streamTarget(const std::string& format) {
   if (format == "mp4") return {OutputKind::kFilm, "-.mp4", true};
   if (format == "png") return {OutputKind::kSequence, "-{frame:09}.png", true};
-  throw core::usageError(
-      fmt::format("-o - writes to standard output: say what, with --format png or --format mp4{}",
-                  format.empty() ? "" : fmt::format("; got '{}'", core::printable(format))));
+  throw core::usageError(fmt::format("-o - writes to standard output: choose --format png or --format mp4{}",
+                                     format.empty() ? "" : fmt::format("; got '{}'", core::printable(format))));
 }
 
 OutputTarget parseStillTarget(const std::string& name) {

@@ -12,35 +12,36 @@
 namespace poinsot::request {
 
 enum class OutputKind {
-  kFilm,      ///< one file in an output::FilmContainer
-  kPicture,   ///< one .png of one frame
-  kSequence,  ///< one .png per frame; the path is an output::FramePattern
-  kFigure,    ///< one frame in vectors and type, in a figure::FigureMedium
+  kFilm,      ///< one film file in an output::FilmContainer
+  kPicture,   ///< one frame as a .png file
+  kSequence,  ///< one .png file per frame; `path` is an output::FramePattern
+  kFigure,    ///< one frame with vectors and letters, in a figure::FigureMedium
 };
 
 struct OutputTarget {
   OutputKind kind = OutputKind::kFilm;
   std::filesystem::path path;
-  bool stream = false;  ///< writes to standard output as it is made; `path` then only locates intermediate parts
+  bool stream = false;  ///< writes to standard output; `path` then only locates temporary parts
 };
 
-/// Returns whether the target can hold pictures of 16 bits per sample, as PNG files can.
+/// Returns whether the output can have 16 bits per sample. Only PNG files can.
 bool takesDeepPictures(const OutputTarget& target);
 
-/// Parses the name of a render's output; its extension and {frame} pattern select the kind.
-/// @throws core::Error(kUsage) for an unusable name, listing the names that work.
+/// Parses the file name of the command `render`. The extension and a {frame} pattern decide whether the output is
+/// a film, a picture or a sequence.
+/// @throws core::Error(kUsage) if the name is not allowed, listing the allowed names.
 OutputTarget parseTarget(const std::string& name);
 
 /// Returns the target for standard output.
-/// @param format  "png" (pictures one after the other) or "mp4"
+/// @param format  "png" for pictures one after the other, or "mp4"
 /// @throws core::Error(kUsage) for another format.
 OutputTarget streamTarget(const std::string& format);
 
-/// Parses the name of a still's output, a picture or a figure.
-/// @throws core::Error(kUsage) for an unusable name, listing the names that work.
+/// Parses the file name of the command `still`. The output is a picture or a figure.
+/// @throws core::Error(kUsage) if the name is not allowed, listing the allowed names.
 OutputTarget parseStillTarget(const std::string& name);
 
-/// Returns the film format for a target: the scene's choices, else the defaults of the file's container.
+/// Returns the format of a film. A property that the scene does not choose is the default of the film's container.
 output::FilmFormat filmFormat(const OutputTarget& target, const scene::Output& asked, const PictureOptions& form);
 
 }  // namespace poinsot::request

@@ -8,19 +8,19 @@
 
 namespace poinsot::request {
 
-/// Largest picture file that may be copied or embedded, in bytes.
+/// Largest size of a picture file that can be copied or embedded, in bytes.
 inline constexpr std::size_t kMostPicture = std::size_t{512} << 20;
 
-/// Width of a picture on paper. Type and lines are then sized in points, and the width in pixels follows from dpi.
+/// Size of a picture on paper. Letters and lines then have sizes in points; dpi determines the width in pixels.
 struct PrintSize {
   double width_mm = 86;
   double dpi = 600;
 };
 
 struct PictureOptions {
-  std::optional<PrintSize> print;  ///< nullopt: for a screen; type and lines scale with the picture
-  bool transparent = false;        ///< no paper behind the picture
-  int bits = 8;                    ///< per sample; 16 only if takesDeepPictures()
+  std::optional<PrintSize> print;  ///< nullopt for a picture on a screen, whose letters scale with its size
+  bool transparent = false;        ///< without the paper's colour behind the picture
+  int bits = 8;                    ///< bits per sample, 8 or 16; 16 only if takesDeepPictures()
 };
 
 }  // namespace poinsot::request

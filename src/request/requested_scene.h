@@ -13,24 +13,26 @@
 
 namespace poinsot::request {
 
-/// A requested scene with the contents of all its files, so that drawing reads no files.
+/// Scene of a request, with the contents of all files that the scene names. Drawing the scene reads no files.
 struct RequestedScene {
   SceneRequest request = {};
-  scene::Scene scene = {};               ///< for a sweep, the scene of its first cell
-  std::vector<scene::Scene> cells = {};  ///< scenes of a sweep's grid, row by row
+  scene::Scene scene = {};               ///< the scene; for a sweep, the scene of the first cell
+  std::vector<scene::Scene> cells = {};  ///< scenes of a sweep, one for each cell of the grid, row by row
 
   image::PixelSize size() const { return {scene.output.width, scene.output.height}; }
   void resize(image::PixelSize size);
 };
 
-/// Reads all files of the scene and validates it. For a sweep, also validates all cells and the labels.
-/// @throws scene::SceneErrors with all problems; core::Error(kUsage) for a view that the scene lacks, or cells
-/// that cannot form one film; core::Error(kPhysics) for the stability map of a body that has none.
+/// Reads all files of the scene and validates the scene. For a sweep, also validates the scenes of all cells and
+/// the labels.
+/// @throws scene::SceneErrors with all problems; core::Error(kUsage) if the scene lacks the requested view or the
+/// cells cannot form one film; core::Error(kPhysics) if a stability map is requested and the body has none.
 RequestedScene requestedScene(SceneRequest request);
 
-/// Makes the composer of a request: for the scene's film, the grid of its sweep, or the stability map of its body.
-/// @param steps  ledger for the time spent on the motion; the composer may then be used by one thread only
-/// @throws core::Error(kPhysics) if the scene shows something that its motion does not have.
+/// Makes the composer that draws the pictures of a request: a film, a grid of films for a sweep, or a stability
+/// map.
+/// @param steps  receives the time spent on the motion; only one thread can then use the composer
+/// @throws core::Error(kPhysics) if the scene shows something that does not exist for its motion.
 std::unique_ptr<const stage::Composer> composerOf(const RequestedScene& requested,
                                                   core::StepLedger* steps = nullptr);
 

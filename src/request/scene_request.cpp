@@ -36,8 +36,8 @@ void showOnly(std::size_t which, scene::Scene& scene) {
   scene.plots.clear();
 }
 
-/// Returns the request of a sweep's first cell. If no override is a valid range, first loads the scene without the
-/// sweep, so that a misspelt key is reported as such and not as a missing range.
+/// Returns the request of a sweep's first cell. If no override contains a range, first loads the scene without the
+/// sweep. A misspelt key is then reported as an unknown key and not as a missing range.
 SceneRequest firstCell(const SceneRequest& request) {
   if (!request.sweep->map && std::ranges::none_of(request.overrides, [](const std::string& word) {
         return scene::sweepAxis(word).has_value();

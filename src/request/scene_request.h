@@ -13,29 +13,29 @@
 
 namespace poinsot::request {
 
-/// Request to draw a sweep of the scene's values instead of its film.
+/// Request to draw a sweep, which varies one or two keys of the scene, or a stability map.
 struct SweepRequest {
-  bool map = false;                      ///< the stability map of the body; else a grid of films
-  int columns = 0;                       ///< grid columns for one swept key; 0: chosen to make the cells largest
-  std::vector<std::string> labels = {};  ///< TeX names of the swept keys; replace the default names
+  bool map = false;  ///< draws the stability map of the body; if false, a grid of films
+  int columns = 0;   ///< columns of the grid for one varied key; 0 for the number with the largest cells
+  std::vector<std::string> labels = {};  ///< names of the varied keys as TeX; replace the default names
 };
 
 struct SceneRequest {
-  std::string fileName = {};  ///< name as typed, for messages
+  std::string fileName = {};  ///< name as the user typed it, for messages
   std::string text = {};
-  std::vector<std::string> overrides = {};    ///< "key.path=value", in the order given
-  std::optional<image::PixelSize> size = {};  ///< overrides output.size; unlike that key, sides may be odd
-  scene::Allowance allowance{};               ///< limits, and further folders from which the scene may read
-  std::optional<SweepRequest> sweep{};        ///< ranges in the overrides define the cells (sweep_cells.h)
-  std::optional<std::size_t> view{};          ///< index of the view to draw alone, without plots
+  std::vector<std::string> overrides = {};    ///< values such as "key.path=value", in the given order
+  std::optional<image::PixelSize> size = {};  ///< replaces the key output.size; the sides may be odd
+  scene::Allowance allowance{};         ///< limits, and folders outside the scene's folder that the scene may read
+  std::optional<SweepRequest> sweep{};  ///< set for a sweep; `overrides` then contain ranges (sweep_cells.h)
+  std::optional<std::size_t> view{};    ///< index of the only view to draw, without plots
 };
 
-/// Reads the text of a scene file into a request.
+/// Reads the text of a scene file and returns a request to draw the scene.
 /// @throws core::Error(kScene) if the file is missing, unreadable or not regular; (kLimit) if it is too long.
 SceneRequest readSceneRequest(const std::string& fileName, std::vector<std::string> overrides,
                               const scene::Allowance& allowance = {});
 
-/// Parses and validates the scene; for a sweep, the scene of its first cell.
+/// Validates the text of a request and returns the scene. For a sweep, returns the scene of the first cell.
 /// @throws scene::SceneErrors with all problems; core::Error(kUsage) if the scene lacks the requested view.
 scene::Scene loadRequested(const SceneRequest& request);
 

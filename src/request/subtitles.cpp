@@ -37,7 +37,7 @@ std::string span(const Subtitle& subtitle, char sign) {
 
 constexpr std::string_view kDigestOfSrt = "NOTE sha256 of the .srt: ";
 
-/// Returns the content of a file; empty if the file is missing, unreadable or larger than any subtitles (16 MiB).
+/// Returns the content of a file. Empty if the file is missing, unreadable, or larger than 16 MiB.
 std::string contentOf(const std::filesystem::path& file) try {
   constexpr std::size_t kMostBytes = std::size_t{16} << 20;
   return core::readRegularFile(file, kMostBytes, core::ErrorKind::kIo);
@@ -105,7 +105,7 @@ void enterSubtitles(output::RunFiles& files, const std::vector<Subtitle>& subtit
   if (subtitles.empty()) return;
   const auto names = subtitleFiles(film);
   const path &srt = names[0], &vtt = names[1];
-  // Also accepts a file with the same text, because the user may have deleted the .vtt that identifies the .srt.
+  // An .srt file with the same text may also be replaced, because the user may have deleted its .vtt file.
   const output::FileKind srtKind{
       "captions", [&](const path& file) { return isOwnSrt(file, vtt) || contentOf(file) == srtText(subtitles); }};
   files.writes(srt, "captions", srtKind);
@@ -121,7 +121,7 @@ std::vector<path> ownSubtitleFiles(const path& film) {
   return own;
 }
 
-// The .vtt contains the digest that identifies the .srt, so it is written first and removed last.
+// The .vtt file identifies the .srt file by its digest, so the .vtt file is written first and removed last.
 void addSubtitles(core::FileBatch& batch, const std::vector<Subtitle>& subtitles, const path& film,
                   const path& temporaryFolder) {
   const auto names = subtitleFiles(film);

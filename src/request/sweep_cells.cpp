@@ -17,20 +17,21 @@ namespace {
 
 using scene::Limit;
 
-constexpr std::size_t kMostAxes = 2;  // rows and columns
+constexpr std::size_t kMostAxes = 2;  // the rows and the columns of the grid
 
-/// Rejects a sweep over a key that changes the film as a whole, because all cells are in one film.
+/// Rejects a sweep of a key that applies to the complete film, such as its duration. All cells are in one film.
 void expectOneFilm(const scene::SweepAxis& axis) {
   if (axis.key == "time.duration" || axis.key.starts_with("output."))
     throw core::usageError(fmt::format(
-        "a sweep of {}: its cells would differ in length, rate, size or paper, and are one film", axis.key));
+        "a sweep cannot vary {}: all cells are in one film, so they must agree in length, rate, size and paper",
+        axis.key));
 }
 
 void expectGrid(const SceneRequest& request, const SweepGrid& grid) {
   const std::size_t ranges = grid.axes.size();
   if (request.sweep->map) {
     if (ranges > 0)
-      throw core::usageError(fmt::format("--map is of one body; leave out the range of {}", grid.axes[0].key));
+      throw core::usageError(fmt::format("--map shows one body; leave out the range of {}", grid.axes[0].key));
     return;
   }
   if (ranges == 0)
@@ -43,8 +44,7 @@ void expectGrid(const SceneRequest& request, const SweepGrid& grid) {
   for (const scene::SweepAxis& axis : grid.axes) expectOneFilm(axis);
 }
 
-/// Rejects a key that is given twice: the last override wins, so either the range or the other value would be
-/// lost.
+/// Rejects a key that is given twice. Only the last override has an effect, so one of the values would be lost.
 void expectOnce(const std::vector<std::string>& overrides, const std::string& key) {
   const auto isOfKey = [&](const std::string& word) {
     const auto from = std::min(word.find_first_not_of(' '), word.size());
@@ -82,7 +82,7 @@ SweepGrid::SweepGrid(const SceneRequest& request) {
     cells *= static_cast<int>(axis->values.size());
     axes.push_back(std::move(*axis));
     overrides_.push_back(i);
-    if (axes.size() > kMostAxes) break;  // keeps the product small
+    if (axes.size() > kMostAxes) break;  // keeps `cells` small; expectGrid() then throws
   }
   expectGrid(request, *this);
 }
@@ -109,7 +109,9 @@ std::vector<scene::Scene> loadCells(const SceneRequest& request, const SweepGrid
                      request.allowance.limits);
   std::vector<scene::Scene> cells{first};
   for (int i = 1; i < grid.cells; ++i) cells.push_back(loadRequested(cellRequest(request, grid, i)));
-  if (cells[0].time.loop) throw core::usageError("a sweep does not repeat: --loop changes each motion by itself");
+  if (cells[0].time.loop)
+    throw core::usageError(
+        "a sweep cannot repeat: leave out --loop, which would change the motion of each cell in its own way");
   shareSpeed(cells);
   return cells;
 }

@@ -8,34 +8,36 @@
 
 namespace poinsot::request {
 
-/// Grid of cells that a sweep requests, numbered row by row. The values of the first range run along the rows.
+/// Grid of the cells in a sweep, numbered row by row. The first range varies along a row, the second down a
+/// column.
 struct SweepGrid {
-  /// @throws core::Error(kUsage) for a malformed range, a key given twice, none or more than two ranges, more than
-  /// scene::kMostCells cells, a key that changes the film as a whole, or any range beside a map.
+  /// @throws core::Error(kUsage) for a malformed range, a key given twice, no range or more than two ranges, more
+  /// than scene::kMostCells cells, a range of a key that applies to the complete film, or a range for a stability
+  /// map.
   /// @pre request.sweep
   explicit SweepGrid(const SceneRequest& request);
 
-  std::vector<scene::SweepAxis> axes;  ///< one or two; none for a map
+  std::vector<scene::SweepAxis> axes;  ///< one or two ranges; none for a stability map
   int cells = 1;
 
   std::size_t valueOf(std::size_t axis, int cell) const;
 
  private:
   friend SceneRequest cellRequest(const SceneRequest& request, const SweepGrid& grid, int cell);
-  std::vector<std::size_t> overrides_;  // index of each axis's override in the request
+  std::vector<std::size_t> overrides_;  // index in request.overrides for each element of `axes`
 };
 
 bool hasRanges(const std::vector<std::string>& overrides);
 
-/// Turns the request into a sweep if an override contains a range, for commands that draw both scenes and sweeps.
+/// Makes the request a sweep if an override contains a range. Used by commands that draw both scenes and sweeps.
 void askForSweep(SceneRequest& request);
 
-/// Returns the request of one cell. Limits on a whole scene (file bytes, triangles, characters, steps of the
-/// motion) are divided by the number of cells, so that all cells together respect them.
+/// Returns the request of one cell. Some limits apply to all cells together: file bytes, triangles, characters,
+/// and steps of the motion. Each cell gets an equal part of these limits.
 SceneRequest cellRequest(const SceneRequest& request, const SweepGrid& grid, int cell);
 
-/// Loads the scenes of all cells, which form one film. Cells without a speed all take the least speed that any of
-/// them would choose, so that none is too fast to watch.
+/// Loads the scenes of all cells, which form one film. Cells that give no speed get a common speed. It is the
+/// slowest speed that would be chosen for any of these cells, so that no cell is too fast to watch.
 /// @param first  scene of the first cell, from loadRequested(request)
 /// @throws scene::SceneErrors for problems of another cell; core::Error(kUsage) if the scene loops;
 /// core::Error(kLimit) if the meshes would exceed Limit::kMemory, checked before they are loaded.

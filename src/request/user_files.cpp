@@ -22,8 +22,7 @@ using scene::Entry;
 using scene::Node;
 using scene::Problems;
 
-/// Returns the folder in an environment variable; empty unless the path is absolute, as the XDG specification
-/// requires.
+/// Returns the folder that an environment variable names. Empty if the path is relative, as XDG requires.
 fs::path folderNamed(const char* variable) {
   const char* value = std::getenv(variable);
   const fs::path folder = value ? value : "";
@@ -44,8 +43,9 @@ void takeUnit(const Entry& entry, UnitChoice& units, Problems& problems) {
     for (const scene::Dimension one : scene::dimensions()) words.push_back(dimensionWord(one));
     const auto near = core::closest(entry.key.substr(0, 64), words);
     return problems.add(entry.keyPlace, fmt::format("units.{}: {}", core::printable(entry.key),
-                                                    near ? fmt::format("did you mean {}?", *near)
-                                                         : fmt::format("there is {}", core::joined(words, ", "))));
+                                                    near ? fmt::format("unknown quantity; did you mean {}?", *near)
+                                                         : fmt::format("unknown quantity; expected one of {}",
+                                                                       core::joined(words, ", "))));
   }
   if (!unit || !scene::parseQuantity("1 " + *unit, *dimension).ok())
     return problems.add(entry.value.place, fmt::format("units.{}: expected a unit such as {}, got {}", entry.key,
@@ -53,10 +53,10 @@ void takeUnit(const Entry& entry, UnitChoice& units, Problems& problems) {
   units[*dimension] = *unit;
 }
 
-/// Returns the problem that the default causes in an otherwise minimal scene; empty if it causes none.
+/// Returns what is wrong with a default, by loading a minimal scene with it. Empty if nothing is wrong.
 std::string problemOf(const DefaultKey& key) {
   if (key.path.starts_with("body.") || key.path.starts_with("motion."))
-    return key.path + ": of what a scene is about there is no default";
+    return key.path + ": keys of [body] and [motion] cannot have a default";
   constexpr const char* kScene = "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0, 0.1, 1]\n";
   try {
     loadRequested({"defaults.toml", kScene, {key.path + "=" + key.value}, std::nullopt, {}});
@@ -89,7 +89,8 @@ void take(const Entry& entry, UserDefaults& defaults, Problems& problems) {
     takeKeys(*table, "", defaults, problems);
   else
     problems.add(entry.keyPlace,
-                 fmt::format("{}: there are the tables [units] and [scene]", core::printable(entry.key)));
+                 fmt::format("{}: unknown key; this file may contain only the tables [units] and [scene]",
+                             core::printable(entry.key)));
 }
 
 }  // namespace
@@ -102,7 +103,7 @@ fs::path userDefaultsFile() {
 
 UserDefaults defaultsOf(const fs::path& file) {
   UserDefaults defaults;
-  std::error_code ignored;  // a place that cannot be searched counts as empty
+  std::error_code ignored;  // a file that cannot be found counts as empty
   if (file.empty() || !fs::exists(file, ignored)) return defaults;
   const std::size_t most = scene::Limits().bytes(scene::Limit::kSceneBytes);
   const scene::Source source(file.string(), core::readRegularFile(file, most, core::ErrorKind::kIo));
@@ -114,7 +115,7 @@ UserDefaults defaultsOf(const fs::path& file) {
 }
 
 std::string dimensionWord(scene::Dimension dimension) {
-  const std::string_view name = scene::quantityName(dimension);  // "an angular velocity"
+  const std::string_view name = scene::quantityName(dimension);  // such as "an angular velocity"
   std::string word(name.substr(name.find(' ') + 1));
   std::ranges::replace(word, ' ', '_');
   return word;

@@ -10,31 +10,31 @@
 
 namespace poinsot::request {
 
-/// Preferred unit of each dimension. Quantities of other dimensions keep their units.
+/// Units in which values are displayed, by dimension. Values of other dimensions have their usual units.
 using UnitChoice = std::map<scene::Dimension, std::string>;
 
-/// A scene key and its value as TOML.
+/// Key of a scene, and its value as TOML.
 struct DefaultKey {
   std::string path, value;
 };
 
-/// Defaults of a user: how values are displayed and how a new scene begins. Defaults never change what a scene
-/// means, which is the same everywhere.
+/// Defaults of a user: units in which values are displayed, and keys of new scenes. They never change an old
+/// scene.
 struct UserDefaults {
   UnitChoice units;
   std::vector<DefaultKey> keys;
 };
 
-/// Returns $XDG_CONFIG_HOME/poinsot/defaults.toml, else ~/.config/poinsot/defaults.toml; empty if the environment
-/// names neither folder.
+/// Returns $XDG_CONFIG_HOME/poinsot/defaults.toml or, without this variable, ~/.config/poinsot/defaults.toml.
+/// Empty if the environment names neither folder.
 std::filesystem::path userDefaultsFile();
 
-/// Reads a defaults file. Its table [units] maps a dimension ("angular_velocity") to a unit; [scene] holds keys
-/// with their values. A missing file counts as an empty one.
-/// @throws scene::SceneErrors with all problems and their places; core::Error(kIo) if the file cannot be read.
+/// Reads a file with defaults. The table [units] sets units by dimension, such as "angular_velocity". The table
+/// [scene] contains keys of a scene. A missing file counts as an empty file.
+/// @throws scene::SceneErrors with all problems and their positions; core::Error(kIo) if the file cannot be read.
 UserDefaults defaultsOf(const std::filesystem::path& file);
 
-/// Returns the name of a dimension in [units], such as "angular_velocity".
+/// Returns the name of a dimension in the table [units], such as "angular_velocity".
 std::string dimensionWord(scene::Dimension dimension);
 
 }  // namespace poinsot::request

@@ -4,8 +4,8 @@
 namespace poinsot::scene {
 
 std::span<const CameraPreset> cameraPresets() {
-  // Views of technical drawings: from the front x points right and z up; from the top x points right and y up. In
-  // the isometric view all axes are equally foreshortened; 35.264 degrees = atan(1 / sqrt 2).
+  // Directions of technical drawings. In the front view, x points right and z up. In the top view, x points right
+  // and y up. The isometric view shortens all axes equally; 35.264 degrees = atan(1 / sqrt 2).
   static constexpr CameraPreset kPresets[] = {
       {"front", -90, 0},    {"back", 90, 0},     {"side", 0, 0},
       {"right", 0, 0},      {"left", 180, 0},    {"top", -90, 90},

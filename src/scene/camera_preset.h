@@ -9,7 +9,7 @@
 
 namespace poinsot::scene {
 
-/// Named position of a camera. An explicit azimuth or elevation overrides the preset.
+/// Named direction of a camera. If the scene gives an azimuth or an elevation, the preset's value is not used.
 struct CameraPreset {
   std::string_view name;
   double azimuth_deg, elevation_deg;

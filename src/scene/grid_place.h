@@ -5,10 +5,10 @@
 
 namespace poinsot::scene {
 
-/// Place of a panel in the grid of cells that fills the picture.
+/// Position and size of a panel in the grid of the picture, in cells.
 struct GridPlace {
-  int column = 0, row = 0;    ///< top left cell, counted from the picture's top left
-  int columns = 1, rows = 1;  ///< size in cells
+  int column = 0, row = 0;    ///< top left cell of the panel; 0, 0 is the picture's top left cell
+  int columns = 1, rows = 1;  ///< size of the panel in cells
 };
 
 inline bool overlap(const GridPlace& a, const GridPlace& b) {

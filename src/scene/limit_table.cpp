@@ -15,27 +15,28 @@ using enum LimitUnit;
 
 constexpr std::int64_t kKi = 1 << 10, kMi = kKi << 10, kGi = kMi << 10, kTi = kGi << 10;
 
-// Each default is far above the needs of a lecture and far below the capacity of a small machine. Each maximum is
-// where something else fails: the stack for recursion, llvmpipe for sides, 32-bit indices for triangles.
+// Each default is far above what a lecture needs and far below the capacity of a small machine. Each maximum is
+// where something else fails: the stack for nesting, llvmpipe for sides, 32-bit indices for triangles.
 constexpr LimitRow kTable[] = {
     {"scene_bytes", kBytes, 4 * kMi, kGi, "text of a scene file, a style file, a golden.toml"},
-    {"string_bytes", kBytes, 64 * kKi, 64 * kMi, "one string in it, as written"},
-    {"nesting", kCount, 64, 1000, "tables and arrays in one another"},
-    {"values", kCount, 100'000, 100'000'000, "tables, arrays, values and parts of keys in it"},
+    {"string_bytes", kBytes, 64 * kKi, 64 * kMi, "one string in such a file, as written"},
+    {"nesting", kCount, 64, 1000, "depth of nested tables and arrays"},
+    {"values", kCount, 100'000, 100'000'000, "tables, arrays, values and parts of keys in such a file"},
     {"elements", kCount, 10'000, 1'000'000, "an array of tables: parts, point masses, steps of a torque"},
     {"file_bytes", kBytes, 128 * kMi, 64 * kGi, "one file that a scene names: a mesh, a table"},
     {"files_bytes", kBytes, 512 * kMi, 64 * kGi, "all files that a scene names"},
     {"triangles", kCount, 2'000'000, 1'000'000'000, "all meshes of a scene"},
     {"characters", kCount, 10'000, 10'000'000, "all text that one frame may show, as written"},
     {"side", kPixels, 8192, 16384, "a side of a picture"},
-    {"frames", kCount, 36'000, 10'000'000, "a film"},
-    {"fps", kCount, 1000, 1'000'000, "frames in a second"},
-    {"duration", kSeconds, 3600, 1'000'000'000, "a film"},
+    {"frames", kCount, 36'000, 10'000'000, "frames of a film"},
+    {"fps", kCount, 1000, 1'000'000, "frames per second"},
+    {"duration", kSeconds, 3600, 1'000'000'000, "length of a film"},
     {"steps", kCount, 2'000'000, 1'000'000'000,
-     "steps of a driven motion; with losses, where a step takes longer, a fifth"},
-    {"memory", kBytes, 2 * kGi, 1024 * kTi, "estimate for one process that draws or compares; `--max-memory`"},
-    {"output", kBytes, 64 * kGi, 1024 * kTi, "all that a run writes of a film, a sequence, a trajectory"},
-    {"seconds", kSeconds, 0, 1'000'000'000, "a run, by the clock; `--max-seconds`"},
+     "steps of a driven motion; a fifth of that with losses, where a step takes longer"},
+    {"memory", kBytes, 2 * kGi, 1024 * kTi,
+     "estimated memory of one process that draws or compares; also `--max-memory`"},
+    {"output", kBytes, 64 * kGi, 1024 * kTi, "all files that a run writes: a film, a sequence, a trajectory"},
+    {"seconds", kSeconds, 0, 1'000'000'000, "wall-clock time of a run; also `--max-seconds`"},
 };
 static_assert(std::size(kTable) == kLimitCount);
 
@@ -90,8 +91,8 @@ std::string limitText(Limit limit, std::int64_t value) {
 }
 
 std::string howToRaise(Limit limit) {
-  if (limit == Limit::kMemory) return "--max-memory SIZE raises that";
-  return fmt::format("--limit {}=N raises that", rowOf(limit).name);
+  if (limit == Limit::kMemory) return "--max-memory SIZE raises the limit";
+  return fmt::format("--limit {}=N raises the limit", rowOf(limit).name);
 }
 
 Limits::Limits() {
@@ -102,14 +103,14 @@ void Limits::set(Limit limit, std::int64_t value) {
   const LimitRow& row = rowOf(limit);
   if (value < 1 || value > row.highest)
     throw core::usageError(
-        fmt::format("the limit {} may be from 1 to {}, got {}", row.name, limitText(limit, row.highest), value));
+        fmt::format("the limit {} must be from 1 to {}, got {}", row.name, limitText(limit, row.highest), value));
   values_[static_cast<std::size_t>(limit)] = value;
 }
 
 void Limits::set(Limit limit, std::string_view value) {
   const LimitRow& row = rowOf(limit);
   if (const auto number = parsed(value, row.unit)) return set(limit, *number);
-  throw core::usageError(fmt::format("the limit {} is a whole number{}, got '{}'", row.name,
+  throw core::usageError(fmt::format("the limit {} must be a whole number{}, got '{}'", row.name,
                                      row.unit == kBytes ? ", of bytes or with KiB, MiB, GiB or TiB" : "",
                                      core::printable(value)));
 }
@@ -127,7 +128,7 @@ Limit limitNamed(std::string_view name) {
     if (kTable[i].name == name) return static_cast<Limit>(i);
     names.emplace_back(kTable[i].name);
   }
-  constexpr std::size_t kLongest = 64;  // the edit distance of kilobytes takes too long
+  constexpr std::size_t kLongest = 64;  // characters; the edit distance of longer text takes too long
   const auto near = name.size() <= kLongest ? core::closest(name, names) : std::nullopt;
   throw core::usageError(fmt::format(
       "there is no limit '{}'{}", core::printable(name),

@@ -7,7 +7,7 @@
 namespace poinsot::scene {
 namespace {
 
-// At CRF 18 a film of flat colours and thin lines shows no loss; previews trade quality for size.
+// At CRF 18, films of flat colours and thin lines have no visible loss. Previews have smaller files instead.
 constexpr QualityPreset kPresets[] = {
     {"preview", 640, 360, 23}, {"720p", 1280, 720, 20}, {"1080p", 1920, 1080, 18}, {"4k", 3840, 2160, 18}};
 

@@ -9,33 +9,33 @@
 
 namespace poinsot::scene {
 
-/// Directions between which a scene can define an angle.
+/// Direction that can be one side of an angle in a scene.
 enum class Direction { kL, kOmega, kTorque, kAxis, kE1, kE2, kE3, kX, kY, kZ };
 
 enum class VectorFrame { kSpace, kBody, kPrincipal };
 
-/// Quantity or role whose colour a vector takes.
+/// Quantity or role that determines the colour of a vector.
 enum class Meaning { kVector, kInk, kL, kOmega, kBody, kAxis, kTorque };
 
-/// Vector with constant components in its frame.
+/// Vector with constant components in one frame.
 struct FixedVector {
-  Eigen::Vector3d components = Eigen::Vector3d::UnitX();  ///< only the direction matters
+  Eigen::Vector3d components = Eigen::Vector3d::UnitX();  ///< only the direction is used, not the length
   VectorFrame frame = VectorFrame::kSpace;
 };
 
-/// Vector from the fixed point to a point of the body as drawn.
+/// Vector from the fixed point to a point of the drawn body.
 struct PositionVector {
-  Eigen::Vector3d point_B;  ///< in metres
+  Eigen::Vector3d point_B;  ///< position of the point, m
 };
 
-/// Velocity omega x r of a point of the body, drawn at that point.
+/// Velocity omega x r of a point of the body. The vector begins at that point.
 struct VelocityVector {
-  Eigen::Vector3d point_B;  ///< in metres
+  Eigen::Vector3d point_B;  ///< position of the point, m
 };
 
 struct NamedVector {
   std::variant<FixedVector, PositionVector, VelocityVector> what;
-  std::string name;  ///< in the TeX subset of the text library
+  std::string name;  ///< name in the TeX subset of the text library
   double scale = 1;
   Meaning color = Meaning::kVector;
 };

@@ -11,21 +11,21 @@ namespace poinsot::scene {
 
 enum class PlotTime { kMotion, kFilm };
 
-/// Ends of an axis, in the unit that is written at the axis.
+/// Ends of an axis, in the unit written at the axis.
 struct PlotRange {
   double low = 0, high = 1;
 };
 
-/// Panel with curves: quantities against time, or one quantity against another (phase portrait). Quantities are
-/// indices into stateQuantities().
+/// Panel with curves. Shows quantities as functions of time, or one quantity as a function of another (phase
+/// portrait). Quantities are indices into stateQuantities().
 struct Plot {
-  std::vector<int> quantities;     ///< all of one unit; in a phase portrait only one, along y
-  std::optional<int> x;            ///< quantity along x of a phase portrait; nullopt: time
-  std::string title;               ///< in the TeX subset of the text library
-  std::string unit;                ///< of the quantities, such as "rpm"; empty: chosen to suit the numbers
-  std::optional<PlotRange> range;  ///< range of the vertical axis; nullopt: chosen to fit the film
+  std::vector<int> quantities;  ///< quantities along y, all with the same unit; only one in a phase portrait
+  std::optional<int> x;         ///< quantity along x in a phase portrait; nullopt for time
+  std::string title;            ///< title in the TeX subset of the text library
+  std::string unit;             ///< unit of the quantities, such as "rpm"; empty for a unit that suits the numbers
+  std::optional<PlotRange> range;  ///< range of the vertical axis; nullopt for a range that fits the film
   PlotTime time = PlotTime::kMotion;
-  bool future = true;  ///< also draws the part not yet travelled, faintly
+  bool future = true;  ///< whether the curve after the current instant is drawn too, faintly
   GridPlace place;
 };
 

@@ -29,26 +29,26 @@
 #include "scene/style_colors.h"
 #include "scene/timeline.h"
 
-/// Scenes as validated values, in SI units and radians. scene_file.h makes them.
+/// Scenes as validated values, in SI units and radians. The functions in scene_file.h create them.
 namespace poinsot::scene {
 
-/// Mass without extent, drawn as a small ball.
+/// Mass without extent. The picture shows it as a small ball.
 struct PointMass {};
 
-/// One of the objects that a body is made of, or drawn as. S denotes the object's own axes.
+/// Solid, mesh or point mass as a part of a body. S denotes the part's own axes.
 struct Part {
   std::variant<physics::Solid, std::shared_ptr<const geometry::Mesh>, PointMass> figure;
   double mass_kg = 1;
   physics::Quaternion q_BS = physics::Quaternion::Identity();
-  Eigen::Vector3d offset_B = Eigen::Vector3d::Zero();  ///< position of S's origin, m
+  Eigen::Vector3d offset_B = Eigen::Vector3d::Zero();  ///< position of the origin of S, m
 };
 
-/// Rigid body. B denotes the axes and the origin in which the scene file describes the body.
+/// Rigid body. B denotes the axes and the origin that the scene file uses to describe the body.
 struct Body {
   physics::PrincipalAxes axes{physics::PrincipalMoments(Eigen::Vector3d::Ones())};  ///< about the fixed point
-  std::optional<physics::MassProperties> mass;  ///< nullopt for bare moments or a bare tensor
-  std::optional<Eigen::Vector3d> pivot_B;       ///< point held fixed; nullopt: the centre of mass
-  std::vector<Part> parts;                      ///< empty for bare moments or a bare tensor
+  std::optional<physics::MassProperties> mass;  ///< nullopt if only moments or a tensor are given
+  std::optional<Eigen::Vector3d> pivot_B;       ///< fixed point of the body; nullopt for the centre of mass
+  std::vector<Part> parts;                      ///< empty if only moments or a tensor are given
 
   /// Returns the point about which the body turns, in m.
   Eigen::Vector3d fixedPoint_B() const {
@@ -63,33 +63,33 @@ using Flight = physics::Flight;
 
 struct Motion {
   Eigen::Vector3d omega_B = Eigen::Vector3d::Zero();  ///< angular velocity at motion time 0, rad/s
-  std::optional<physics::Quaternion> orientation_WB;  ///< unit; nullopt: L is turned onto the world's vertical
+  std::optional<physics::Quaternion> orientation_WB;  ///< unit quaternion; nullopt: L is made vertical
   LPoints lPoints = LPoints::kAuto;
   physics::Forcing forcing;
-  double tolerance_rad = 1e-12;  ///< allowed error of the attitude over a driven motion
+  double tolerance_rad = 1e-12;  ///< allowed error of the attitude in a driven motion
   double mostSteps = 2e6;        ///< largest number of integration steps (Limit::kSteps)
   std::optional<Flight> flight;
 };
 
-/// Changes made to a film so that it repeats without a jump (film_loop.h).
+/// Record of the changes to a scene that make its film repeat without a jump (film_loop.h).
 struct Loop {
-  double period_s = 0;         ///< motion time of the film, after which the whole state repeats
-  int polhodePeriods = 0;      ///< number of periods until the state repeats; 0: a steady spin
+  double period_s = 0;         ///< motion time of the film, after which the complete state repeats
+  int polhodePeriods = 0;      ///< periods of the polhode until the state repeats; 0 for a steady spin
   int turns = 0;               ///< turns about L until the state repeats
-  double change = 0;           ///< change of omega0 as drawn, relative to its length
-  double turned_rad = 0;       ///< angle between the old and new omega0 in the body
-  double speedAsked = 0;       ///< motion seconds per film second before the change, as requested or chosen
+  double change = 0;           ///< length of the change of drawn omega at the start, relative to omega
+  double turned_rad = 0;       ///< angle between the old and the new omega, in the body
+  double speedAsked = 0;       ///< motion seconds per film second before the change
   double durationAsked_s = 0;  ///< film time before the change
-  double mismatch_rad = 0;     ///< angle between the attitudes at the two ends, due to rounding
+  double mismatch_rad = 0;     ///< angle between the attitudes at both ends, due to rounding errors
 };
 
 struct Time {
   double start_s = 0;
-  double duration_s = 10;  ///< in film time
+  double duration_s = 10;  ///< length of the film, in film time
   core::Rational fps{30, 1};
-  std::optional<Loop> loop;       ///< set for a film that repeats without a jump; the scene was adjusted for it
-  std::optional<double> speed;    ///< motion seconds per film second; nullopt: chosenSpeed() decides
-  std::optional<double> still_s;  ///< film time of the most telling picture; nullopt: a third of the duration
+  std::optional<Loop> loop;       ///< set if the scene was changed so that its film repeats
+  std::optional<double> speed;    ///< motion seconds per film second; nullopt for the result of chosenSpeed()
+  std::optional<double> still_s;  ///< film time of the default still; nullopt for a third of the duration
 
   double stillTime_s() const { return std::min(still_s.value_or(duration_s / 3), duration_s); }
 };
@@ -97,47 +97,46 @@ struct Time {
 enum class CameraFrame {
   kSpace,
   kBody,
-  kPrecession,  ///< turns about L with the axis of a free symmetric top: L, omega and the axis stand still
+  kPrecession,  ///< turns about L with the axis of a free symmetric top, so that L, omega and the axis are fixed
 };
 
 enum class Projection { kPerspective, kOrthographic };
 
 struct Camera {
   Projection projection = Projection::kPerspective;
-  double azimuth_rad = 0;                   ///< angle about the world's vertical (z), from its x axis
-  double elevation_rad = 0;                 ///< angle above the horizontal
-  double fov_rad = 0;                       ///< vertical field of view, in perspective
-  double zoom = 1;                          ///< 1 frames the whole motion; 2 shows it twice as large
-  double orbit_rad = 0;                     ///< added to the azimuth over the film, at a constant rate
-  CameraFrame frame = CameraFrame::kSpace;  ///< axes that stand still in the picture
-  bool follow = false;                      ///< moves along with a thrown body
+  double azimuth_rad = 0;    ///< angle about the vertical z axis, from the x axis
+  double elevation_rad = 0;  ///< angle above the horizontal plane
+  double fov_rad = 0;        ///< vertical field of view of a perspective
+  double zoom = 1;           ///< 1 fits the complete motion into the view; 2 is twice as large
+  double orbit_rad = 0;      ///< angle that is added to the azimuth over the film, at a constant rate
+  CameraFrame frame = CameraFrame::kSpace;  ///< axes that are fixed in the picture
+  bool follow = false;                      ///< whether the camera moves with a thrown body
 };
 
 struct Show {
-  std::string title, subtitle;  ///< in the TeX subset of the text library
-  double exaggerateAngles = 1;  ///< > 1: draws transverse omega that many times larger, as the picture states
+  std::string title, subtitle;  ///< text in the TeX subset of the text library
+  double exaggerateAngles = 1;  ///< factor on transverse omega; if above 1, the picture states it
   bool labels = true;
   struct : Drawn {
-    std::vector<Part> parts;  ///< drawn instead of the parts that define the inertia; only proportions matter
+    std::vector<Part> parts;  ///< parts to draw instead of those of Body; only their proportions matter
   } body;
   Drawn principalAxes, L, omega;
   struct : Drawn {
     double opacity = 0;
     bool graticule = true;
-  } ellipsoid;  ///< `scale` also applies to the plane: both are in rad/s and touch
+  } ellipsoid;  ///< ellipsoid in the space of omega; `scale` also applies to the plane that it touches
   struct : Drawn {
     double opacity = 0;
     bool grid = true;
   } plane;
   Drawn contact, polhode, height;
   struct : Drawn {
-    bool future = true;  ///< also draws the part not yet travelled, faintly
+    bool future = true;  ///< whether the curve after the current instant is drawn too, faintly
   } herpolhode;
   ShownFigures figures;
 };
 
-/// One panel of the picture. The title, subtitle, exaggerateAngles and drawn shape in `show` are the scene's for
-/// all views.
+/// Panel of the picture. In `show`, the title, subtitle, exaggerateAngles and drawn shape are equal for all views.
 struct View {
   Camera camera;
   Show show;
@@ -145,7 +144,7 @@ struct View {
   GridPlace place;
 };
 
-/// Returns whether a thrown body moves through the view. Otherwise the view follows the centre of mass.
+/// Returns whether a thrown body moves through the view. If not, the view follows the centre of mass.
 inline bool movesAlong(const Motion& motion, const Camera& camera, const Show& show) {
   return motion.flight && show.figures.flight.visible && camera.frame == CameraFrame::kSpace;
 }
@@ -157,16 +156,16 @@ enum class DecimalSign { kPoint, kComma };
 struct Style {
   Theme theme = Theme::kLight;
   GivenColors colors;
-  double lineWidth = 1;                           ///< factor on all line widths
-  double textSize = 1;                            ///< factor on all type sizes
-  DecimalSign decimalSign = DecimalSign::kPoint;  ///< decimal sign of drawn numbers
+  double lineWidth = 1;  ///< factor on the widths of all lines
+  double textSize = 1;   ///< factor on the sizes of all letters
+  DecimalSign decimalSign = DecimalSign::kPoint;
 };
 
 struct Output {
   int width = 1920;
   int height = 1080;
-  int crf = 18;       ///< constant rate factor of the film (x264's scale): 0 (lossless) to 51
-  std::string codec;  ///< codec of a film; empty: the default of its container
+  int crf = 18;       ///< constant rate factor of the film on x264's scale, from 0 (lossless) to 51
+  std::string codec;  ///< codec of a film; empty for the default of the film's container
   std::string chroma = "4:2:0";
   std::string effort = "medium";
 };
@@ -174,25 +173,25 @@ struct Output {
 struct InputFile {
   std::string path;  ///< path as written in the scene
   core::Digest digest{};
-  std::filesystem::path place{};  ///< path of the file as found, relative to the current folder
+  std::filesystem::path place{};  ///< path of the file that was read, relative to the current folder
 };
 
 struct Scene {
-  std::string name;  ///< file name without folder and extension
+  std::string name;  ///< name of the file without folder and extension
   std::vector<InputFile> inputs;
   std::vector<Doubt> doubts;  ///< notes in the order of the scene file
   Body body;
   Motion motion;
   Time time;
-  Camera camera;            ///< initial camera of every view
-  Show show;                ///< contents of the whole picture; the views start as copies
-  std::vector<View> views;  ///< views and plots form at least one panel and do not overlap
-  bool ownViews = false;    ///< made from [[view]] tables, each with a camera of its own
+  Camera camera;            ///< camera of the scene; the views start from it
+  Show show;                ///< visible things of the scene; the views start as copies
+  std::vector<View> views;  ///< views of the picture; together with the plots at least one panel, without overlaps
+  bool ownViews = false;    ///< whether the views come from [[view]] tables and have cameras of their own
   std::vector<Plot> plots;
   std::vector<Readout> readouts;
-  LabelTexts labels;                 ///< texts of the labels in every view
-  std::vector<NamedVector> vectors;  ///< drawn in every view
-  std::vector<NamedAngle> angles;    ///< drawn in every view
+  LabelTexts labels;                 ///< texts of the labels in all views
+  std::vector<NamedVector> vectors;  ///< vectors that all views show
+  std::vector<NamedAngle> angles;    ///< angles that all views show
   std::vector<Note> notes;
   Timeline timeline;
   Style style;

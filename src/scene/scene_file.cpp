@@ -34,7 +34,7 @@ bool looksLikeToml(std::string_view value) {
   return !value.empty() && std::string_view("\"'[{").find(value[0]) != std::string_view::npos;
 }
 
-/// Parses the text after "=" as a TOML value; a bare word (down, 3 rpm) becomes a string.
+/// Parses the value of an override as TOML. A value that is not TOML, such as down or 3 rpm, becomes a string.
 Node overrideValue(const Source& source, std::string_view value, const Limits& limits) {
   try {
     Node document = parseDocument(source, limits);
@@ -56,7 +56,7 @@ void addOverride(const std::string& text, std::deque<Source>& sources, Leaves& l
   const Place place{&source, 0, 0, 1};
   if (equals == std::string::npos || key.empty()) return problems.add(place, "expected -D key.path=value");
   if (hasRange(text))
-    return problems.add(place, key + ": one value is wanted here; ranges are for sweep, preview and submit");
+    return problems.add(place, key + ": expected one value; only sweep, preview and submit take ranges");
   try {
     addLeaf(key, place, overrideValue(source, value, leaves.limits), leaves, problems);
   } catch (const SceneErrors& errors) {
@@ -64,7 +64,7 @@ void addOverride(const std::string& text, std::deque<Source>& sources, Leaves& l
   }
 }
 
-/// Returns all defaults as one TOML document, so that they are read and checked like a file.
+/// Returns the defaults of all keys as one TOML document. The parser then checks them like the values of a file.
 std::string defaultsText() {
   std::string text;
   for (const Key& key : keys())
@@ -74,7 +74,7 @@ std::string defaultsText() {
 
 using Paths = std::set<std::string, std::less<>>;
 
-/// Makes a thing visible that is hidden by default if the scene gives one of its options but not its `visible`.
+/// Makes a hidden thing visible if the scene gives a key of its table, but not the key "visible".
 void askFor(std::string_view path, const Leaves& leaves, Draft& draft) {
   const std::string_view table = path.substr(0, path.rfind('.'));
   const std::string visible = std::string(table) + ".visible";
@@ -82,7 +82,7 @@ void askFor(std::string_view path, const Leaves& leaves, Draft& draft) {
     findKey(visible)->put(draft, elementOf(visible), Checked(true));
 }
 
-/// Checks all values and puts the valid ones into the draft. The paths of the others go to `refused`.
+/// Checks all values. Stores valid values in the draft and adds the paths of the others to `refused`.
 Draft checkedDraft(const Leaves& leaves, Draft draft, Paths& refused, Problems& problems) {
   for (const auto& [path, node] : leaves.values) {
     const Key& key = *findKey(path);
@@ -107,7 +107,7 @@ Draft defaultDraft() {
   return draft;
 }
 
-/// Checks the TeX in texts that passed as values, so that one mistake yields one problem.
+/// Checks the TeX in texts. Skips values that failed their own checks, so that one mistake yields one problem.
 void checkTexts(const Leaves& leaves, const TextCheck& check, const Paths& refused, Problems& problems) {
   for (const auto& [path, node] : leaves.values) {
     if (!check || !findKey(path)->isTex || refused.contains(path)) continue;
@@ -119,8 +119,9 @@ void checkTexts(const Leaves& leaves, const TextCheck& check, const Paths& refus
   }
 }
 
-/// Limits the characters that one frame may show: all texts except captions, plus the longest caption, because one
-/// caption shows at a time. Each text costs every worker a layout and every frame a lookup.
+/// Checks that a frame does not show more characters than the limit allows. Counts all texts and the longest
+/// caption, because a frame shows one caption at a time. Each text costs every worker a layout and every frame a
+/// lookup.
 void checkCharacters(const Leaves& leaves, Findings& findings) {
   std::size_t others = 0, caption = 0;
   for (const auto& [path, node] : leaves.values) {
@@ -153,7 +154,7 @@ void closeIfAsked(Scene& scene, Findings& findings, const Limits& limits) {
 Scene parseScene(std::string_view text, const std::string& fileName, const std::vector<std::string>& overrides,
                  const TextCheck& textCheck, const Allowance& allowance) {
   const Limits& limits = allowance.limits;
-  std::deque<Source> sources;  // places point to its elements, which a deque never moves
+  std::deque<Source> sources;  // a deque does not move its elements, to which each Place points
   const Source& file = sources.emplace_back(fileName, std::string(text));
   Leaves leaves{.limits = limits};
   Problems problems;
@@ -170,7 +171,7 @@ Scene parseScene(std::string_view text, const std::string& fileName, const std::
   checkTexts(leaves, textCheck, refused, problems);
   checkCharacters(leaves, findings);
   problems.throwIfAny();
-  closeIfAsked(scene, findings, limits);  // only if there are no other problems
+  closeIfAsked(scene, findings, limits);  // only if the scene has no other problem
   problems.throwIfAny();
   scene.name = path.stem().string();
   scene.inputs = folder.filesRead();

@@ -6,7 +6,7 @@
 namespace poinsot::scene {
 namespace {
 
-using namespace physics;  // for its many solids
+using namespace physics;  // this file uses nearly all solids of physics
 using Eigen::Vector3d;
 using physics::Vector2;
 
@@ -61,7 +61,7 @@ Solid ofTwoRadii(const ShapeDraft& s) {
 
 NamedShape polyhedron(std::string_view word, PolyhedronKind kind) {
   return {.word = word,
-          .help = "Regular; origin at its centre.",
+          .help = "A regular polyhedron with its centre at the origin.",
           .ways = {{"edge"}},
           .make = [kind](const ShapeDraft& s) -> Solid {
             return Polyhedron{kind, length(s, "edge")};
@@ -69,12 +69,12 @@ NamedShape polyhedron(std::string_view word, PolyhedronKind kind) {
           .usual = Polyhedron{kind, 0.1}};
 }
 
-/// Returns the shapes given by their extents. The default proportions in this file are those of a book, an egg, a
-/// can, a tennis racket (ITF: at most 0.737 m x 0.317 m), and the lecture notes' table of solids.
+/// Returns the shapes that have the key `size`. The default proportions in this file are those of a book, an egg,
+/// a can, a tennis racket (ITF: at most 0.737 m x 0.317 m), and the table of solids in the lecture notes.
 std::vector<NamedShape> solidsWithExtents() {
   return {
       {.word = "box",
-       .help = "Edges along the axes.",
+       .help = "A box with its edges along the axes.",
        .ways = {{"size"}},
        .make = [](const ShapeDraft& s) -> Solid { return Box{extents(s)}; },
        .usual = Box{{0.24, 0.16, 0.04}}},
@@ -92,7 +92,7 @@ std::vector<NamedShape> solidsWithExtents() {
        .make = [](const ShapeDraft& s) -> Solid { return Plate{twoExtents(s)}; },
        .usual = Plate{{0.297, 0.21}}},
       {.word = "ellipsoid",
-       .help = "Axes along the axes.",
+       .help = "An ellipsoid with its axes along x, y and z.",
        .ways = {{"size"}},
        .make = [](const ShapeDraft& s) -> Solid { return Ellipsoid{extents(s) / 2}; },
        .usual = Ellipsoid{{0.15, 0.10, 0.08}}},
@@ -107,7 +107,7 @@ std::vector<NamedShape> solidsWithExtents() {
 std::vector<NamedShape> roundSolids() {
   return {
       {.word = "sphere",
-       .help = "A ball; hollow with inner_radius.",
+       .help = "A ball. With inner_radius it is hollow.",
        .ways = {{"radius"}},
        .optional = {"inner_radius"},
        .make = [](const ShapeDraft& s) -> Solid {
@@ -115,23 +115,23 @@ std::vector<NamedShape> roundSolids() {
        },
        .usual = Sphere{0.1, 0}},
       {.word = "sphere_shell",
-       .help = "A ball without an inside.",
+       .help = "The surface of a ball.",
        .ways = {{"radius"}},
        .make = ofRadius<SphereShell>,
        .usual = SphereShell{0.1}},
       {.word = "hemisphere",
-       .help = "Half a ball; origin at the centre of its flat face, dome towards +z.",
+       .help = "Half a ball. The origin is the centre of its flat face, and the dome points towards +z.",
        .ways = {{"radius"}},
        .make = ofRadius<Hemisphere>,
        .usual = Hemisphere{0.1}},
       {.word = "cylinder",
-       .help = "About z; a tube with inner_radius. Of size, the x and y extents are equal.",
+       .help = "A cylinder about z. With inner_radius it is a tube. The x and y extents of `size` must be equal.",
        .ways = {{"size"}, {"radius", "height"}},
        .optional = {"inner_radius"},
        .make = cylinder,
        .usual = Cylinder{0.033, 0.115, 0}},
       {.word = "cylinder_shell",
-       .help = "The wall of a cylinder, about z, without its ends.",
+       .help = "The wall of a cylinder about z, without its ends.",
        .ways = {{"radius", "height"}},
        .make = ofRadiusAndHeight<CylinderShell>,
        .usual = CylinderShell{0.033, 0.115}},
@@ -151,18 +151,19 @@ std::vector<NamedShape> roundSolids() {
        .make = [](const ShapeDraft& s) -> Solid { return Rod{length(s, "length")}; },
        .usual = Rod{0.3}},
       {.word = "cone",
-       .help = "About z, apex towards +z; origin at its centre of mass, a quarter of the height above the base.",
+       .help = "A cone about z with its apex towards +z. The origin is its centre of mass, a quarter of the "
+               "height above the base.",
        .ways = {{"radius", "height"}},
        .make = ofRadiusAndHeight<Cone>,
        .usual = Cone{0.05, 0.12}},
       {.word = "cone_shell",
-       .help = "The side of a cone without its base; origin at its centre of mass, a third of the height above "
-               "the base.",
+       .help = "The side of a cone, without its base. The origin is its centre of mass, a third of the height "
+               "above the base.",
        .ways = {{"radius", "height"}},
        .make = ofRadiusAndHeight<ConeShell>,
        .usual = ConeShell{0.05, 0.12}},
       {.word = "torus",
-       .help = "About z.",
+       .help = "A torus about z.",
        .ways = {{"radius", "tube_radius"}},
        .make = ofTwoRadii<Torus>,
        .usual = Torus{0.1, 0.03}},
@@ -172,7 +173,7 @@ std::vector<NamedShape> roundSolids() {
        .make = ofTwoRadii<TorusShell>,
        .usual = TorusShell{0.1, 0.03}},
       {.word = "capsule",
-       .help = "About z: a cylinder with half balls on its ends.",
+       .help = "A cylinder about z with half balls on its ends.",
        .ways = {{"radius", "height"}},
        .make = ofRadiusAndHeight<Capsule>,
        .usual = Capsule{0.05, 0.12}},
@@ -189,7 +190,8 @@ std::vector<NamedShape> polyhedra() {
 std::vector<NamedShape> composites() {
   return {
       {.word = "l_plate",
-       .help = "A plate of two arms in the xy plane: outer corner at the origin, one arm along +x, one along +y.",
+       .help = "A plate of two arms in the xy plane. Its outer corner is the origin. One arm points along +x, the "
+               "other along +y.",
        .ways = {{"size", "arm"}},
        .extents = 2,
        .make = [](const ShapeDraft& s) -> Solid {
@@ -197,27 +199,28 @@ std::vector<NamedShape> composites() {
        },
        .usual = LPlate{{3, 2}, 0.5}},
       {.word = "t_handle",
-       .help = "Two round bars of one density: the bar centred at the origin along x, the shaft from the bar's "
-               "surface along +y.",
+       .help = "Two round bars of one density. The bar lies along x, and its centre is the origin. The shaft "
+               "leaves the bar's surface along +y.",
        .ways = {{"bar_length", "bar_radius", "shaft_length", "shaft_radius"}},
        .make = tHandle,
        .usual = THandle{3, 0.2, 1.5, 0.2}},
       {.word = "racket",
-       .help = "A hoop in the xy plane and a thin handle from its rim along -x, masses 17 : 16; origin at the "
-               "hoop's centre. Of size, x is the length over all and y the hoop's width.",
+       .help = "A hoop in the xy plane and a thin handle from its rim along -x, with masses in the ratio 17 : 16. "
+               "The origin is the hoop's centre. In `size`, x is the overall length and y is the hoop's width.",
        .ways = {{"size"}, {"length", "width"}},
        .make = racket,
        .usual = Racket{0.685, 0.26}},
       {.word = "wing_nut",
-       .help = "A hub about z, centred at the origin, with two boxes for wings along +x and -x.",
+       .help = "A hub about z with its centre at the origin, and two boxes as wings along +x and -x.",
        .ways = {{"hub_radius", "hub_height", "wing", "wing_centre"}},
        .optional = {"wing_rise"},
        .make = wingNut,
        .usual = WingNut{0.5, 1, {1.2, 0.2, 0.9}, 1.1, 0.3}},
       {.word = "mesh",
-       .help = "The inside of a closed surface of triangles, each counter-clockwise from outside; axes and origin "
-               "of the file. Corners that differ by rounding are joined, with a note. A mesh that is not closed "
-               "can be drawn with show.body, of a body whose moments are given as numbers.",
+       .help =
+           "The inside of a closed surface of triangles. Each triangle is counter-clockwise, seen from outside. "
+           "The file sets axes and origin. Corners that differ only by rounding are joined, with a note. A mesh "
+           "that is not closed can be drawn with show.body if the body's moments are given as numbers.",
        .ways = {{"file"}},
        .optional = {"file_unit"}},
   };
@@ -252,23 +255,24 @@ std::vector<std::string_view> shapeWords() {
 
 const std::vector<LengthKey>& lengthKeys() {
   static const std::vector<LengthKey> table = {
-      {"radius", "Of what is round; of a torus, the circle that its tube follows.", "\"10 cm\""},
-      {"inner_radius", "Of the hollow in a sphere or a cylinder (a tube); without it, none.", "\"5 cm\""},
-      {"height", "Along z; of a capsule, its cylinder between the half balls.", "\"20 cm\""},
-      {"length", "Of a rod, along x; of a racket over all.", "\"68.5 cm\""},
-      {"width", "Of a racket's hoop.", "\"26 cm\""},
-      {"edge", "Of a regular polyhedron.", "\"10 cm\""},
+      {"radius", "Radius of a round shape. For a torus, radius of the circle that its tube follows.", "\"10 cm\""},
+      {"inner_radius", "Radius of the hollow in a sphere or a cylinder (a tube). By default, there is no hollow.",
+       "\"5 cm\""},
+      {"height", "Height along z. For a capsule, height of the cylinder between the half balls.", "\"20 cm\""},
+      {"length", "Length of a rod, along x. For a racket, overall length.", "\"68.5 cm\""},
+      {"width", "Width of a racket's hoop.", "\"26 cm\""},
+      {"edge", "Edge length of a regular polyhedron.", "\"10 cm\""},
       {"wall", "Thickness of a hollow box's walls.", "\"5 mm\""},
-      {"tube_radius", "Of a torus's tube.", "\"3 cm\""},
+      {"tube_radius", "Radius of a torus's tube.", "\"3 cm\""},
       {"arm", "Width of both arms of an L plate.", "\"5 cm\""},
-      {"bar_length", "Of a T-handle's bar, along x.", "\"6 cm\""},
-      {"bar_radius", "Of a T-handle's bar.", "\"4 mm\""},
-      {"shaft_length", "Of a T-handle's shaft, from the bar's surface along +y.", "\"3 cm\""},
-      {"shaft_radius", "Of a T-handle's shaft.", "\"4 mm\""},
-      {"hub_radius", "Of a wing nut's hub.", "\"5 mm\""},
-      {"hub_height", "Of a wing nut's hub, along z.", "\"10 mm\""},
+      {"bar_length", "Length of a T-handle's bar, along x.", "\"6 cm\""},
+      {"bar_radius", "Radius of a T-handle's bar.", "\"4 mm\""},
+      {"shaft_length", "Length of a T-handle's shaft, from the bar's surface along +y.", "\"3 cm\""},
+      {"shaft_radius", "Radius of a T-handle's shaft.", "\"4 mm\""},
+      {"hub_radius", "Radius of a wing nut's hub.", "\"5 mm\""},
+      {"hub_height", "Height of a wing nut's hub, along z.", "\"10 mm\""},
       {"wing_centre", "Distance of a wing's centre from the hub's axis, along x.", "\"11 mm\""},
-      {"wing_rise", "Height of a wing's centre above the hub's; without it, none.", "\"3 mm\"", true},
+      {"wing_rise", "Height of a wing's centre above the hub's centre. By default, 0.", "\"3 mm\"", true},
   };
   return table;
 }
@@ -290,7 +294,7 @@ std::string listed(const KeyNames& names) {
 std::string described(const NamedShape& kind) {
   std::string text;
   for (const KeyNames& way : kind.ways) text += (text.empty() ? "" : ", or ") + listed(way);
-  if (!kind.optional.empty()) text += fmt::format(" (and {}, if wanted)", listed(kind.optional));
+  if (!kind.optional.empty()) text += fmt::format(" (optional: {})", listed(kind.optional));
   return text;
 }
 

@@ -9,7 +9,7 @@
 
 namespace poinsot::scene {
 
-/// Common options of a drawn thing. `scale` multiplies the default size in the picture.
+/// Options that all drawn things have. `scale` is a factor on the default size in the picture.
 struct Drawn {
   bool visible = true;
   double scale = 1;
@@ -20,7 +20,7 @@ struct Extra : Drawn {
   Extra() : Drawn{false, 1} {}
 };
 
-/// Optional figures in a picture, besides body, vectors and Poinsot's construction.
+/// Optional things in a picture. The body, its vectors and Poinsot's construction are not among them.
 struct ShownFigures {
   struct : Extra {
     double opacity = 0;
@@ -35,31 +35,31 @@ struct ShownFigures {
     double opacity = 0;
   } planeOfL;  ///< plane through L and omega, which contains the axis of a symmetric body
   struct : Extra {
-    std::vector<double> times_s;  ///< film times; empty: `count` times spread over the film
+    std::vector<double> times_s;  ///< film times of the poses; if empty, `count` times spread over the film
     int count = 0;
-    double strength = 0;                             ///< strength of their colours, from 0 (paper) to 1 (body)
-    Eigen::Vector3d step = Eigen::Vector3d::Zero();  ///< shift between neighbours, in the body's longest extents
-  } ghosts;                                          ///< poses of the body at other times
+    double strength = 0;  ///< strength of the colours, from 0 (as the paper) to 1 (as the body)
+    Eigen::Vector3d step = Eigen::Vector3d::Zero();  ///< shift between poses, in the body's longest extents
+  } ghosts;                                          ///< copies of the body in its poses at other times
   struct : Extra {
-    int count = 0;  ///< curves between the separatrix and each extreme axis
+    int count = 0;  ///< number of curves between the separatrix and each extreme axis
   } polhodes;       ///< family of polhodes on the energy ellipsoid
   struct : Extra {
     double opacity = 0;
-    int count = 0;  ///< number of curves, as in polhodes
+    int count = 0;  ///< number of curves, counted as in polhodes
   } binet;          ///< momentum sphere and energy ellipsoid in the space of L
   struct : Extra {
-    std::optional<Eigen::Vector3d> point_B;  ///< m; nullopt: a point on k
-    double opacity = 0;                      ///< opacity of the sphere
-    bool future = true;                      ///< also draws the part not yet travelled, faintly
+    std::optional<Eigen::Vector3d> point_B;  ///< point of the body, m; nullopt for a point on k
+    double opacity = 0;                      ///< opacity of the sphere on which the path lies
+    bool future = true;                      ///< whether the path after the current instant is drawn too, faintly
   } trace;                                   ///< path of a point of the body
   struct {
     bool visible = true;
-    std::optional<double> scale;  ///< scale of the path relative to the body; nullopt: keeps the body visible
+    std::optional<double> scale;  ///< scale of the path; nullopt for a scale at which the body is visible
     bool position = true, velocity = true, weight = false;
-  } flight;  ///< thrown body, which moves through the views at rest in space
+  } flight;  ///< path of a thrown body through the views of space
   struct : Extra {
-    bool torque = false;  ///< torque about the origin
-  } totalL;               ///< angular momentum of a thrown body about the origin, with its parts
+    bool torque = false;  ///< whether the torque about the origin is drawn
+  } totalL;               ///< angular momentum of a thrown body about the origin, and its parts
 };
 
 }  // namespace poinsot::scene

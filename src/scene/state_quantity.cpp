@@ -28,7 +28,7 @@ Vector3d figureAxis(const Basis& basis, const Vector3d& omega_P) {
   const Vector3d gravity_P = basis.axes().toP(basis.forcing().gravity_B);
   if (const auto top = physics::heavyTop(basis.axes().moments(), gravity_P)) return top->k_P;
   const auto cones = physics::precessionCones(basis.axes().moments(), omega_P);
-  // Every axis of a sphere is an axis of symmetry; the axis of its spin is more telling than z.
+  // For a sphere, every axis is an axis of symmetry. The spin axis is then a better choice than z.
   const bool symmetric = cones && cones->sense != physics::RollingSense::kNone;
   return symmetric ? cones->k_P : spunAxis(omega_P);
 }
@@ -44,16 +44,17 @@ Vector3d toW(const RigidBodyState& s, const Basis& b, const Vector3d& v_P) { ret
 Vector3d omega_P(const RigidBodyState& s, const Basis& b) { return b.axes().toP(s.omega_B); }
 Vector3d L_P(const RigidBodyState& s, const Basis& b) { return b.axes().moments().angularMomentum(omega_P(s, b)); }
 
-/// Returns the angle between two directions, exact also for small angles and nearly opposite directions; NaN for a
-/// zero vector.
+/// Returns the angle between two vectors. The result is also accurate for nearly parallel and nearly opposite
+/// vectors. NaN if a vector is zero.
 double angle(const Vector3d& a, const Vector3d& b) {
   if (a.isZero(0) || b.isZero(0)) return kMissing;
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// Horizontal axes for a pole: the world's x and y after the shortest turn that takes z to the pole.
-/// That turn has no limit at -z. Within 1.4e-6 rad of -z, more than the rounding of any pole meant to point down,
-/// z is first turned onto -z about x, and then the shortest way.
+/// Axes x and y perpendicular to a pole. They are the world's x and y after the shortest rotation that takes z to
+/// the pole. For a pole at -z, the shortest rotation is not unique. Within 1.4e-6 rad of -z, which covers rounding
+/// errors of a pole that points down, a half turn about x is applied first, and then the shortest rotation from -z
+/// to the pole.
 struct Meridians {
   Vector3d x_W, y_W;
 };
@@ -70,7 +71,8 @@ double size(const Vector3d& v) { return v.norm(); }
 double omegaSize(const RigidBodyState& s, const Basis&) { return size(s.omega_W); }
 double LSize(const RigidBodyState& s, const Basis&) { return size(s.L_W); }
 
-/// Returns the quantities of the flight: 0 except for L if the body does not fly, NaN if its mass is unknown.
+/// Returns the quantities of the flight. If the body does not fly, they are 0, except L. If the mass of a flying
+/// body is unknown, they are NaN.
 physics::FlightQuantities flightOf(const RigidBodyState& s, const Basis& b) {
   static const ThrownBody still{.flight = {.gravity_W = Vector3d::Zero()}, .mass_kg = 0};
   const ThrownBody& thrown = b.thrown() ? *b.thrown() : still;
@@ -95,7 +97,7 @@ double totalL(const RigidBodyState& s, const Basis& b) {
 }
 double totalLSize(const RigidBodyState& s, const Basis& b) { return size(flightOf(s, b).orbital_W) + size(s.L_W); }
 
-// ---- energies; those of the flight are left out if the body's mass is unknown
+// ---- energies; without the mass of the body, the energies of the flight are left out
 
 double orZero(double value) { return std::isnan(value) ? 0 : value; }
 double kineticEnergy(const RigidBodyState& s, const Basis&) { return s.kineticEnergy; }
@@ -136,8 +138,8 @@ double thetaVertical(const RigidBodyState& s, const Basis& b) {
 }
 double omegaToL(const RigidBodyState& s, const Basis&) { return angle(s.omega_W, s.L_W); }
 
-// Euler angles in the order z, x, z, with the line of nodes pole × k. If k lies on the pole, the line does not
-// exist.
+// Euler angles in the order z, x, z. The line of nodes is pole × k. If k is parallel to the pole, there is no line
+// of nodes and the angle is missing.
 double phi(const RigidBodyState& s, const Basis& b) {
   const Vector3d pole_W = b.pole_W(s), nodes_W = pole_W.cross(toW(s, b, b.k_P()));
   const Meridians m = meridians(pole_W);
@@ -150,8 +152,8 @@ double psi(const RigidBodyState& s, const Basis& b) {
   return first == 0 && second == 0 ? kMissing : std::atan2(first, second);
 }
 
-// omega = phi' pole + psi' k + theta' along the line of nodes. For a free symmetric body the first two terms are
-// omega_p and -Omega_p k.
+// Angular rates in omega = phi' pole + psi' k + theta' n, where n is the line of nodes. For a free symmetric body,
+// the first two terms are omega_p and -Omega_p k.
 double phiRate(const RigidBodyState& s, const Basis& b) {
   const Vector3d pole_W = b.pole_W(s), k_W = toW(s, b, b.k_P());
   const double across = pole_W.cross(k_W).squaredNorm();
@@ -205,20 +207,21 @@ constexpr StateQuantity kQuantities[] = {
     {"L_z", "L_z", "L along the world's z axis", kAction, F::kL, kSmooth, LInSpace<2>, LSize},
     {"L", "|\\mathbf{L}|", "length of L", kAction, F::kL, kSmooth, LSize, LSize},
     {"T", "T", "kinetic energy of the rotation", kJoule, F::kEnergy, kSmooth, kineticEnergy, energySize},
-    {"V", "V", "potential energy, above the fixed point; of a thrown body with a mass, above the origin", kJoule,
-     F::kEnergy, kSmooth, potentialEnergy, energySize},
-    {"E", "E", "kinetic and potential energy, all that there is", kJoule, F::kEnergy, kSmooth, energy, energySize},
+    {"V", "V",
+     "potential energy, relative to the fixed point; for a thrown body with a mass, relative to the origin",
+     kJoule, F::kEnergy, kSmooth, potentialEnergy, energySize},
+    {"E", "E", "total energy: kinetic and potential", kJoule, F::kEnergy, kSmooth, energy, energySize},
     {"theta", "\\theta", "angle between k, the axis of symmetry or of the main spin, and L", kAngle, F::kBody,
      kSmooth, theta, nullptr, kNothing, "\\theta_L"},
-    {"theta_vertical", "\\theta_z", "angle between k and the vertical, in pictures under gravity called theta",
+    {"theta_vertical", "\\theta_z", "angle between k and the vertical; pictures under gravity call it theta",
      kAngle, F::kBody, kSmooth, thetaVertical, nullptr, kNothing, "\\theta"},
     {"theta_omega", "\\alpha", "angle between omega and L", kAngle, F::kOmega, kSmooth, omegaToL},
-    {"phi", "\\varphi", "precession: angle of the line of nodes about L, under gravity about the vertical", kAngle,
-     F::kBody, kTurns, phi},
+    {"phi", "\\varphi", "precession: angle of the line of nodes about L; under gravity, about the vertical",
+     kAngle, F::kBody, kTurns, phi},
     {"psi", "\\psi", "spin: angle of the body about k from the line of nodes", kAngle, F::kBody, kTurns, psi},
-    {"phi_rate", "\\dot{\\varphi}", "rate of the precession phi; of a free symmetric body L/I1 (eq 34)",
+    {"phi_rate", "\\dot{\\varphi}", "rate of the precession phi; for a free symmetric body, L/I1 (eq 34)",
      kRadianPerSecond, F::kOmega, kSmooth, phiRate, omegaSize},
-    {"psi_rate", "\\dot{\\psi}", "rate of the spin psi; of a free symmetric body -Omega_p (eq 29, 32)",
+    {"psi_rate", "\\dot{\\psi}", "rate of the spin psi; for a free symmetric body, -Omega_p (eq 29, 32)",
      kRadianPerSecond, F::kOmega, kSmooth, psiRate, omegaSize},
     {"h", "h", "height of the centre above the point of contact, 2T/|L|", kRadianPerSecond, F::kL, kSmooth,
      planeHeight, omegaSize},
@@ -234,24 +237,33 @@ constexpr StateQuantity kQuantities[] = {
      kSmooth, position<1>, nullptr, kFlight},
     {"R_z", "R_z", "position of the centre of mass of a thrown body along the world's z axis", kMetre, F::kFlight,
      kSmooth, position<2>, nullptr, kFlight},
-    {"V_x", "V_x", "its velocity along x", kMetrePerSecond, F::kFlight, kSmooth, velocity<0>, nullptr, kFlight},
-    {"V_y", "V_y", "its velocity along y", kMetrePerSecond, F::kFlight, kSmooth, velocity<1>, nullptr, kFlight},
-    {"V_z", "V_z", "its velocity along z", kMetrePerSecond, F::kFlight, kSmooth, velocity<2>, nullptr, kFlight},
-    {"L_orbital_x", "(\\mathbf{R}\\times\\mathbf{P})_x", "R x P of a thrown body about the origin, along x",
-     kAction, F::kL, kSmooth, orbitalL<0>, totalLSize, kFlightAndMass},
-    {"L_orbital_y", "(\\mathbf{R}\\times\\mathbf{P})_y", "R x P of a thrown body about the origin, along y",
-     kAction, F::kL, kSmooth, orbitalL<1>, totalLSize, kFlightAndMass},
-    {"L_orbital_z", "(\\mathbf{R}\\times\\mathbf{P})_z", "R x P of a thrown body about the origin, along z",
-     kAction, F::kL, kSmooth, orbitalL<2>, totalLSize, kFlightAndMass},
-    {"L_total_x", "L_{\\mathrm{tot},x}", "all its angular momentum about the origin, R x P + L, along x", kAction,
-     F::kL, kSmooth, totalL<0>, totalLSize, kFlightAndMass},
-    {"L_total_y", "L_{\\mathrm{tot},y}", "all its angular momentum about the origin, R x P + L, along y", kAction,
-     F::kL, kSmooth, totalL<1>, totalLSize, kFlightAndMass},
-    {"L_total_z", "L_{\\mathrm{tot},z}", "all its angular momentum about the origin, R x P + L, along z", kAction,
-     F::kL, kSmooth, totalL<2>, totalLSize, kFlightAndMass},
-    {"T_cm", "T_\\mathrm{cm}", "kinetic energy of its centre of mass, M V^2/2", kJoule, F::kEnergy, kSmooth,
-     energyOfFlight, energySize, kFlightAndMass},
-    {"T_total", "T_\\mathrm{tot}", "its kinetic energy in all, T_cm + T", kJoule, F::kEnergy, kSmooth,
+    {"V_x", "V_x", "velocity of the centre of mass of a thrown body along x", kMetrePerSecond, F::kFlight, kSmooth,
+     velocity<0>, nullptr, kFlight},
+    {"V_y", "V_y", "velocity of the centre of mass of a thrown body along y", kMetrePerSecond, F::kFlight, kSmooth,
+     velocity<1>, nullptr, kFlight},
+    {"V_z", "V_z", "velocity of the centre of mass of a thrown body along z", kMetrePerSecond, F::kFlight, kSmooth,
+     velocity<2>, nullptr, kFlight},
+    {"L_orbital_x", "(\\mathbf{R}\\times\\mathbf{P})_x",
+     "orbital angular momentum R x P of a thrown body about the origin, along x", kAction, F::kL, kSmooth,
+     orbitalL<0>, totalLSize, kFlightAndMass},
+    {"L_orbital_y", "(\\mathbf{R}\\times\\mathbf{P})_y",
+     "orbital angular momentum R x P of a thrown body about the origin, along y", kAction, F::kL, kSmooth,
+     orbitalL<1>, totalLSize, kFlightAndMass},
+    {"L_orbital_z", "(\\mathbf{R}\\times\\mathbf{P})_z",
+     "orbital angular momentum R x P of a thrown body about the origin, along z", kAction, F::kL, kSmooth,
+     orbitalL<2>, totalLSize, kFlightAndMass},
+    {"L_total_x", "L_{\\mathrm{tot},x}",
+     "total angular momentum R x P + L of a thrown body about the origin, along x", kAction, F::kL, kSmooth,
+     totalL<0>, totalLSize, kFlightAndMass},
+    {"L_total_y", "L_{\\mathrm{tot},y}",
+     "total angular momentum R x P + L of a thrown body about the origin, along y", kAction, F::kL, kSmooth,
+     totalL<1>, totalLSize, kFlightAndMass},
+    {"L_total_z", "L_{\\mathrm{tot},z}",
+     "total angular momentum R x P + L of a thrown body about the origin, along z", kAction, F::kL, kSmooth,
+     totalL<2>, totalLSize, kFlightAndMass},
+    {"T_cm", "T_\\mathrm{cm}", "kinetic energy of the centre of mass of a thrown body, M V^2/2", kJoule,
+     F::kEnergy, kSmooth, energyOfFlight, energySize, kFlightAndMass},
+    {"T_total", "T_\\mathrm{tot}", "total kinetic energy of a thrown body, T_cm + T", kJoule, F::kEnergy, kSmooth,
      wholeKineticEnergy, energySize, kFlightAndMass},
 };
 

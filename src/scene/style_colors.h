@@ -33,15 +33,15 @@ enum class ColorMeaning {
 };
 constexpr std::size_t kColorMeanings = 19;
 
-/// Key of a colour in [style.colors], with an example and its text in the reference.
+/// Key of a colour in [style.colors], with the example and the help text of the reference.
 struct ColorKey {
   std::string_view name, example, help;
 };
 
-/// Returns the keys in the order of ColorMeaning.
+/// Returns the keys of all colours in the order of ColorMeaning.
 const std::array<ColorKey, kColorMeanings>& colorKeys();
 
-/// Colours that a scene defines, by meaning, 0xRRGGBB in sRGB. The theme supplies the rest.
+/// Colours that a scene sets, as 0xRRGGBB in sRGB. The index is a ColorMeaning. A missing colour is the theme's.
 using GivenColors = std::array<std::optional<std::uint32_t>, kColorMeanings>;
 
 }  // namespace poinsot::scene

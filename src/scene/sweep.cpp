@@ -23,7 +23,7 @@ struct Number {
   std::string typed, unit;
 };
 
-/// Parses a number with its unit, such as "10 rpm"; nullopt if the text does not begin with a number.
+/// Parses a number, with a unit if it has one, such as "10 rpm"; nullopt if the text does not begin with a number.
 std::optional<Number> numberIn(std::string_view text) {
   text = core::trimmed(text);
   const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
@@ -34,7 +34,7 @@ std::optional<Number> numberIn(std::string_view text) {
   return Number{value, std::string(text.substr(0, length)), std::string(core::trimmed(text.substr(length)))};
 }
 
-/// Part of an override that may be a range, and the text around it.
+/// Part of an override that may be a range, with the text before and after it.
 struct Found {
   std::string key, before, range, after;
   std::optional<int> element;
@@ -50,7 +50,7 @@ class Reader {
     SweepAxis axis{found_.key, found_.element, unitOf(numbers), {}, found_.before, found_.after};
     for (const Number& number : numbers) {
       std::string text = axis.unit.empty() ? number.typed : number.typed + " " + axis.unit;
-      // A quantity in a list must be quoted; a single one may be bare.
+      // In a list, text with a unit needs quotes. A single value does not.
       if (!axis.unit.empty() && found_.element && !found_.quoted) text = fmt::format("\"{}\"", text);
       axis.values.push_back({std::move(text), number.typed});
     }
@@ -64,14 +64,14 @@ class Reader {
         fmt::format("-D {}: '{}': {}", core::printable(found_.key), core::printable(found_.range), why));
   }
 
-  /// Returns the common unit of all numbers. Numbers without a unit take the unit of the others.
+  /// Returns the unit of all numbers. A number without a unit gets the unit of the others.
   std::string unitOf(const std::vector<Number>& numbers) const {
     std::string unit;
     for (const Number& number : numbers) {
       if (number.unit.empty()) continue;
       if (!unit.empty() && number.unit != unit)
-        refuse(
-            fmt::format("one unit for all, got {} and {}", core::printable(unit), core::printable(number.unit)));
+        refuse(fmt::format("all values must have the same unit, got {} and {}", core::printable(unit),
+                           core::printable(number.unit)));
       unit = number.unit;
     }
     return unit;
@@ -94,8 +94,9 @@ class Reader {
     const auto dots = text.find("..");
     const auto colon = text.find(':', dots);
     const auto from = numberIn(text.substr(0, dots));
-    if (text.find("...", dots) == dots) refuse("between the ends stand two dots, not three");
-    if (from && colon == std::string_view::npos) refuse(fmt::format("how many values? {}", kForms));
+    if (text.find("...", dots) == dots) refuse("write two dots between the ends, not three");
+    if (from && colon == std::string_view::npos)
+      refuse(fmt::format("the number of values is missing; {}", kForms));
     if (!from) refuse(std::string(kForms));
     const auto to = numberIn(text.substr(dots + 2, colon - dots - 2));
     if (!to) refuse(std::string(kForms));
@@ -127,15 +128,15 @@ class Reader {
     return zero && digits[0] == '-' ? digits.substr(1) : digits;
   }
 
-  /// Formats x with few digits, as a person would; uses a power of ten if x needs many decimals or is large.
+  /// Formats x with few digits. Uses a power of ten if x is large or needs many decimals.
   static std::string digitsOf(double x, int decimals) {
     constexpr int kMostDecimals = 9;
     constexpr double kMostWritten = 1e7;
     return decimals > kMostDecimals || std::abs(x) >= kMostWritten ? fmt::format("{:.6g}", x) : fixed(x, decimals);
   }
 
-  // Chooses the fewest decimals with which no value is off by more than a hundredth of a step, which nobody sees.
-  // The rounded numbers are both printed and used.
+  // Returns `count` equally spaced numbers, each rounded to the same few decimals. The rounding error is at most a
+  // hundredth of a step, which is not visible. The rounded numbers are both printed and used.
   std::vector<Number> even(const Number& from, const Number& to, int count) const {
     if (from.value == to.value) refuse("both ends are the same");
     unitOf({from, to});
@@ -156,7 +157,8 @@ class Reader {
   }
 
   std::vector<Number> inRatios(const Number& from, const Number& to, int count) const {
-    if (!(from.value / to.value > 0)) refuse("equal ratios need two ends of one sign, neither of them 0");
+    if (!(from.value / to.value > 0))
+      refuse("a logarithmic range needs two ends of the same sign, neither of them 0");
     if (from.value == to.value) refuse("both ends are the same");
     unitOf({from, to});
     std::vector<Number> numbers;
@@ -172,7 +174,7 @@ class Reader {
   Found found_;
 };
 
-/// Returns whether a key takes numbers; false for an unknown key, because the scene reports that.
+/// Returns whether the value of a key consists of numbers. False for an unknown key, which is reported later.
 bool takesNumbers(std::string_view path) {
   const Key* key = findKey(path);
   if (!key) return false;
@@ -196,7 +198,7 @@ bool isRange(std::string_view text) {
   return text.find("..") != std::string_view::npos || text.find('|') != std::string_view::npos;
 }
 
-/// Returns whether a text uses another notation for a range: 1:3:5, 1 to 3, 1…3.
+/// Returns whether a text contains another notation for a range, such as 1:3:5, 1 to 3 or 1…3.
 bool meansRange(std::string_view text) {
   constexpr std::string_view kOtherSeparators[] = {":", " to ", "\u2026", "\u2013"};
   return std::ranges::any_of(kOtherSeparators,
@@ -210,7 +212,7 @@ std::optional<int> elementAt(std::string_view value, std::size_t place) {
   return static_cast<int>(std::ranges::count(before.substr(before.rfind('[')), ','));
 }
 
-/// Extracts the part of a value around a position, up to the delimiters of values.
+/// Splits an override around the number or range at a position, which brackets, commas or quotes delimit.
 Found foundAt(const std::string& override, std::size_t equals, std::size_t place) {
   constexpr std::string_view kDelimiters = "[],\"'";
   const auto begin = std::max(override.find_last_of(kDelimiters, place) + 1, equals + 1);  // npos + 1 is 0
@@ -244,7 +246,8 @@ std::optional<SweepAxis> sweepAxis(const std::string& override) {
   const Found found = foundAt(override, equals, place);
   if (isRange(found.after))
     throw core::usageError(
-        fmt::format("-D {}: one range in a key; another -D may have another", core::printable(override)));
+        fmt::format("-D {}: a key may have only one range; give a second range to another key with another -D",
+                    core::printable(override)));
   return Reader(found).axis();
 }
 

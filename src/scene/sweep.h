@@ -6,22 +6,22 @@
 #include <string_view>
 #include <vector>
 
-/// Ranges in overrides (the words after -D): "motion.omega_body=[0.01..0.05:3, 4, 0]" stands for three scenes.
+/// Ranges in overrides "-D key=value": "motion.omega_body=[0.01..0.05:3, 4, 0]" stands for three scenes.
 namespace poinsot::scene {
 
-/// Largest number of scenes drawn side by side. Each has its own motion, and each panel must stay recognisable.
+/// Largest number of scenes in one picture. Each needs a motion of its own, and each panel must be recognisable.
 inline constexpr int kMostCells = 100;
 
 struct SweepValue {
-  std::string text;    ///< as written in a scene: "10 rpm"
-  std::string number;  ///< with as many decimals as its neighbours: "10.0"
+  std::string text;    ///< value as written in a scene, such as "10 rpm"
+  std::string number;  ///< number with as many decimals as its neighbours, such as "10.0"
 };
 
-/// Swept key and its values, one for each scene.
+/// Key with a range, and the values of the range, one for each scene.
 struct SweepAxis {
-  std::string key;             ///< "motion.omega_body"
-  std::optional<int> element;  ///< index of the swept element of a vector or list, from 0
-  std::string unit;            ///< unit of the numbers as typed, else the SI unit; empty for a bare number
+  std::string key;             ///< path of the key, such as "motion.omega_body"
+  std::optional<int> element;  ///< index of the element with the range in a vector or list, from 0
+  std::string unit;            ///< unit as typed, or the SI unit of the key; empty for a plain number
   std::vector<SweepValue> values;
   std::string before, after;  ///< text of the override before and after the range
 
@@ -31,14 +31,14 @@ struct SweepAxis {
 /// Returns whether an override contains a range, valid or not.
 bool hasRange(std::string_view override);
 
-/// Parses the range in an override; nullopt if there is none. Only numbers have ranges, because a title may have
-/// dots.
+/// Parses the range in an override. Returns nullopt if the override has no range. A range has one of these forms:
 ///
-///     a..b:n      n values from a to b, both included, evenly; with a unit: 10..50 rpm:5
-///     a..b:n:log  in equal ratios
-///     a|b|c       these values
+///     a..b:n      n equally spaced values from a to b, both included; with a unit, such as 10..50 rpm:5
+///     a..b:n:log  n values from a to b in equal ratios
+///     a|b|c       the values a, b and c
 ///
-/// An override has at most one range; in a list, one element may be a range.
+/// Only keys of numbers have ranges, because a title may contain dots. An override has at most one range. In a
+/// list, one element may be a range.
 /// @throws core::Error(kUsage) for a malformed range, naming the valid forms.
 std::optional<SweepAxis> sweepAxis(const std::string& override);
 

@@ -6,7 +6,7 @@
 namespace poinsot::scene {
 namespace {
 
-/// Returns "ellipsoid" for "show.ellipsoid.visible"; empty for any other key.
+/// Returns the thing that a key shows: "ellipsoid" for "show.ellipsoid.visible". Empty for other keys.
 std::string_view shownThing(std::string_view path) {
   constexpr std::string_view kBefore = "show.", kAfter = ".visible";
   if (!path.starts_with(kBefore) || !path.ends_with(kAfter)) return {};

@@ -10,10 +10,10 @@
 namespace poinsot::scene {
 namespace {
 
-/// Returns the SI unit with these exponents, such as "m"; empty for a plain number.
+/// Returns the SI unit with these exponents, such as "m". Empty for a plain number.
 std::string_view siOf(const Exponents& exponents) {
-  if (exponents == kForce) return "N";  // missing in kDimensions, because no key takes a force
-  // Searches backwards to find J of an energy before N·m of a torque, which has the same exponents.
+  if (exponents == kForce) return "N";  // not in kDimensions, because no key takes a force
+  // Searches backwards. Torque and energy have the same exponents, and J of the energy is preferred to N·m.
   const auto found =
       std::find_if(std::rbegin(kDimensions), std::rend(kDimensions),
                    [&](const DimensionText& dimension) { return dimension.exponents == exponents; });
@@ -39,10 +39,11 @@ UnitText textOf(const UnitRow& row) {
 }  // namespace
 
 std::string_view unitRules() {
-  return "Between two units, a blank, `*`, `·`, `×`, a point or a hyphen multiplies: `kg m^2`, `kg*m^2`, "
-         "`kg.m^2`, `kg-m^2`. A `/` divides by the one unit after it. Powers are `^2`, `**2`, `2` or `²`, and "
-         "`s^-1`, `s-1` or `s⁻¹`. Names are case-sensitive: `Mg` is a million grams, `mg` a thousandth of one. "
-         "Nouns take an s, and prefixes in full: `millimetres`. `lb` is a mass, `lbf` a force.";
+  return "Between two units, a blank, `*`, `·`, `×`, a point or a hyphen means multiplication: `kg m^2`, "
+         "`kg*m^2`, `kg.m^2`, `kg-m^2`. A `/` divides by the next unit only. A power is `^2`, `**2`, `2` or `²`, "
+         "and a negative one is `s^-1`, `s-1` or `s⁻¹`. Names are case-sensitive: `Mg` is a million grams, `mg` "
+         "is a thousandth of a gram. A noun may have a plural s and a prefix in full: `millimetres`. `lb` is a "
+         "mass, `lbf` is a force.";
 }
 
 std::vector<UnitText> unitTexts() {

@@ -35,8 +35,8 @@ Names expandedTable() {
   return names;
 }
 
-/// Returns whether the SI also has the prefix in the other case. In the table only m and M are such a pair; p has
-/// P in the SI.
+/// Returns whether a prefix has another meaning in the other case. In the table, these are m and M. The prefix p
+/// counts too, because the SI also has P (peta).
 bool caseMatters(std::string_view prefix) { return prefix == "m" || prefix == "M" || prefix == "p"; }
 
 bool keepsPrefix(const NamedUnit& known, std::string_view name) {

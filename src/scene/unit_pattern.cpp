@@ -21,7 +21,7 @@ std::vector<std::string> eachOf(std::string_view words) {
   return {parts.begin(), parts.end()};
 }
 
-/// Returns a pattern such as "(k|c|m)?"; empty if the row takes no prefix.
+/// Returns a regular expression for an optional prefix of a unit, such as "(k|c|m)?"; empty without prefixes.
 std::string optionalPrefix(const UnitRow& row, std::string_view Prefix::*spelling) {
   std::vector<std::string> prefixes;
   for (const Prefix& prefix : prefixesOf(row))
@@ -29,7 +29,8 @@ std::string optionalPrefix(const UnitRow& row, std::string_view Prefix::*spellin
   return prefixes.empty() ? "" : either(prefixes) + "?";
 }
 
-/// Returns patterns for all spellings of a row: "(k|c|m)?m", "(kilo|centi|milli)?(metre|meter)s?".
+/// Returns regular expressions for all spellings of a unit, such as "(k|c|m)?m" and
+/// "(kilo|centi|milli)?(metre|meter)s?".
 std::vector<std::string> rowPatterns(const UnitRow& row) {
   std::vector<std::string> patterns = eachOf(row.symbols);
   patterns.front() = optionalPrefix(row, &Prefix::symbols) + patterns.front();
@@ -49,7 +50,7 @@ constexpr const char* kTimes = R"(( +| *(\*|·|⋅|×|\.|-) *))";
 
 constexpr const char* kOver = "( */ *)";
 
-/// Returns a pattern for a unit to a power: "(m|cm)((\^|\*\*)?2|²)".
+/// Returns a regular expression for a power of a unit, such as "(m|cm)((\^|\*\*)?2|²)".
 std::string power(const std::string& names, int exponent) {
   if (exponent == 1) return names;
   constexpr std::string_view kSuperscripts[] = {"¹", "²", "³", "⁴"};
@@ -58,12 +59,12 @@ std::string power(const std::string& names, int exponent) {
                      kSuperscripts[size - 1]);
 }
 
-/// Returns a pattern for the product of two units, in either order.
+/// Returns a regular expression for the product of two units, in either order.
 std::string product(const std::string& a, const std::string& b) {
   return fmt::format("({}{}{}|{}{}{})", a, kTimes, b, b, kTimes, a);
 }
 
-/// Returns a pattern for a/b or a times b^-1; with `exponent` 2, for a/b^2 or a times b^-2.
+/// Returns a regular expression for the quotient of two units, as a/b^n or as a times b^-n, where n is `exponent`.
 std::string quotient(const std::string& a, const std::string& b, int exponent = 1) {
   return fmt::format("({}({}{}|{}{}))", a, kOver, power(b, exponent), kTimes, power(b, -exponent));
 }
@@ -74,7 +75,7 @@ std::string massSquarePattern() {
   return product(namesPattern(kM), square);
 }
 
-/// Returns a pattern for "J", "N m", "in lbf".
+/// Returns a regular expression that matches units such as "J", "N m" and "in lbf".
 std::string shortWorkPattern() {
   return either({namesPattern(kWork), product(namesPattern(kForce), namesPattern(kL))});
 }
@@ -83,7 +84,7 @@ std::string workPattern() {
   return either({shortWorkPattern(), quotient(massSquarePattern(), namesPattern(kT), 2)});
 }
 
-/// Returns a pattern for "kg m^2", "lbf in s^2", "lbf s^2 in".
+/// Returns a regular expression that matches units such as "kg m^2", "lbf in s^2" and "lbf s^2 in".
 std::string momentPattern() {
   const std::string square = power(namesPattern(kT), 2);
   return either({massSquarePattern(), shortWorkPattern() + kTimes + square,

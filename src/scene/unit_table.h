@@ -10,8 +10,8 @@
 /// Table of all units and dimensions, for the parser, the JSON schema, `poinsot explain units` and docs/scene.md.
 namespace poinsot::scene {
 
-// Exponents of length, mass, time and angle. Angle counts as a dimension, so that "3 Hz" is a rotation rate and "1
-// rad" never passes for a plain number.
+// Exponents of length, mass, time and angle. Angle counts as a dimension. Therefore "3 Hz" is an angular velocity,
+// and "1 rad" is not a plain number.
 using Exponents = std::array<int, 4>;
 
 struct Unit {
@@ -19,25 +19,26 @@ struct Unit {
   Exponents exponents{};
 };
 
-/// SI prefix. Blanks separate the symbols; UnitRow names a prefix by its first symbol, which is one letter.
+/// SI prefix. `symbols` lists its spellings, separated by blanks. The first spelling has one letter, by which
+/// UnitRow::prefixes names the prefix.
 struct Prefix {
   std::string_view symbols, name;
   double factor;
 };
 
-// Micro is written with the micro sign (U+00B5) or the Greek letter (U+03BC).
+// The prefix micro is written u, with the micro sign (U+00B5), or with the Greek letter (U+03BC).
 inline constexpr Prefix kPrefixes[] = {
     {"T", "tera", 1e12}, {"G", "giga", 1e9},   {"M", "mega", 1e6},   {"k", "kilo", 1e3},
     {"d", "deci", 1e-1}, {"c", "centi", 1e-2}, {"m", "milli", 1e-3}, {"u µ μ", "micro", 1e-6},
     {"n", "nano", 1e-9}, {"p", "pico", 1e-12},
 };
 
-/// All spellings of one unit. Blanks separate the symbols and the nouns.
+/// Unit with all its spellings. Blanks separate the spellings.
 struct UnitRow {
-  std::string_view symbols;  ///< the first is printed and takes the prefixes
-  std::string_view nouns;    ///< also accepted with a final s; take the prefixes' names
+  std::string_view symbols;  ///< the first symbol is the one printed, and the one that can have a prefix
+  std::string_view nouns;    ///< may have a final s, and the name of a prefix
   Unit unit;
-  std::string_view prefixes{};  ///< first letters of the accepted prefixes
+  std::string_view prefixes{};  ///< first letters of the prefixes that the unit can have
 };
 
 inline constexpr Exponents kPlain{0, 0, 0, 0}, kL{1, 0, 0, 0}, kM{0, 1, 0, 0}, kT{0, 0, 1, 0}, kA{0, 0, 0, 1},
@@ -45,12 +46,15 @@ inline constexpr Exponents kPlain{0, 0, 0, 0}, kL{1, 0, 0, 0}, kM{0, 1, 0, 0}, k
     kAction{2, 1, -1, 0};
 inline constexpr double kTurn = 2 * std::numbers::pi, kDegree = std::numbers::pi / 180;
 
-// Inch, foot, yard, mile, pound and ounce: exact, international agreement of 1959. A nautical mile is 1852 m
-// (1929), a day 24 h, a year 365.25 days (IAU). A pound-force is 1 lb times g_n = 9.80665 m/s² (CGPM 1901),
-// exactly; a slug is 1 lbf s²/ft = 4.4482216152605/0.3048 kg. The ångström is 1e-10 m; u is the atomic mass
-// constant of CODATA 2022, 1.660 539 068 92(52)e-27 kg.
-//
-// Left out: ton, mil, gr and kt, which have two meanings each, and megametre, because Mm is a slip for mm.
+// Values of units:
+// - Inch, foot, yard, mile, pound and ounce are exact (international agreement of 1959).
+// - A nautical mile is 1852 m (1929), a day 24 h, a year 365.25 days (IAU).
+// - A pound-force is exactly 1 lb times g_n = 9.80665 m/s² (CGPM 1901).
+// - A slug is 1 lbf s²/ft = 4.4482216152605/0.3048 kg.
+// - An ångström is 1e-10 m.
+// - u is the atomic mass constant of CODATA 2022, 1.660 539 068 92(52)e-27 kg.
+// The table does not contain ton, mil, gr and kt, because each has two meanings. It does not contain the
+// megametre, because Mm is usually a misspelling of mm.
 inline constexpr UnitRow kUnits[] = {
     {"%", "", {0.01, kPlain}},
     {"m", "metre meter", {1, kL}, "kdcmunp"},
@@ -103,7 +107,7 @@ struct DimensionText {
   std::string_view name, plural, si, usual;
 };
 
-// Indexed by Dimension.
+// The index is a Dimension.
 inline constexpr DimensionText kDimensions[] = {
     {kPlain, "a number", "numbers", "", "%"},
     {kL, "a length", "lengths", "m", "m, km, cm, mm, um, in, ft, Å"},

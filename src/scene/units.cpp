@@ -26,12 +26,12 @@ void skipBlanks(std::string_view& text) {
   while (skip(text, " ")) continue;
 }
 
-// The superscript at index n is the power n; a superscript minus may precede it.
+// Superscript digits; the index is the digit. A superscript minus may precede a digit.
 constexpr std::string_view kSuperscripts[] = {"⁰", "¹", "²", "³", "⁴"};
 constexpr std::string_view kSuperscriptMinus = "⁻";
 
-// Multiplication signs between two units. A hyphen before a digit is the sign of a power instead. A raised dot may
-// be either of two Unicode characters.
+// Multiplication signs between two units. A hyphen before a digit is not a multiplication sign, but the sign of a
+// power. The raised dot exists as two Unicode characters.
 constexpr std::string_view kTimesSigns[] = {"*", "·", "⋅", "×", ".", "-"};
 
 bool startsWithOneOf(std::string_view text, std::span<const std::string_view> signs) {
@@ -56,7 +56,7 @@ std::string_view takeName(std::string_view& text) {
   return name;
 }
 
-// Sensible units need no larger power than four. The bound also keeps the sums of exponents small.
+// Largest power of a unit. No sensible unit needs more, and the sums of exponents stay small.
 constexpr int kLargestPower = 4;
 constexpr int kMostTerms = 8;
 
@@ -71,7 +71,7 @@ std::optional<int> takeSuperscript(std::string_view& text) {
   return std::nullopt;
 }
 
-/// Returns whether a power follows without ^ or **, as in cm3 and s-1.
+/// Returns whether a power follows that has no ^ or **, as in cm3 and s-1.
 bool hasBarePower(std::string_view text) {
   if (text.size() > 1 && text[0] == '-') return isDigit(text[1]);
   return !text.empty() && text[0] >= '2' && text[0] <= '0' + kLargestPower;
@@ -97,7 +97,7 @@ struct ParsedUnit {
   std::string problem;
 };
 
-/// Consumes the '/' or "1/" that a unit may begin with.
+/// Removes a '/' or "1/" from the start of a unit. Returns whether there was one.
 bool takeDivisor(std::string_view& text) {
   std::string_view rest = text;
   if (skip(rest, "1")) skipBlanks(rest);
@@ -107,8 +107,12 @@ bool takeDivisor(std::string_view& text) {
   return true;
 }
 
-// Grammar: [[1] /] term { (blank | times) term | / term }, term = name [power], times = one of kTimesSigns, power
-// = a superscript, or [^ | **] and a number. A '/' divides by the one term after it.
+// Parses a unit with this grammar:
+//   [[1] /] term { (blank | times) term | / term }
+//   term = name [power]
+//   times = one of kTimesSigns
+//   power = a superscript, or [^ | **] and a number
+// A '/' applies only to the term after it.
 ParsedUnit parseUnit(std::string_view text) {
   ParsedUnit parsed;
   const std::string whole = core::printable(text);
@@ -118,7 +122,7 @@ ParsedUnit parseUnit(std::string_view text) {
     if (!unitNamed(name))
       return {{}, fmt::format("\"{}\" is not a known unit", name.empty() ? whole : core::printable(name))};
     const auto power = takePower(text);
-    if (!power) return {{}, fmt::format("the power in \"{}\" is not understood", whole)};
+    if (!power) return {{}, fmt::format("\"{}\" has an invalid power", whole)};
     parsed.terms.push_back({std::string(name), *power, divides});
     skipBlanks(text);
     if (text.empty()) return parsed;
@@ -130,7 +134,7 @@ ParsedUnit parseUnit(std::string_view text) {
 }
 
 void multiply(Unit& product, const Unit& unit, int power) {
-  // Multiplies repeatedly and divides once, because the last bits of std::pow depend on FMA.
+  // std::pow is not used, because its last bits depend on FMA.
   double factor = 1;
   for (int i = 0; i < std::abs(power); ++i) factor *= unit.factor;
   product.factor = power < 0 ? product.factor / factor : product.factor * factor;
@@ -161,7 +165,7 @@ std::string renamed(std::string_view unit, F other) {
 
 std::string knownName(const std::string& name) { return unitNamed(name) ? name : recased(name).value_or(name); }
 
-/// Returns "lbf" for "lb", because a torque written in lb ft means the force.
+/// Returns the unit of force for a unit of mass, such as "lbf" for "lb". Users who write lb ft mean lbf ft.
 std::string forceName(const std::string& name) {
   constexpr std::pair<std::string_view, std::string_view> kForces[] = {
       {"lb", "lbf"}, {"lbs", "lbf"}, {"oz", "ozf"}, {"kg", "kgf"}, {"g", "gf"}};
@@ -169,9 +173,9 @@ std::string forceName(const std::string& name) {
   return found == std::end(kForces) ? name : std::string(found->second);
 }
 
-/// Returns "; did you mean "rpm"?" if a corrected unit has the dimension; else empty.
+/// Returns a suggestion such as "; did you mean "rpm"?" if a corrected unit has the dimension; otherwise "".
 std::string hint(std::string_view unit, Dimension dimension) {
-  constexpr std::size_t kLongest = 64;  // each of the text's names costs a search of the table
+  constexpr std::size_t kLongest = 64;  // characters; each name in the text costs a search of the table
   if (unit.size() > kLongest) return "";
   for (const std::string& meant : {renamed(unit, knownName), renamed(unit, forceName)})
     if (isUnitOf(parseUnit(meant), dimension))
@@ -212,7 +216,7 @@ Quantity parseQuantity(std::string_view text, Dimension dimension) {
     return refused(fmt::format("numbers have a decimal point, not a comma, got \"{}\"", shown));
   skipBlanks(text);
   if (text.empty() && dimension == Dimension::kNone)
-    return refused(fmt::format("a plain number stands without quotes, got \"{}\"", shown));
+    return refused(fmt::format("write a plain number without quotes, got \"{}\"", shown));
   if (text.empty())
     return refused(fmt::format("\"{}\" has no unit, such as {}; without quotes it is in {}", shown,
                                someUnits(dimension), siUnit(dimension)));

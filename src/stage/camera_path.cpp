@@ -7,7 +7,8 @@
 namespace poinsot::stage {
 namespace {
 
-// Steps along the path. A full orbit has steps of 2 degrees; between two of them the reach differs by 0.02 %.
+// Number of steps along the path. In a full orbit, a step is 2 degrees. The reach of the drawing then changes by
+// only 0.02 % within a step.
 constexpr int kOrbitDirections = 180;
 
 }  // namespace

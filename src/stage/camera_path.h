@@ -18,9 +18,9 @@ class CameraPath {
   CameraPath(const scene::Camera& camera, const scene::Timeline& timeline, double duration_s);
 
   scene::Camera at(double filmTime_s) const;
-  /// Returns true if the camera looks in one direction for the whole film. The zoom may still change.
+  /// Returns true if the camera looks in one direction throughout the film. The zoom may still change.
   bool still() const;
-  /// Returns the camera at 181 equally spaced film times, or once if the path is still().
+  /// Returns the camera at 181 evenly spaced film times, or a single camera if the path is still().
   std::vector<scene::Camera> directions() const;
 
  private:
@@ -34,16 +34,16 @@ class CameraPath {
   Tracks moves_;
 };
 
-/// Framing of a view for a camera path. The scale fits the whole motion from all directions of the path, so that
-/// the drawing keeps its size while the camera moves. The latest results are cached, because each costs up to a
-/// few milliseconds and every picture of a film needs the same ones. Thread-safe.
+/// Framing of a view for a camera path. The scale fits the complete motion from all directions of the path, so
+/// that the drawing keeps its size while the camera moves. The latest results are cached, because each takes up to
+/// a few milliseconds to compute and is needed again for the next picture. Thread-safe.
 class PathFraming {
  public:
   explicit PathFraming(const CameraPath& path) : directions_(path.directions()), still_(path.still()) {}
 
   /// Returns the smallest fittingUnit_px() of all directions of the path.
   double unit_px(const Extent& extent, const Margins& margins, glm::vec2 size_px) const;
-  /// Returns frameAll() for one camera of the path, at a scale that fits from all its directions.
+  /// Returns frameAll() for one camera of the path, at a scale that fits for all cameras of the path.
   draw::Camera camera(const scene::Camera& placed, const Extent& extent, const Margins& margins, glm::vec2 size_px,
                       double mostUnit_px) const;
 

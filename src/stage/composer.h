@@ -16,11 +16,11 @@ class Composer {
 
   /// Returns the picture at a moment.
   /// @param size_px  width and height
-  /// @param sizing  size of type and lines, for example printSizing()
+  /// @param sizing  sizes of text and lines, such as printSizing()
   /// @pre the film time is finite and not negative; width, height > 0.
   /// @throws core::Error(kLimit) beyond the film's end.
   virtual draw::Picture compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing) const = 0;
-  /// Returns the picture at a moment, with type and lines that are legible from afar.
+  /// Returns the picture at a moment. Text and lines are large enough to be legible from a distance.
   draw::Picture compose(const Moment& moment, glm::ivec2 size_px) const {
     return compose(moment, size_px, screenSizing(size_px));
   }

@@ -8,8 +8,8 @@
 
 namespace poinsot::stage {
 
-/// Ranges of the values in a scene's plots and read-outs over its film, in the order of the scene. Films that are
-/// to be compared use joined ranges, so that their axes and their numbers of digits agree.
+/// Value ranges of a scene's plots and read-outs over its film, in the order of the scene. Films that are shown
+/// side by side use joined ranges, so that their axes and their numbers of digits agree.
 struct FilmRanges {
   std::vector<PlotRanges> plots;
   std::vector<QuantityRange> readouts;

@@ -18,9 +18,10 @@ struct Seen {
   double ballRadius;
   bool parallel;  // orthographic camera
 
-  /// Returns how far the extent reaches up (sign 1) or down (sign -1). At distance d the camera shows
-  /// y <= k (d - z) on a side whose angle has tangent k. The reach is therefore the largest y + k z, which is at
-  /// most r sqrt(1 + k²) on a ball. With parallel rays the camera shows y <= k d, and the reach is the largest y.
+  /// Returns how far the extent reaches up (sign 1) or down (sign -1): the largest y + k z. Here k is the tangent
+  /// of the angle of view on that side, because a camera at distance d sees the points with y <= k (d - z). On a
+  /// ball of radius r, the largest y + k z is r sqrt(1 + k²). For an orthographic camera, which sees y <= k d, the
+  /// reach is the largest y.
   double reach(double sign, double tangent) const {
     const double k = parallel ? 0 : tangent;
     double farthest = ballRadius > 0 ? ballRadius * std::sqrt(1 + k * k) : -1e300;
@@ -29,7 +30,7 @@ struct Seen {
   }
 };
 
-/// Depth of the extent along the view, from the plane through the centre: towards the eye and away from it.
+/// Largest distances of the extent from the plane through the centre: towards the eye, and away from the eye.
 struct Depths {
   double towards, away;
 
@@ -43,14 +44,14 @@ struct Depths {
   double slack() const { return 0.3 * (towards + away) + 0.1; }
 };
 
-// Vertical fit: the eye moves up or down together with its target.
+// Vertical fit: the eye and its target move up or down together.
 
-/// Tangents of the angles that the picture shows below and above its middle.
+/// Vertical field of view without margins: tangents of its angles below and above the middle of the picture.
 struct Upright {
   double kLow, kHigh;
 
-  /// Returns the smallest distance at which the extent fits below and above, for the best shift of the target.
-  /// With parallel rays: the distance from which a pinhole camera shows the plane through the centre at the same
+  /// Returns the smallest distance of the eye at which the extent fits vertically, if the target is shifted up or
+  /// down in the best way. For an orthographic camera, returns the distance that gives a pinhole camera the same
   /// scale.
   double distance(const Seen& seen) const {
     return (seen.reach(-1, kLow) + seen.reach(1, kHigh)) / (kLow + kHigh);
@@ -62,11 +63,11 @@ struct Upright {
 };
 
 // Horizontal fit: the eye stays in the vertical plane through the centre, so that L is upright in every picture.
-// The picture shifts instead, like the film of a view camera.
+// Instead, the image is shifted sideways, like the film of a view camera.
 
-/// Tangents of the angles from the vertical plane through the centre to the left and right ends of an extent, and
-/// the change of their sum with the eye's distance. With parallel rays: the tangents that a pinhole camera has at
-/// the same scale.
+/// Apparent width of an extent: tangents of the angles from the vertical plane through the centre to the left and
+/// right ends of the extent. `slope` is the derivative of their sum with respect to the eye's distance. For an
+/// orthographic camera, the tangents are those of a pinhole camera with the same scale.
 struct Width {
   double left = -1e300, right = -1e300, slope = 0;
 
@@ -88,12 +89,12 @@ struct Width {
   }
 
   double sum() const { return left + right; }
-  /// Returns the tangent halfway between both ends, positive to the right.
+  /// Returns the tangent halfway between the two ends, positive to the right.
   double middle() const { return 0.5 * (right - left); }
 };
 
-/// Returns the smallest distance from which the extent is at most `tangents` wide. The width is convex in the
-/// distance, so Newton's steps stay below the solution once they are below it.
+/// Returns the smallest distance of the eye from which Width::sum() of the extent is at most `tangents`. Newton's
+/// method converges, because the width is a convex function of the distance.
 double distanceAcross(const Seen& seen, double tangents) {
   constexpr int kSteps = 40;
   const Depths depths(seen);
@@ -115,7 +116,7 @@ struct Fit {
   Vector3d right, up, backward;
   Seen seen;
   Upright upright;
-  double across;  // width of the picture without its margins, as a sum of tangents
+  double across;  // width of the picture without margins, in the units of Width::sum()
   double freeMiddle_px;
 
   Fit(const scene::Camera& camera, const Extent& extent, const Margins& margins, glm::vec2 size_px)
@@ -135,7 +136,7 @@ struct Fit {
   }
 
   double needed() const { return std::max(distanceAcross(seen, across), upright.distance(seen)); }
-  /// Returns the z axis, except straight from above or below, where z has no direction in the picture.
+  /// Returns the up direction of the camera: the z axis, unless the camera looks along the z axis.
   glm::vec3 upwards() const { return std::abs(backward.z()) > 0.9999 ? toPicture(up) : glm::vec3(0, 0, 1); }
 };
 
@@ -165,11 +166,11 @@ draw::Camera frameAll(const scene::Camera& camera, const Extent& extent, const M
   Depths depths(seen);
   for (const Vector3d& p : extent.passing_V) depths.include(fit.backward.dot(p));
   const double slack = depths.slack();
-  // With parallel rays the eye may stand anywhere. Here it stands far enough away for everything to be in front.
+  // An orthographic camera may be at any distance. Here it is so far away that everything lies in front of it.
   const double eye = seen.parallel ? std::max(needed, depths.towards + 2 * slack) : needed;
   draw::Camera result = draw::lookAt(toPicture(Vector3d(target + eye * fit.backward)), toPicture(target),
                                      fit.upwards(), static_cast<float>(camera.fov_rad), size_px);
-  // The zoom narrows the field of view. A nearer eye could stand among the things that it looks at.
+  // The zoom narrows the field of view. Moving the eye nearer instead could place it inside the drawing.
   result.tanHalfFovY = static_cast<float>(fit.tanY / camera.zoom);
   result.orthographic = seen.parallel;
   result.halfHeight_V = static_cast<float>(needed * fit.tanY / camera.zoom);

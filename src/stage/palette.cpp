@@ -17,8 +17,8 @@ struct Theme {
   double sheetOpacity = 1;
 };
 
-// After Okabe & Ito (blue 0072B2, orange E69F00, vermilion D55E00, bluish green 009E73). The last two are darker
-// here, because labels on white need a contrast of 4.5.
+// Colours by Okabe & Ito: blue 0072B2, orange E69F00, vermilion D55E00, bluish green 009E73. Vermilion and bluish
+// green are darker here, because labels on white need a contrast of 4.5.
 constexpr Theme kLight{.paper = 0xFFFFFF,
                        .ink = 0x2B2F36,
                        .L = 0x0072B2,
@@ -45,8 +45,8 @@ constexpr Theme kDark{.paper = 0x14171C,
                       .vector = 0x8A92A0,
                       .support = 0x5A616D};
 
-// Black, greys and the second ink of a book: all colours of omega are tints of that one ink. Printed without it,
-// the greys still differ in lightness.
+// Colours for a book that is printed in black and one second ink. All colours of omega are tints of the second
+// ink. If it is printed in black only, its greys still differ in lightness.
 constexpr Theme kPrint{.paper = 0xFFFFFF,
                        .ink = 0x000000,
                        .L = 0x1E1E1E,
@@ -73,7 +73,8 @@ const Theme& themeOf(scene::Theme theme) {
   return kLight;
 }
 
-/// Mixes two sRGB colours by sRGB values, whose steps look even to the eye. `share` is the part of `color`.
+/// Mixes two colours by their sRGB values, because equal steps of sRGB values look equal.
+/// @param share  fraction of `color` in the result
 Srgb blend(Srgb color, Srgb over, double share) {
   Srgb result = 0;
   for (const int shift : {16, 8, 0}) {
@@ -85,7 +86,7 @@ Srgb blend(Srgb color, Srgb over, double share) {
 
 bool isDark(Srgb paper) {
   const draw::Color linear = draw::fromSrgb(paper);
-  return 0.2126f * linear.r + 0.7152f * linear.g + 0.0722f * linear.b < 0.18f;  // middle grey
+  return 0.2126f * linear.r + 0.7152f * linear.g + 0.0722f * linear.b < 0.18f;  // darker than middle grey
 }
 
 }  // namespace

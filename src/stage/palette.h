@@ -6,13 +6,13 @@
 
 namespace poinsot::stage {
 
-/// Colours by meaning. Each meaning (L, omega, the body) has one hue, and tints and shades keep that hue. The hues
-/// differ for colour-blind eyes too (tests/stage/palette_test.cpp).
+/// Colours by meaning. Each meaning, such as L, omega or the body, has one hue. Tints and shades keep that hue.
+/// The hues also differ for colour-blind viewers (tests/stage/palette_test.cpp).
 struct Palette {
   draw::Color paper, ink, quietInk;
   draw::Color L, plane, planeLine;
   draw::Color omega;
-  draw::Color polhode, futurePolhode;  ///< path of omega in the body: travelled, and still to come
+  draw::Color polhode, futurePolhode;  ///< path of omega in the body: travelled part, future part
   draw::Color herpolhode, futureHerpolhode;
   draw::Color ellipsoid, graticule;
   draw::Color omegaParts;
@@ -20,12 +20,13 @@ struct Palette {
   draw::Color body, bodyEdge, axis;
   draw::Color spaceCone, bodyCone;
   draw::Color torque, vector;
-  draw::Color rod;  ///< space axes, supports, and massless rods between masses
-  /// Factor on the thickness of translucent sheets, because in linear light a tint shows far more on dark paper.
+  draw::Color rod;  ///< colour of space axes, supports, and massless rods between masses
+  /// Factor on the thickness of translucent sheets. Less than 1 on dark paper, where a tint is far more visible.
   double sheetOpacity;
 };
 
-/// Returns the theme's colours, overridden by those of the style, with the colours that follow from them.
+/// Returns the colours of the style's theme. Colours that the style sets itself take precedence. The other
+/// colours, such as tints, are mixed from these.
 Palette palette(const scene::Style& style);
 Palette palette(scene::Theme theme);
 

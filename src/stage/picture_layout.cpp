@@ -9,8 +9,8 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr double kMostTaken = 0.4;               // largest share of the picture that type takes at each side
-constexpr double kRule = 0.75, kRuleInset = 16;  // width of a rule, and gap at either end, in ordinary lines
+constexpr double kMostTaken = 0.4;               // largest fraction of the picture that text takes at each side
+constexpr double kRule = 0.75, kRuleInset = 16;  // width of a separator, and gap at its ends, in widths of a line
 constexpr float kRuleOpacity = 0.35f;
 
 /// Returns the position of grid line `i` if `n` cells of equal size lie between `from` and `to`.

@@ -16,11 +16,11 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kPathStep = 0.06;  // step in radii of a circle: 105 points a turn, 0.1 px off a circle of 200 px
+constexpr double kPathStep = 0.06;  // step along a circle, as a fraction of its radius: 105 points per turn
 constexpr int kOutlinePoints = 600;
-constexpr double kRecent_s = 0.9;  // film time that the bright end of a trail lasts
+constexpr double kRecent_s = 0.9;  // film time that the bright end of a trail covers
 
-// Returns the attitude in which the body stands with its spin axis up, or down if L points down.
+// Returns the attitude of the body with its spin axis up, or down if L points down.
 Matrix3d standingBody(const scene::Scene& scene) {
   const Vector3d omega_P = scene::startOmega_P(scene);
   const int axis = scene::spinAxis(omega_P);
@@ -28,8 +28,8 @@ Matrix3d standingBody(const scene::Scene& scene) {
   return physics::turnOntoVertical(spin_B, scene::verticalOfL(scene)).toRotationMatrix();
 }
 
-// Returns V's axes, which turn about L. z is along L, or opposite to L if L points down in the scene. At time 0
-// the body's axis k lies in V's y-z plane, where y >= 0.
+// Returns axes V that rotate about L with the precession. The z axis is along L, or opposite to L if L points down
+// in the scene. At time 0, the body's axis k lies in the y-z plane of V, where y >= 0.
 Precession precessionOf(const scene::Scene& scene, const physics::Motion& motion) {
   const physics::RigidBodyState start = motion.at(0);
   const auto cones = physics::precessionCones(motion.axes().moments(), motion.axes().toP(start.omega_B));
@@ -37,7 +37,7 @@ Precession precessionOf(const scene::Scene& scene, const physics::Motion& motion
   const bool down = scene::verticalOfL(scene) == physics::Vertical::kDown;
   const Vector3d along_W = start.L_W.normalized(), up_W = down ? -along_W : along_W;
   const Vector3d k_W = start.q_WB * motion.axes().toB(cones->k_P);
-  // If the body spins about k, any direction across L is as good.
+  // If the body spins about k itself, any direction perpendicular to L is suitable.
   const Vector3d across_W = cones->tilt_rad > 1e-12 ? k_W : Vector3d(up_W.unitOrthogonal());
   Precession precession{Matrix3d::Identity(), along_W, cones->precessionRate};
   precession.R_VW.row(2) = up_W;
@@ -57,7 +57,8 @@ std::vector<PathPoint> outlineOf(const PictureMotion& motion) {
   return points;
 }
 
-// Counts only differences beyond rounding, so that a free motion yields its first point.
+// Returns the index of the point with the greatest kinetic energy. Ignores differences due to rounding, so that
+// the result for a free motion is the first point.
 std::size_t indexOfMostEnergy(const PictureMotion& motion, const std::vector<PathPoint>& outline) {
   std::size_t best = 0;
   double most = 0;
@@ -70,8 +71,8 @@ std::size_t indexOfMostEnergy(const PictureMotion& motion, const std::vector<Pat
   return best;
 }
 
-// Returns the speed of omega's tip per played time, which is the same in the body and in space (eq 30, 31). The
-// difference quotient spans a time in which the body turns by a ten-thousandth of a turn.
+// Returns the speed of the tip of omega with respect to played time. The speed is the same in the body and in
+// space (eq 30, 31). The difference quotient spans a ten-thousandth of a turn of the body.
 double tipSpeed(const PictureMotion& motion, const PathPoint& p) {
   const double turning = std::abs(motion.speed()) * p.omega_W.norm(), longest_s = 1e-3 * motion.length_s();
   const double step_s = turning * longest_s > 6e-4 ? 6e-4 / turning : longest_s;
@@ -79,8 +80,8 @@ double tipSpeed(const PictureMotion& motion, const PathPoint& p) {
   return (motion.pathPoint(other_s).omega_P - p.omega_P).norm() / step_s;
 }
 
-// Returns the played time in which omega's tip, where fastest, moves by a small part of its greatest distance from
-// L.
+// Returns the time step of paths, in played time. During a step, the tip of omega moves by at most a small
+// fraction of its greatest distance from L.
 double pathStep(const PictureMotion& motion) {
   double fastest = 0, farthest = 0;
   for (const PathPoint& p : motion.outline()) {

@@ -14,11 +14,14 @@
 
 namespace poinsot::stage {
 
-/// State of the motion in the picture's axes V, z up, in SI units; scaling to lengths in the picture comes later
-/// (scales.h). V are the inertial axes, or axes fixed in the body with its spin axis up, or axes in which L and
-/// the axis k of a symmetric body stand still (k to the right, as most cameras see it). V's origin is the point
-/// that the body turns about. If a thrown body moves through the view, space moves the other way, together with
-/// the camera.
+/// State of the motion in the picture's axes V, with z up, in SI units. V are one of these axes, depending on the
+/// camera:
+/// - the inertial axes;
+/// - axes fixed in the body, with its spin axis up;
+/// - axes in which L and the axis k of a symmetric body are fixed, with k to the right in most pictures.
+///
+/// The origin of V is the point about which the body rotates. If a thrown body moves through the view, V moves
+/// with the body. The camera and everything at rest in space then move the other way.
 struct PictureState {
   Eigen::Matrix3d R_VB;
   Eigen::Matrix3d R_VP;
@@ -28,11 +31,11 @@ struct PictureState {
   Eigen::Vector3d L_V;
   Eigen::Vector3d L_W;
   Eigen::Vector3d torque_V;
-  Eigen::Vector3d centre_V;    ///< centre of mass from the origin of space; zero unless the body flies in the view
+  Eigen::Vector3d centre_V;    ///< position of the centre of mass in space; zero unless the body flies in the view
   Eigen::Vector3d velocity_V;  ///< velocity of the centre of mass; zero unless the body flies in the view
 
-  /// Returns the velocity of a body point, m/s: V + omega × r, where V is the velocity of the centre of mass.
-  /// @param r_B  from the fixed point to the body point, m
+  /// Returns the velocity of a body point, m/s: velocity_V + omega_V × r.
+  /// @param r_B  vector from the fixed point to the body point, m
   Eigen::Vector3d velocityAt(const Eigen::Vector3d& r_B) const;
   bool atRest() const { return omega_P.isZero(0); }
 };
@@ -40,13 +43,14 @@ struct PictureState {
 using scene::chosenSpeed;
 
 /// Returns the motion that the scene's film shows, with exaggerated angles if the scene sets them.
-/// @throws core::Error(kScene) if larger angles would be another kind of motion, kPhysics if it has no solution.
+/// @throws core::Error(kScene) if exaggerated angles would change the kind of motion, kPhysics if the motion has
+/// no solution.
 std::shared_ptr<const physics::Motion> drawnMotion(const scene::Scene& scene);
 
 /// Returns the clock from film time to the time of drawnMotion(), including the scene's changes of speed.
 scene::FilmClock filmClock(const scene::Scene& scene);
 
-/// Sample of the path of the tip of omega.
+/// Point on the path of the tip of omega.
 struct PathPoint {
   double played_s;
   Eigen::Vector3d omega_P;
@@ -54,17 +58,17 @@ struct PathPoint {
   Eigen::Vector3d L_W;
 };
 
-/// Parts of a path in played time: [from, recent] travelled a while ago, [recent, now] travelled just now, [now,
-/// end] still to come. A film that repeats has travelled the whole path once before it begins.
+/// Parts of a path, in played time: [from, recent] is the older part, [recent, now] the newest part, and [now,
+/// end] the part still to come. In a film that repeats, the complete path counts as travelled from the beginning.
 struct Trail {
   double from, recent, now, end;
 };
 
-/// Picture axes that turn about L at a constant rate.
+/// Picture axes V that rotate about L at a constant rate.
 struct Precession {
   Eigen::Matrix3d R_VW = Eigen::Matrix3d::Identity();  ///< axes at motion time 0
   Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();
-  double rate = 0;  ///< rate of turning, rad per second of motion time
+  double rate = 0;  ///< rate of rotation, rad per second of motion time
 };
 
 /// Motion of a scene as its pictures show it. Paths are functions of the played time (scene/motion/film_clock.h),
@@ -79,17 +83,18 @@ class PictureMotion {
   double played_s(double filmTime_s) const { return clock_.played_s(filmTime_s); }
 
   PathPoint pathPoint(double played_s) const;
-  /// Returns the path of omega's tip between two played times, dense enough to look smooth, with at most
-  /// `kMostPathPoints` points. Inner points lie on a time grid common to all frames, so that the curve does not
-  /// shimmer.
+  /// Returns the path of the tip of omega between two played times. The points are dense enough to look smooth,
+  /// but at most `kMostPathPoints`. Inner points lie on a time grid common to all frames, so that the curve does
+  /// not shimmer.
   std::vector<PathPoint> path(double from_s, double to_s) const;
-  /// Returns the longest played time that path() can show.
+  /// Returns the longest played time that a result of path() can span.
   double longestPath_s() const { return pathStep_s_ * static_cast<double>(kMostPathPoints - 2); }
-  /// Returns the parts of a path at a film time, none longer than `longest_s`.
+  /// Returns the parts of a path at a film time. Each part is at most `longest_s` long.
   Trail trail(double filmTime_s, double longest_s) const;
-  /// Returns 601 points of the path at equal steps over the whole film, enough to show how far the path reaches.
+  /// Returns 601 points of the path at equal time steps over the complete film. They show how far the path
+  /// reaches.
   const std::vector<PathPoint>& outline() const { return outline_; }
-  /// Returns the point of the outline with the greatest kinetic energy; the first point of a free motion.
+  /// Returns the point of outline() with the greatest kinetic energy. For a free motion, returns the first point.
   const PathPoint& liveliest() const { return outline_[liveliest_]; }
 
   const physics::PrincipalAxes& axes() const { return motion_->axes(); }
@@ -100,7 +105,7 @@ class PictureMotion {
   bool isFree() const { return forcing_.none(); }
   /// Returns seconds of motion per second of played time.
   double speed() const { return clock_.speed(); }
-  /// Returns the played time of the whole film.
+  /// Returns the played time of the complete film.
   double length_s() const { return length_s_; }
 
  private:

@@ -14,12 +14,13 @@ namespace {
 
 using scene::QuantityBranch;
 
-// 25 samples a turn. An angle that turns twice as fast as the body still gets 12.
+// Gives 25 samples per turn of the body. An angle that turns twice as fast as the body still gets 12 per turn.
 constexpr double kSamplesPerRadian = 4;
 constexpr int kSpeedPoints = 500;
 constexpr std::size_t kSamplesPerPixel = 4, kLeastSamples = 2000;
 
-/// Returns the value, moved to the branch (whole turns, or the sign) that is nearest to `to`.
+/// Returns the equivalent value that is nearest to `to`. Equivalent values differ by full turns or by their sign,
+/// depending on the branch.
 double nearest(QuantityBranch branch, double value, double to) {
   if (!std::isfinite(to)) return value;
   if (branch == QuantityBranch::kTurns) {
@@ -30,8 +31,8 @@ double nearest(QuantityBranch branch, double value, double to) {
   return value;
 }
 
-/// Gives a quaternion the sign of `of`. All parts change sign together; one part cannot show the sign at its
-/// zeros.
+/// Changes the sign of a quaternion if that brings it nearer to `of`. Compares all components, because a single
+/// component can be zero.
 void takeSign(physics::Quaternion& q, const physics::Quaternion& of) {
   if (q.dot(of) < 0) q.coeffs() = -q.coeffs();
 }
@@ -52,8 +53,8 @@ std::optional<scene::ThrownBody> thrownBody(const scene::Scene& scene) {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-constexpr double kRounding = 1e-11;  // error that integration to 1e-12 may leave, as a share of a quantity's size
-constexpr double kFlat = 1e-5;       // share of the value; smaller changes need more than six digits
+constexpr double kRounding = 1e-11;  // error of an integration to 1e-12, relative to the size of a quantity
+constexpr double kFlat = 1e-5;       // change relative to the value; smaller changes need more than six digits
 
 double largestOf(const QuantityRange& range) { return std::max(std::abs(range.low), std::abs(range.high)); }
 
@@ -119,7 +120,7 @@ void QuantityTrack::sampleAll() {
     }
   }
   for (QuantityRange& range : ranges_)
-    if (range.low > range.high) range = {0, 0, 1};  // the quantity exists at no time
+    if (range.low > range.high) range = {0, 0, 1};  // the quantity is undefined at all times
 }
 
 double QuantityTrack::at(std::size_t which, double filmTime_s) const {

@@ -12,21 +12,22 @@
 
 namespace poinsot::stage {
 
-/// Least and largest value of a quantity over a film, and the size that its rounding is measured by
-/// (StateQuantity::size). SI.
+/// Smallest and largest value of a quantity over a film, in SI units. `size` is the magnitude that rounding errors
+/// are relative to (StateQuantity::size).
 struct QuantityRange {
   double low = 0, high = 0, size = 0;
 };
 
-/// Returns a range that holds both ranges, for films that are to be compared.
+/// Returns the smallest range that contains both ranges. Films that are compared share such a range.
 QuantityRange joined(const QuantityRange& a, const QuantityRange& b);
-/// Returns true if the values vary by more than rounding, and by enough to be seen in six digits.
+/// Returns true if the values vary by more than rounding errors, and enough to be visible in six digits.
 bool varies(const QuantityRange& range);
-/// Returns the largest absolute value. For values that are zero except for rounding: the size they could have.
+/// Returns the largest absolute value in the range. If all values are zero up to rounding errors, returns the
+/// magnitude that they could have.
 double sizeOf(const QuantityRange& range);
 
-/// Quantities of a scene's motion over its film. The samples are even, and dense enough to follow angles through
-/// their jumps. Values at other times are exact, not interpolated.
+/// Values of some quantities over a scene's film. The samples are evenly spaced, and dense enough to follow an
+/// angle across its jumps by a full turn. Values between the samples are computed exactly, not interpolated.
 class QuantityTrack {
  public:
   /// @param motion  drawnMotion() of the scene
@@ -39,7 +40,8 @@ class QuantityTrack {
   /// Returns a sample of the `which`-th quantity, SI; NaN if the quantity does not exist at that time.
   double sample(std::size_t which, std::size_t sample) const { return values_[which][sample]; }
 
-  /// Returns the exact value, on the branch of the samples around that time.
+  /// Returns the exact value at any film time. The number of full turns, or the sign, agrees with the nearby
+  /// samples.
   double at(std::size_t which, double filmTime_s) const;
   QuantityRange range() const;
   QuantityRange range(std::size_t which) const { return ranges_[which]; }

@@ -10,13 +10,13 @@
 namespace poinsot::stage {
 namespace {
 
-// Size of the body as a share of the ellipsoid, in the direction where the body comes nearest to it.
+// Size of the body relative to the ellipsoid, in the direction where the two come nearest to each other.
 constexpr double kBodyInEllipsoid = 0.62;
-constexpr double kBodyAlone = 0.8;     // half the body's longest extent, if no ellipsoid is shown
-constexpr double kRadiusAlone = 1.05;  // largest radius, if no ellipsoid is shown: a top, or a cube to its corners
-constexpr double kOmegaAlone = 1.25;   // longest omega if no ellipsoid is shown
-constexpr double kVelocity = 0.7;      // length of the fastest point's velocity
-constexpr double kLongestPath = 9;     // longest path of a flight, in radii of the body
+constexpr double kBodyAlone = 0.8;     // half the longest extent of the body, if no ellipsoid is shown
+constexpr double kRadiusAlone = 1.05;  // largest radius of the body, if no ellipsoid is shown
+constexpr double kOmegaAlone = 1.25;   // drawn length of the largest omega, if no ellipsoid is shown
+constexpr double kVelocity = 0.7;      // drawn length of the largest velocity
+constexpr double kLongestPath = 9;     // longest drawn path of a flight, as a multiple of Scales::reach
 constexpr double kLAbove = 1.5, kLBelowPlane = 0.42;
 
 // Largest magnitudes of omega (rad/s) and L (kg·m²/s) in the film.
@@ -30,7 +30,7 @@ struct Longest {
   }
 };
 
-// Returns the film's largest speed of the centre of mass and of the points whose velocities are drawn, m/s.
+// Returns the largest speed in the film, m/s, of the centre of mass and of all points whose velocity is drawn.
 double fastestShown(const scene::Scene& scene, const PictureMotion& motion) {
   double fastest = 0;
   for (const PathPoint& p : motion.outline()) {
@@ -43,7 +43,7 @@ double fastestShown(const scene::Scene& scene, const PictureMotion& motion) {
   return fastest;
 }
 
-// Returns the diagonal of the box around the path of the centre of mass, m; 0 if that point stands still.
+// Returns the diagonal of the box around the path of the centre of mass, m; 0 if the centre of mass is fixed.
 double pathExtent(const PictureMotion& motion) {
   Eigen::AlignedBox3d box;
   for (const PathPoint& p : motion.outline()) box.extend(motion.atPlayed(p.played_s).centre_V);

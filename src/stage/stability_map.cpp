@@ -24,36 +24,37 @@ using Eigen::Vector3d;
 
 constexpr int kBands = 96;  // bands of colour; neighbours differ by less than the eye can see
 constexpr int kSeparatrixPoints = 240;
-constexpr double kDarkShare = 0.6;  // share of the scale below which lines are white, else black
+constexpr double kDarkShare = 0.6;  // lines are white below this fraction of the scale, black above it
 constexpr float kQuiet = 0.45f;
 
-// Direction of the eye, from the middle axis: aside towards the axis of smallest moment, up towards that of
-// largest. Both lines of the separatrix cross in view, and no axis points at the eye.
+// Direction of the eye: from the middle axis, kAside_rad towards the axis of smallest moment and kAbove_rad
+// towards the axis of largest moment. From there, the crossing of the separatrix is visible, and no axis points at
+// the eye.
 constexpr double kAside_rad = 0.66, kAbove_rad = 0.42;
 
 constexpr double kAxis = 1.3;  // length of an axis, in radii of the sphere
-// Lengths in em of the type, unless stated otherwise.
-constexpr double kMapType = 0.034;  // size of the type, as a share of Sizing::type_px
+// Lengths in em of the text, unless stated otherwise.
+constexpr double kMapType = 0.034;  // size of the text, as a fraction of Sizing::type_px
 constexpr double kBarGap = 3.2, kBarWidth = 1.0;
 constexpr double kBarTick = 0.3, kBarTickGap = 0.35, kMapDigit = 0.67;
 constexpr double kBarHeight = 1.7;
-constexpr double kBarTip = 1.1, kOverBar = 0.9;  // height of the bar's pointed end; of the unit above the bar
+constexpr double kBarTip = 1.1, kOverBar = 0.9;  // height of the bar's pointed end; gap to the unit above
 constexpr double kMark = 1.1, kBesideMark = 0.8;
 constexpr double kMapNames = 1.1, kBesideAxis = 1.15, kBesideName = 2.1, kHead = 0.5, kHeadWidth = 0.22;
-constexpr double kMapEdge = 0.6;  // share of the notes' margin that stays free at the picture's edges
-// Widths and radii in ordinary lines.
+constexpr double kMapEdge = 0.6;  // margin at the picture's edges, as a fraction of the notes' margin
+// Widths and radii, as multiples of the width of an ordinary line.
 constexpr double kThin = 0.5, kOutline = 0.7, kRim = 1.1, kSeparatrix = 1.5, kMapAxisLine = 1.4, kAxisFoot = 1.6,
                  kStartDot = 3.2, kRing = 1.3;
-constexpr double kLeastRim_px = 2;  // covers the steps that overlapping areas leave at a common edge
+constexpr double kLeastRim_px = 2;  // wide enough to cover the jagged edges of overlapping areas
 
 [[noreturn]] void refuse(const std::string& why) { throw core::physicsError("stability map: " + why); }
 
 Vector3d startingL_P(const scene::Scene& scene) {
-  if (!scene.motion.forcing.none()) refuse("the body is not free: leave out what acts on it");
+  if (!scene.motion.forcing.none()) refuse("the body is not free: leave out gravity, torques and losses");
   if (!physics::separatrix(scene.body.axes.moments()))
     refuse("two principal moments are equal: such a body has no middle axis, and never flips");
   Vector3d m_P = scene.body.axes.moments().angularMomentum(scene::startOmega_P(scene));
-  if (m_P.isZero(0)) refuse("the body is at rest: it has no L");
+  if (m_P.isZero(0)) refuse("the body is at rest, so L is zero: give a rotation");
   return m_P;
 }
 
@@ -91,7 +92,7 @@ draw::Stroke stroke(std::vector<glm::vec2> points_px, double width_px, const dra
   return made;
 }
 
-/// Returns a round spot as a stroke with round joins, because only strokes lie over lines.
+/// Returns a round spot. The spot is a stroke with round joins, because areas would lie under the lines.
 draw::Stroke spot(glm::vec2 centre_px, double radius_px, const draw::Color& color) {
   constexpr int kCorners = 32;
   std::vector<glm::vec2> circle;
@@ -153,7 +154,7 @@ draw::Picture StabilityMap::compose(const Moment& moment, glm::ivec2 size_px, co
   const PictureWriting writing = pictureWriting(scene_, {}, size_px, sizing, colors_);
   const Sizing type = typeScaled(sizing, scene_.style.textSize);
   const Pen pen{std::max(kMapType * type.type_px, type.least_px), sizing.line_px * scene_.style.lineWidth};
-  // Notes at the bottom corners lie beside the sphere and take no room from it.
+  // Notes at the bottom corners lie beside the sphere, so they do not reduce the room for the sphere.
   const double edge_px = kMapEdge * noteEdge_px(type);
   const Layout layout =
       layoutIn({edge_px, std::max(edge_px, writing.reach.top), size_px.x - edge_px, size_px.y - edge_px}, pen);
@@ -190,7 +191,7 @@ StabilityMap::Layout StabilityMap::layoutIn(const PixelBox& room, const Pen& pen
   return {centre, radius_px, {left, centre.y - half, left + kBarWidth * pen.em_px, centre.y + half}};
 }
 
-// Lays each band over the wider ones, so that no paper shows between two bands.
+// Draws each band over the wider bands, so that no paper shows between two bands.
 void StabilityMap::addBands(draw::Picture& picture, const Globe& globe) const {
   picture.areas.push_back({globe.rim(), StabilityScale::color(1), 1});
   for (int band = kBands; band > 0; --band)
@@ -249,7 +250,7 @@ void StabilityMap::addScenesL(draw::Picture& picture, const Globe& globe, const 
 
 // Draws the colour bar, whose pointed end stands for all longer times up to infinity.
 void StabilityMap::addBar(draw::Picture& picture, const PixelBox& bar, const Pen& pen) const {
-  const double top = bar.top + kBarTip * pen.em_px;  // end of the part with distinct colours
+  const double top = bar.top + kBarTip * pen.em_px;  // upper end of the part with distinct colours
   const auto at = [&](double share) { return bar.bottom + share * (top - bar.bottom); };
   const glm::vec2 tip(0.5 * (bar.left + bar.right), bar.top);
   const std::vector<glm::vec2> outline{

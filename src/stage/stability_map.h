@@ -14,12 +14,13 @@
 
 namespace poinsot::stage {
 
-/// Map of the time from flip to flip for every direction of L in the body: the momentum sphere, coloured by that
-/// time, with the separatrix, the principal axes and the scene's own L. The map shows the half of the sphere
-/// around the octant of the scene's L. The other half is the same, because the time does not depend on the signs
-/// of L's components. The picture is flat and does not change.
-/// || The time depends on the energy alone, so the colours form bands along polhodes. Each band is the part of the
-/// sphere inside a polhode, laid over the wider bands.
+/// Map of the time between two flips of a body, for every direction of L in the body. The map is a sphere of
+/// directions, coloured by that time, with the separatrix, the principal axes and the scene's own L. The visible
+/// half of the sphere is the one around the octant of the scene's L. The other half is the same, because the time
+/// does not depend on the signs of L's components. The picture is flat and does not change with the moment.
+///
+/// The time depends only on the energy, so the colours form bands along polhodes. A band is drawn as the part of
+/// the sphere inside a polhode, over the wider bands.
 class StabilityMap final : public Composer {
  public:
   /// @throws core::Error(kPhysics) if the body does not flip (two moments are equal), is at rest, or is not free.
@@ -29,7 +30,7 @@ class StabilityMap final : public Composer {
   draw::Picture compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing) const override;
 
   const StabilityScale& scale() const { return scale_; }
-  /// Returns the time from flip to flip for the scene's L, s; infinite on the separatrix.
+  /// Returns the time between two flips for the scene's L, s; infinite on the separatrix.
   double sceneTime_s() const { return scale_.time_s(sceneDirection_P_); }
 
  private:
@@ -42,7 +43,7 @@ class StabilityMap final : public Composer {
   void addAxes(draw::Picture& picture, const Globe& globe, const Pen& pen) const;
   void addScenesL(draw::Picture& picture, const Globe& globe, const Pen& pen) const;
   void addBar(draw::Picture& picture, const PixelBox& bar, const Pen& pen) const;
-  /// @param at  maps a share of the scale to a height in the picture
+  /// @param at  function from a fraction of the scale to a y coordinate in the picture
   void addTimes(draw::Picture& picture, const PixelBox& bar, const std::function<double(double)>& at,
                 const Pen& pen) const;
 

@@ -18,8 +18,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kWide = 8;       // longest over shortest time; beyond, a linear scale would be mostly one colour
-constexpr double kDarkest = 0.1;  // share of magma's table, whose first entries look black
+constexpr double kWide = 8;       // larger ratios of two times need a logarithmic scale
+constexpr double kDarkest = 0.1;  // start of the scale in the table of magma; darker colours look black
 constexpr int kMostScaleTicks = 7;
 
 }  // namespace
@@ -57,8 +57,8 @@ draw::Color StabilityScale::color(double share) {
   return {draw::linearFromSrgb8(r), draw::linearFromSrgb8(g), draw::linearFromSrgb8(b)};
 }
 
-// In the plane of the extreme axes, the time grows from the given axis to the separatrix, where it diverges
-// logarithmically. Bisection therefore finds the direction.
+// Finds the direction by bisection in the plane of the axes of smallest and largest moment. In this plane, the
+// time grows from the given axis to the separatrix, where it diverges logarithmically.
 std::optional<double> StabilityScale::energyOf(int axis, double time_s) const {
   constexpr int kHalvings = 60;
   const bool smallest = axis == separatrix_.smallest;
@@ -85,7 +85,7 @@ std::vector<TimeCap> StabilityScale::caps(double time_s) const {
     for (const physics::MomentumPolhode& curve : physics::momentumPolhodes(moments_, *T, L_, kScalePoints)) {
       TimeCap& cap = caps.emplace_back();
       for (const Vector3d& m_P : curve.m_P) cap.outline_P.push_back(m_P.normalized());
-      // The energy is greatest about the axis of smallest moment.
+      // The energy is greatest on the axis of smallest moment.
       const double sense = axis == separatrix_.smallest ? 1 : -1, side = cap.outline_P.front()[axis];
       cap.contains = [*this, axis, T = *T, sense, side](const Vector3d& direction_P) {
         return sense * (energy(direction_P) - T) > 0 && direction_P[axis] * side > 0;

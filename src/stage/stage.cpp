@@ -15,13 +15,14 @@ namespace {
 
 using scene::Spot;
 
-// Power of a panel's share of the picture's area. Type shrinks less than its panel, so that it stays legible from
-// afar: to 87 % in half a picture, to 76 % in a quarter.
+// Exponent with which text shrinks: (area of the panel / area of the picture)^kTypeShrinks. Text shrinks less than
+// its panel, so that it stays legible: to 87 % in half a picture, to 76 % in a quarter.
 constexpr double kTypeShrinks = 0.2;
-// Share of the picture's height. A title that reaches farther down, as on a small print, would run into the view.
+// Largest height of a title that may overlap the margin of the view, as a fraction of the picture's height. A
+// taller title, as on a small print, would run into the drawing.
 constexpr double kTallTitle = 0.16;
-constexpr double kCornerMargin = 0.1;  // margin for type in a corner, which may overlap the view
-constexpr double kAir = 0.02;          // gap between type and the drawing
+constexpr double kCornerMargin = 0.1;  // margin for text in a corner, which may overlap the view
+constexpr double kAir = 0.02;          // gap between text and the drawing
 
 double typeShare(glm::ivec2 panel_px, glm::ivec2 picture_px) {
   const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * static_cast<double>(size.y); };
@@ -33,7 +34,8 @@ PixelBox boxOf(const Cell& cell) {
   return {low.x, low.y, high.x, high.y};
 }
 
-/// Adds a panel's heading. Returns the distance from the panel's top to the heading's end; 0 without a heading.
+/// Adds a panel's heading. Returns the distance from the top of the panel to the bottom of the heading; 0 without
+/// a heading.
 double addHeading(draw::Picture& picture, const Cell& cell, const scene::View& view, const Sizing& type,
                   const Palette& colors) {
   const double edge_px = 0.5 * noteEdge_px(type);
@@ -59,7 +61,8 @@ std::vector<scene::GridPlace> placesOf(const scene::Scene& scene) {
   return places;
 }
 
-/// Return the margins, as shares of the view, that type at the middle of an edge or at a corner needs.
+/// Return the margin that a text block needs, as a fraction of the view's height or width: first for a block at
+/// the middle of an edge, then for a block in a corner.
 double besideEdge(double reach_px, double length_px) { return reach_px / length_px + kAir; }
 double besideCorner(double reach_px, double length_px) {
   return reach_px > kCornerMargin * length_px ? kCornerMargin : Margins().top;
@@ -187,7 +190,8 @@ PictureWriting Stage::writing(double filmTime_s, glm::ivec2 size_px, const Sizin
   return pictureWriting(scene_, things, size_px, sizing, colors_);
 }
 
-// Type has one size that fits into the smallest plot. Plots right under one another share one axis of time.
+// All plots use the text size that fits the smallest plot. Plots in one column have the same left and right
+// margins, so that their time axes line up.
 void Stage::addPlots(draw::Picture& picture, std::span<const Cell> cells, const Sizing& own,
                      double filmTime_s) const {
   double share = 1;
@@ -233,7 +237,7 @@ void Stage::makeRoomFor(const PictureWriting& writing, PanelFrame& frame) const 
   frame.margins = marginsBeside(writing.blocks, writing.boxes, frame.size_px);
   if (scene_.show.title.empty()) return;
   frame.margins.top = std::max(frame.margins.top, kCornerMargin);
-  const double title_px = writing.boxes.front().bottom;  // the block at the top left is the first
+  const double title_px = writing.boxes.front().bottom;  // the first block is the one at the top left
   if (title_px <= kTallTitle * frame.size_px.y) return;
   frame.heading_px = title_px;
   frame.margins.top = std::max(frame.margins.top, std::min(besideEdge(title_px, frame.size_px.y), 0.4));

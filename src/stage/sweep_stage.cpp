@@ -15,15 +15,15 @@
 namespace poinsot::stage {
 namespace {
 
-// Power of a cell's share of the picture's area. Type and lines shrink less than their cell, so that they stay
-// legible: to 46 % in a ninth of the picture.
+// Exponent with which text and lines shrink: (area of the cell / area of the picture)^kShrinks. They shrink less
+// than their cell, so that they stay legible: to 46 % in a ninth of the picture.
 constexpr double kShrinks = 0.35;
-constexpr double kLabel = 0.05;                    // size of the labels, as a share of the cells' Sizing::type_px
-constexpr double kOver = 1.25, kUnder = 0.35;      // height of a label's line above and below its baseline, em
-constexpr double kBeside = 0.8;                    // gap at either side of the rows' labels, em
-constexpr double kAcross = 0.95, kMostBand = 0.3;  // largest width and height of a label, as shares of its cell
-constexpr double kMostMargin = 0.3;                // largest share of the picture's width for the rows' labels
-constexpr double kLeastType_px = 9;                // smaller type is illegible
+constexpr double kLabel = 0.05;                // size of the labels, as a fraction of the cells' Sizing::type_px
+constexpr double kOver = 1.25, kUnder = 0.35;  // space for a label above and below its baseline, em
+constexpr double kBeside = 0.8;                // gap on each side of the row labels, em
+constexpr double kAcross = 0.95, kMostBand = 0.3;  // largest width and height of a label, as fractions of its cell
+constexpr double kMostMargin = 0.3;  // largest width of the row labels, as a fraction of the picture's width
+constexpr double kLeastType_px = 9;  // smaller text is illegible
 
 double area(glm::ivec2 size) { return static_cast<double>(size.x) * static_cast<double>(size.y); }
 
@@ -35,7 +35,7 @@ scene::Scene withoutWriting(scene::Scene cell) {
   return cell;
 }
 
-/// Removes what each cell writes itself: the read-outs and the note on exaggerated angles.
+/// Removes text that each cell shows itself: the read-outs and the note on exaggerated angles.
 scene::Scene writingOf(scene::Scene scene) {
   scene.readouts.clear();
   scene.show.exaggerateAngles = 1;
@@ -72,10 +72,10 @@ FilmRanges rangesOf(const scene::Scene& cell, const std::shared_ptr<const physic
   return ranges;
 }
 
-/// Returns the joined range, which gives the numbers of all cells the same digits. Returns an empty range (low >
+/// Returns one range for all cells, so that their numbers have the same digits. Returns an empty range (low >
 /// high) if the smallest numbers would keep too few digits.
 QuantityRange commonDigits(const std::vector<QuantityRange>& ofCells) {
-  constexpr double kMostUnlike = 10 * (1 + 1e-9);  // ten, with a tolerance for rounding
+  constexpr double kMostUnlike = 10 * (1 + 1e-9);  // largest ratio of sizes: ten, with a tolerance for rounding
   constexpr double kUnbounded = std::numeric_limits<double>::infinity();
   QuantityRange all{kUnbounded, -kUnbounded, 0};
   double least = kUnbounded;
@@ -149,8 +149,8 @@ draw::Picture SweepStage::compose(const Moment& moment, glm::ivec2 size_px, cons
   return picture;
 }
 
-// Chooses the columns by the size that the scene's whole picture would have in a cell, because the scene is made
-// for that picture. Slightly smaller cells win if they leave fewer places empty.
+// Chooses the number of columns that makes the cells largest, measured by the scale at which the scene's complete
+// picture fits into a cell. Slightly smaller cells are preferred if they leave fewer grid positions empty.
 int SweepStage::columnsFor(glm::ivec2 size_px, glm::ivec2 picture_px) const {
   const int count = static_cast<int>(cells_.size());
   if (hasRows()) return static_cast<int>(labels_[0].whole.size());
@@ -177,9 +177,9 @@ SweepStage::Grid SweepStage::gridIn(const Cell& room, glm::ivec2 picture_px, con
   grid.label_px = labelSize_px(typeScaled(grid.sizing, written_.style.textSize), share_px, room.size_px);
   const int band_px = static_cast<int>(std::ceil((kOver + kUnder) * grid.label_px));
   const int margin_px = static_cast<int>(std::ceil(margin_em() * grid.label_px));
-  // One band above all cells for the columns, or one band in each cell.
+  // Labels of columns are in one band above all cells. Labels of cells are in a band in each cell.
   const int headBand_px = hasRows() ? band_px : 0, cellBand_px = band_px - headBand_px;
-  // All cells have the same whole number of pixels. The remainder is left at the edges.
+  // All cells have the same size in whole pixels. The remaining pixels are left at the edges.
   const glm::ivec2 cells_px = room.size_px - glm::ivec2(margin_px, headBand_px);
   grid.pitch_px = glm::max(cells_px / glm::ivec2(grid.columns, grid.rows), glm::ivec2(1));
   grid.cell_px = glm::max(grid.pitch_px - glm::ivec2(0, cellBand_px), glm::ivec2(1));

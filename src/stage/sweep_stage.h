@@ -16,13 +16,14 @@
 namespace poinsot::stage {
 
 /// Composer of small multiples: scenes that differ in one or two values, side by side at one instant. Title, notes
-/// and captions come from the first scene and appear once. Each cell is labelled with its value, or columns and
-/// rows are labelled if two values differ. Bodies have one scale if possible, and plots have the same axes.
+/// and captions come from the first scene and appear once. If one value differs, each cell is labelled with its
+/// value. If two values differ, the columns and rows are labelled. Bodies have one scale if possible, and plots
+/// have the same axes.
 class SweepStage final : public Composer {
  public:
-  /// @param cells  row by row, all of the same duration, size and paper
-  /// @param labels  of one range or of two, the columns' range first
-  /// @param columns  number of columns for one range; 0: as many as make the cells largest
+  /// @param cells  scenes of the cells, row by row; all have the same duration, size and paper
+  /// @param labels  labels of one range, or of two ranges with the columns' range first
+  /// @param columns  number of columns for one range; 0: the number that makes the cells largest
   /// @param steps  ledger for the time spent on the motions, or null; with a ledger, only one thread may use the
   /// stage
   /// @throws core::Error(kPhysics) if a cell shows something that its motion does not have.
@@ -36,7 +37,7 @@ class SweepStage final : public Composer {
   struct Grid {
     int columns = 1, rows = 1;
     glm::ivec2 origin_px{0}, cell_px{1}, pitch_px{1};
-    Sizing sizing;  ///< size of type and lines in the cells
+    Sizing sizing;  ///< sizes of text and lines in a cell
     double label_px = 1;
 
     glm::ivec2 originOf(int cell) const {
@@ -44,7 +45,8 @@ class SweepStage final : public Composer {
     }
   };
 
-  /// Returns true if there is a second range, from top to bottom. Labels then stand at the columns and the rows.
+  /// Returns true if a second range varies from row to row. Labels are then at the columns and rows, not at each
+  /// cell.
   bool hasRows() const { return labels_.size() == 2; }
   double margin_em() const;
   double labelSize_px(const Sizing& type, glm::dvec2 cell_px, glm::dvec2 room_px) const;

@@ -8,8 +8,8 @@
 
 namespace poinsot::stage {
 
-/// Returns a motion that enters the time spent on its states into the ledger; only one thread may use the result.
-/// Without a ledger, returns `motion` itself.
+/// Returns a wrapper of `motion` that adds the time spent on computing its states to the ledger. Only one thread
+/// may use the wrapper. Without a ledger, returns `motion` itself.
 std::shared_ptr<const physics::Motion> timed(std::shared_ptr<const physics::Motion> motion,
                                              core::StepLedger* steps);
 

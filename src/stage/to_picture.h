@@ -7,7 +7,7 @@
 
 namespace poinsot::stage {
 
-/// Converts doubles to the floats of a draw list. This header is the only place that does so.
+/// Converts a vector of doubles to the floats of a draw list. Only this header makes this conversion.
 inline glm::vec3 toPicture(const Eigen::Vector3d& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
@@ -17,7 +17,7 @@ inline glm::mat3 toPicture(const Eigen::Matrix3d& m) {
           toPicture(Eigen::Vector3d(m.col(2)))};
 }
 
-/// Converts vectors of the picture back to doubles, for example those of a draw list's camera.
+/// Converts a vector of a draw list back to doubles, for example the position of a camera.
 inline Eigen::Vector3d fromPicture(const glm::vec3& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }

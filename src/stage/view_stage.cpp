@@ -27,8 +27,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Returns the origin of space and points of the flight, relative to the moving body that the camera follows. These
-// points are drawn when they come into the picture.
+// Returns positions that the origin of space and points of the flight's path take relative to the moving body,
+// which the camera follows. These positions may lie outside the picture.
 std::vector<Vector3d> passing_V(const PictureMotion& motion, double flightScale) {
   constexpr std::size_t kStride = 50;
   std::vector<Vector3d> ends{Vector3d::Zero()}, points;
@@ -39,8 +39,8 @@ std::vector<Vector3d> passing_V(const PictureMotion& motion, double flightScale)
   return points;
 }
 
-// Returns the extent over the whole film, so that the scale does not change with time. Points are relative to the
-// origin of space if the body passes by.
+// Returns the extent of everything that is drawn during the film, so that the scale does not change with time. If
+// the body passes by, points are relative to the origin of space.
 Extent wholeExtent(const std::vector<ShownActor>& actors, const PictureMotion& motion, const Scales& scales,
                    double heldFlight) {
   Extent whole;
@@ -53,11 +53,11 @@ Extent wholeExtent(const std::vector<ShownActor>& actors, const PictureMotion& m
         whole.points_V.push_back(centre_V + point_V);
   }
   if (whole.points_V.empty() && whole.ballRadius == 0) whole.ballRadius = scales.reach;
-  if (!motion.flight()) whole.points_V.push_back(Vector3d::Zero());  // start of all arrows
+  if (!motion.flight()) whole.points_V.push_back(Vector3d::Zero());  // all arrows start at the origin
   return whole;
 }
 
-// Throws if the squares of the camera's vectors, which are floats, would overflow.
+// Throws if the flight is too long for a picture: the squares of the camera's coordinates would overflow a float.
 void refuseTooFar(const Extent& extent) {
   constexpr double kFarthest = 1e18;
   double farthest = 0;
@@ -86,11 +86,11 @@ struct ViewStage::Plan {
   PictureMotion motion;
   BodyFigure body;
   Scales scales;
-  double heldFlight = 0;  // scale of the flight inside the frame; 0 if the camera follows the body
+  double heldFlight = 0;  // scale of the flight's path; 0 if the camera follows the body
   std::optional<Construction> construction;
   std::vector<ShownActor> actors;
   Extent extent;
-  Vector3d middle_V = Vector3d::Zero();  // middle of the extent from the origin of space, for a body in flight
+  Vector3d middle_V = Vector3d::Zero();  // middle of the extent in space; zero unless the body flies in the view
   CameraPath path;
   PathFraming framing;
   PresencePlan presence;
@@ -120,7 +120,7 @@ struct ViewStage::Plan {
   double presenceOf(std::string_view thing, double filmTime_s) const;
 };
 
-// Returns how much of a thing is there. The height line belongs to the plane and fades with the plane.
+// Returns the presence of an object, from 0 (absent) to 1 (fully shown). The height line fades with the plane.
 double ViewStage::Plan::presenceOf(std::string_view thing, double filmTime_s) const {
   const double there = presence.at(thing, filmTime_s);
   return thing == "height" ? std::min(there, presence.at("plane", filmTime_s)) : there;

@@ -23,13 +23,13 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void refusePlace(const fs::path& place, const std::string& owner, const std::string& renderer) {
   throw core::usageError(
-      fmt::format("{}: is the reference of {}, and that of '{}' would have the same file name; choose "
+      fmt::format("{}: is the reference of {}; the reference of '{}' would have the same file name, so choose "
                   "another variant",
                   core::printable(place.native()), owner, core::printable(renderer)));
 }
 
-/// Returns the file that a new reference takes. @throws core::Error(kUsage) if another renderer or test owns that
-/// file.
+/// Returns the file to which a new reference is written.
+/// @throws core::Error(kUsage) if the file belongs to another renderer or test.
 fs::path placeOf(const std::vector<GoldenReference>& there, const std::string& renderer, const GoldenName& name,
                  const fs::path& usual, bool beside) {
   for (const GoldenReference& reference : there)
@@ -46,7 +46,7 @@ fs::path placeOf(const std::vector<GoldenReference>& there, const std::string& r
 }
 
 /// Copies the new picture of an outcome to a temporary file.
-/// @throws core::Error(kIo) if the copy's pixels differ from those that were compared
+/// @throws core::Error(kIo) if the copy's pixels differ from the pixels that were compared
 core::AtomicFile copyOf(const compare::Outcome& outcome, const fs::path& place) {
   core::AtomicFile file(place);
   file.write(core::readRegularFile(outcome.actual, request::kMostPicture, core::ErrorKind::kIo));

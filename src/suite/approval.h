@@ -21,23 +21,24 @@ struct Approval {
   std::vector<std::filesystem::path> removed;  ///< references of other renderers, now obsolete
 };
 
-/// Enters a reference and its description among a run's outputs. A reference may replace any picture; a
+/// Registers a reference and its description as outputs of a run. A reference may replace any picture. A
 /// description may replace only a description.
 /// @throws core::Error as RunFiles::writesInNewFolder()
 void enterApproval(output::RunFiles& files, const std::filesystem::path& place);
 
-/// Transaction that approves pictures as references, each with its description: all of them or none.
+/// Approves new pictures as references and writes their descriptions. Either all references are replaced, or none.
 class GoldenApproval {
  public:
   /// @param references  folder of the references
-  /// @param beside  true keeps references of other renderers. False removes them, because nobody has checked them
-  ///   against the change; references of the same scene stay if the renderer already had its own reference.
+  /// @param beside  whether to keep references of other renderers. Without it, they are removed, because nobody
+  ///   has checked them after the change. They stay if the scene is unchanged and the renderer already had its own
+  ///   reference.
   /// @param force  whether any regular file may be replaced
   GoldenApproval(std::filesystem::path references, bool beside, bool force = false)
       : references_(std::move(references)), beside_(beside), force_(force) {}
 
-  /// Adds the new picture of an outcome as the reference of its renderer. The picture is copied, and the copy's
-  /// digest is checked against the picture that was drawn and compared.
+  /// Adds the new picture of an outcome as a reference for its renderer. The picture is copied. The digest of the
+  /// copy must equal the digest of the picture that was compared.
   /// @throws core::Error as enterApproval(); (kIo) also if the digests differ; (kUsage) if another renderer or
   ///   test owns the file
   Approval add(const GoldenName& name, const compare::Outcome& outcome);

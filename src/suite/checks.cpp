@@ -19,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the renderers of approved references of images with a variant; "" stands for an unknown renderer.
+/// Returns the renderers that have approved references, for images with a variant. "" stands for an unknown
+/// renderer.
 std::set<std::string> approvedRenderers(const GoldenManifest& manifest, const std::vector<GoldenCase>& cases) {
   std::set<std::string> renderers;
   for (const GoldenCase& one : cases) {
@@ -27,7 +28,7 @@ std::set<std::string> approvedRenderers(const GoldenManifest& manifest, const st
     try {
       for (const GoldenReference& reference : referencesOf(manifest.references, one.reference()))
         renderers.insert(reference.origin.renderer);
-    } catch (const core::Error&) {  // reported when the case is compared
+    } catch (const core::Error&) {  // the comparison of the case reports this error
     }
   }
   return renderers;
@@ -55,12 +56,13 @@ std::string sharedText(const SuiteFile& first, const SuiteFile& second) {
                      useText(second));
 }
 
-/// Index of a suite's files, in which each file may have only one use.
+/// Index of all files of a suite. Reports an error if a file would have two uses, such as a reference and a new
+/// picture.
 class FileUses {
  public:
   FileUses(const fs::path& references, const fs::path& output) : references_(references), output_(output) {}
 
-  /// Adds the files that a run does not write: references, and the images and masks, which tests may share.
+  /// Adds the files that a run does not write: references, images and masks. Tests may share images and masks.
   void addKept(const GoldenCase& one) {
     const fs::path usual = usualFile(references_, one.reference());
     addReference(one, usual);
@@ -69,12 +71,12 @@ class FileUses {
     if (!one.test.rule.mask.empty()) addInput({one.test.rule.mask, &one, "the mask"});
   }
 
-  /// Reports whether an image is its own reference. Comparing the case reports this error.
+  /// Reports whether an image is its own reference. This is not reported here, but when the case is compared.
   static bool isOwn(const SuiteFile& input, const SuiteFile& reference) {
     return input.of == reference.of && input.file == input.of->actual;
   }
 
-  /// Checks that approving a picture cannot overwrite an image or a mask. Call after all addKept().
+  /// Checks that approving a picture cannot overwrite an image or a mask. Call after the last addKept().
   void expectInputsApart() const {
     for (const auto& [name, input] : inputs_)
       if (const auto found = referenceFiles_.find(name);
@@ -88,7 +90,7 @@ class FileUses {
 
   void addWritten(const GoldenCase& one) {
     if (!one.test.scene.empty()) write({one.actual, &one, "the new picture"});
-    write({one.fileIn(output_, kMapEnding), &one, "FLIP's map"});
+    write({one.fileIn(output_, kMapEnding), &one, "the FLIP map"});
     write({one.fileIn(output_, kDifferenceEnding), &one, "the difference"});
   }
 
@@ -101,7 +103,7 @@ class FileUses {
   }
 
   void addInput(const SuiteFile& file) {
-    std::error_code ignored;  // inputs are only read, so links are followed
+    std::error_code ignored;  // inputs are only read, so links are allowed
     inputs_.try_emplace(names_.of(fs::weakly_canonical(file.file, ignored)), file);
   }
 
@@ -142,16 +144,17 @@ void expectKnownVariants(const GoldenManifest& manifest, const GoldenRequest& re
     std::vector<std::string> known;
     for (const std::string& renderer : renderers)
       if (!renderer.empty()) known.push_back(renderer);
-    throw core::usageError(fmt::format(
-        "variant '{}': no reference was approved for it; {}; approve the first by {}",
-        core::printable(one.variant()),
-        known.empty() ? "there are none with a variant" : fmt::format("there are {}", core::joined(known, ", ")),
-        approveBy));
+    throw core::usageError(
+        fmt::format("variant '{}': has no approved reference; {}; to approve the first one, use {}",
+                    core::printable(one.variant()),
+                    known.empty() ? "no reference has a variant"
+                                  : fmt::format("known variants: {}", core::joined(known, ", ")),
+                    approveBy));
   }
 }
 
 void enterPatterns(output::RunFiles& files, const GoldenManifest& manifest) {
-  const GoldenTest* last = nullptr;  // tests of one pattern follow each other
+  const GoldenTest* last = nullptr;  // the tests of a pattern follow one another
   for (const GoldenTest& test : manifest.tests) {
     if (!isPattern(test.file) || (last && last->at.line == test.at.line)) continue;
     last = &test;

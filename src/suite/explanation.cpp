@@ -9,18 +9,18 @@ namespace {
 using scene::Explanation;
 
 struct Table {
-  const char* name;  ///< GoldenKey::table of the keys in this table
+  const char* name;  ///< GoldenKey::table of the table's keys
   const char* path;
-  const char* title;  ///< heading as written in a manifest
+  const char* title;  ///< heading of the table in a manifest
   const char* help;
 };
 
 constexpr Table kTables[] = {
     {"", "golden", "golden.toml", "The pictures that poinsot golden makes and compares."},
     {"test", "golden.test", "[[test]]",
-     "Pictures of a scene, or images that other programs made; one table or more."},
+     "Pictures of a scene, or images that other programs made. At least one table."},
     {"rule", "golden.rule", "[rule]",
-     "How far pictures may be from their references: in all tests; [test.rule] is for one."},
+     "How far pictures may be from their references: [rule] for all tests, [test.rule] for one."},
 };
 
 const Table& tableOf(const GoldenKey& key) {
@@ -29,7 +29,7 @@ const Table& tableOf(const GoldenKey& key) {
   return kTables[0];
 }
 
-/// Strips brackets and prefixes: "rule.max" for "[test.rule.max]", "golden.test.rule.max" and
+/// Strips brackets and prefixes. Returns "rule.max" for "[test.rule.max]", "golden.test.rule.max" and
 /// "golden.toml.rule.max".
 std::string_view plainPath(std::string_view word) {
   while (word.size() > 1 && word.starts_with('[') && word.ends_with(']')) word = word.substr(1, word.size() - 2);
@@ -63,7 +63,7 @@ std::string markdownCell(std::string_view text) {
   return cell;
 }
 
-/// Returns a form such as "[width, height]" in backticks, and a description in words unchanged.
+/// Returns a form such as "[width, height]" in backticks. Returns a description in words unchanged.
 std::string markdownForm(std::string_view value) {
   const bool isForm = value.find_first_of("[\"=") != std::string_view::npos;
   return isForm ? fmt::format("`{}`", value) : std::string(value);
@@ -84,7 +84,7 @@ std::vector<Explanation> explainGolden(std::string_view word) {
     const std::string_view own = *table.name ? table.name : "golden";
     if (path == own || (own == "rule" && path == "test.rule")) found.push_back(ofTable(table));
   }
-  const bool isWhole = word != path;  // a full path, which a key's bare name cannot match
+  const bool isWhole = word != path;  // a full path does not match a key's bare name
   for (const GoldenKey& key : goldenKeys()) {
     if (pathInFile(key) == path || (key.name == path && !isWhole)) found.push_back(ofKey(key));
   }

@@ -25,7 +25,7 @@ bool isFolder(const fs::path& path) {
   return fs::symlink_status(path, ignored).type() == fs::file_type::directory;
 }
 
-/// Collects the files below a folder that match the pattern's parts from `part` to `end`.
+/// Collects the files below a folder that match a part of a pattern: its components from `part` to `end`.
 void collect(const fs::path& folder, fs::path::iterator part, const fs::path::iterator end,
              std::vector<fs::path>& files) {
   const auto next = std::next(part);
@@ -45,7 +45,7 @@ void collect(const fs::path& folder, fs::path::iterator part, const fs::path::it
   }
 }
 
-/// Reports whether a path's parts from `name` on match a pattern's parts from `part` on.
+/// Reports whether the components of a path, from `name` on, match the components of a pattern, from `part` on.
 bool matches(fs::path::iterator part, const fs::path::iterator end, fs::path::iterator name,
              const fs::path::iterator nameEnd) {
   if (part == end || name == nameEnd) return part == end && name == nameEnd;
@@ -57,13 +57,14 @@ bool matches(fs::path::iterator part, const fs::path::iterator end, fs::path::it
          matches(std::next(part), end, std::next(name), nameEnd);
 }
 
-/// Returns a file's path with the links among its folders resolved. The file itself may be missing or a link.
+/// Returns a file's path with links to folders resolved. The file itself may be missing, or a link.
 fs::path withoutLinks(const fs::path& file) {
   std::error_code ignored;
   return fs::weakly_canonical(fs::absolute(file, ignored).parent_path(), ignored) / file.filename();
 }
 
-/// Pattern, split into the folder before its first star and the remaining parts, of which there is at least one.
+/// Pattern in two parts: the folder before the first star, and the remaining components, of which there is at
+/// least one.
 struct SplitPattern {
   fs::path folder, rest;
 };

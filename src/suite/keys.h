@@ -8,17 +8,17 @@
 
 namespace poinsot::suite {
 
-/// Key of a golden.toml with its documentation.
+/// Key that golden.toml may contain, with its documentation.
 struct GoldenKey {
-  const char* table;  ///< "" for the file itself, "test", "rule"
+  const char* table;  ///< "test", "rule", or "" for a key outside of tables
   const char* name;
-  const char* value;  ///< accepted value: "text", "[width, height]"
+  const char* value;  ///< accepted value, such as "text" or "[width, height]"
   const char* help;
   const char* fallback;  ///< default, in words; empty if there is none
   const char* example;
 };
 
-/// Returns all keys, grouped by table. The table "rule" may stand in the file itself and in a test.
+/// Returns all keys, grouped by table. The table "rule" is allowed at the top level and in a test.
 std::span<const GoldenKey> goldenKeys();
 
 /// Returns the names of a table's keys, sorted.

@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 using scene::Entry;
 using scene::Node;
 
-/// Callbacks that read the values of a table, by key. A core::Error thrown by a callback is reported at the
-/// value's place.
+/// Callbacks that read the values of a table, by key. If a callback throws a core::Error, the error is reported
+/// with the position of the value in the file.
 using Takers = std::map<std::string, std::function<void(const Node&)>, std::less<>>;
 
 /// Reports whether a text can name a test: a relative path without hidden parts, at most 200 bytes, all printable.
@@ -38,7 +38,7 @@ bool isName(const std::string& name) {
   return std::ranges::none_of(path, [](const fs::path& part) { return part.native().starts_with('.'); });
 }
 
-/// Replaces the star in a test's name by the name of a file, and normalises the path: `a//b` becomes `a/b`.
+/// Replaces the star in a test's name by the name of a file. Normalises the path: `a//b` becomes `a/b`.
 std::string filledIn(std::string pattern, const std::string& file) {
   if (const auto star = pattern.find('*'); star != std::string::npos) pattern.replace(star, 1, file);
   return isName(pattern) ? fs::path(pattern).lexically_normal().native() : pattern;
@@ -68,7 +68,7 @@ class Reader {
           {"test", [&](const Node& n) { tests = tables(n); }}});
     for (const Node* test : tests) addTest(*test, usual);
     if (tests.empty() && problems_.empty())
-      problems_.add({&source_, 1, 1}, "expected [[test]], the pictures to compare");
+      problems_.add({&source_, 1, 1}, "expected at least one [[test]], which names pictures to compare");
     problems_.throwIfAny();
     return std::move(manifest_);
   }
@@ -83,7 +83,7 @@ class Reader {
     return isAllowed(path) || isBeneath(path, images_) || isBeneath(path, ".");
   }
 
-  /// Returns the folder of references, to which --update writes.
+  /// Returns the folder of references, after checking that --update may write to it.
   fs::path written(const Node& node) const {
     fs::path path = folder_ / textOf(node);
     if (!isAllowed(path))
@@ -92,7 +92,7 @@ class Reader {
     return path;
   }
 
-  /// Returns a path relative to `folder`, perhaps with stars, after checking that its fixed folder may be read.
+  /// Returns a path or pattern, relative to `folder`, after checking that its fixed folder may be read.
   std::string readable(const Node& node, const fs::path& folder) const {
     const std::string& path = textOf(node);
     if (!mayBeRead(fixedFolder(folder, path))) refuseOutside(describe(node));
@@ -120,7 +120,7 @@ class Reader {
 
   static std::vector<const Node*> tables(const Node& node) {
     const auto* array = node.as<Node::Array>();
-    if (!array) refuseValue("expected [[test]], each with a heading of its own");
+    if (!array) refuseValue("expected [[test]] tables, each with its own heading");
     std::vector<const Node*> tables;
     for (const Node& one : *array) tables.push_back(&one);
     return tables;
@@ -165,7 +165,8 @@ class Reader {
                      {"ignore", [&](const Node& n) { rule.ignore = boxesOf(n); }},
                      {"mask", [&](const Node& n) { rule.mask = readableFile(n); }},
                      {"reason", [&](const Node& n) { rule.reason = textOf(n); }}};
-    // These limits are applied after "like", which sets all limits, even if "like" is a later key of the table.
+    // Limits are stored here and applied after "like", because "like" sets all limits and may be a later key of
+    // the table.
     std::map<std::string_view, std::string> words;
     for (const compare::RuleLimit& limit : compare::ruleLimits())
       takers[limit.key] = [&words, &limit](const Node& n) {
@@ -178,7 +179,7 @@ class Reader {
     for (const compare::RuleLimit& limit : compare::ruleLimits())
       if (words.contains(limit.key)) limit.set(rule.limits, limit.key, words[limit.key]);
     compare::expectCanRefuse(rule.limits, "the limits");
-    if (rule.reason.empty()) refuseValue("expected a reason beside the limits: why may this picture differ?");
+    if (rule.reason.empty()) refuseValue("expected the key reason beside the limits: why the picture may differ");
     return rule;
   }
 
@@ -210,15 +211,16 @@ class Reader {
           {"set", [&](const Node& n) { test.overrides = listOf(n, textOf); }},
           {"variant", [&](const Node& n) { test.variant = textOf(n); }},
           {"rule", [&](const Node& n) { test.rule = rule(n, "test.rule."); }}});
-    if (problems_.size() > problems) return;  // further errors would only be consequences
-    if (scene.empty() == image.empty())
-      return problems_.add(node.place, "test: expected a scene or an image, one of the two");
+    if (problems_.size() > problems) return;  // any further errors would follow from these
+    if (scene.empty() == image.empty()) return problems_.add(node.place, "test: expected either scene or image");
     if (!image.empty() && (!test.times_s.empty() || !test.overrides.empty()))
-      return problems_.add(node.place, "test: times and set are for a scene");
+      return problems_.add(node.place, "test: times and set are allowed with scene only");
     if (!image.empty() && hasSize)
-      return problems_.add(node.place, "test: size and height are for a scene; an image has its own");
+      return problems_.add(node.place,
+                           "test: size and height are allowed with scene only; an image has its own size");
     if (!scene.empty() && !test.variant.empty() && test.variant != usual.variant)
-      return problems_.add(node.place, "test: variant is for an image; of a scene the renderer is known");
+      return problems_.add(node.place,
+                           "test: variant is allowed with image only; a scene's variant is its renderer");
     addFiles(scene.empty() ? image : scene, scene.empty() ? &GoldenTest::image : &GoldenTest::scene, test, node);
   }
 
@@ -231,26 +233,25 @@ class Reader {
     test.at = locationOf(node.place);
     if (test.name.empty()) test.name = "*";
     test.namePattern = test.name;
-    if (!isName(filledIn(test.name, "x"))) return refuseName(test.name, node);  // checked even if no file matches
+    if (!isName(filledIn(test.name, "x"))) return refuseName(test.name, node);  // even if no file matches
     std::vector<MatchedFile> files = filesMatching(folder, path);
     if (isImage && isPattern(path))
       std::erase_if(files, [](const auto& f) { return !output::isPictureOrFilmName(f.file); });
     if (files.empty() && isImage) return addUnmatched(std::move(test), folder / path);
     if (files.empty())
-      return problems_.add(node.place,
-                           fmt::format("{}: no file is there of the name {}", key, core::printable(path)));
+      return problems_.add(node.place, fmt::format("{}: no file matches {}", key, core::printable(path)));
     for (const auto& [file, name] : files) {
       test.*place = file;
       if (mayBeRead(file))
         add(test, name, node);
       else
-        problems_.add(node.place, fmt::format("{}: {} is a link that leads out of the folders that are allowed",
-                                              key, core::printable(file.native())));
+        problems_.add(node.place, fmt::format("{}: {} is a link to a place outside of the allowed folders", key,
+                                              core::printable(file.native())));
     }
   }
 
-  /// Adds a pattern of images without a match. The run reports this error in its reports; the manifest itself is
-  /// valid.
+  /// Adds a pattern of images that matches no file. The manifest is valid; the run reports the error in its
+  /// results.
   void addUnmatched(GoldenTest test, const fs::path& pattern) {
     test.name = core::printable(test.file);
     test.image = pattern;
@@ -259,24 +260,25 @@ class Reader {
   }
 
   void refuseName(const std::string& name, const Node& node) {
-    problems_.add(node.place,
-                  fmt::format("test.name: '{}': a name must be that of a file below the references: at most 200 "
-                              "printable characters, no part of which begins with a dot",
-                              core::printable(name)));
+    problems_.add(
+        node.place,
+        fmt::format("test.name: '{}': must be a relative path of at most 200 printable characters, in which "
+                    "no part begins with a dot",
+                    core::printable(name)));
   }
 
   static std::string lineOf(const GoldenTest& test) {
     return fmt::format("line {}{}", test.at.line, matchedText(test, ", of "));
   }
 
-  /// Adds a test. @param file  replaces the * of the test's name
+  /// Adds a test. @param file name that replaces the * in the test's name
   void add(GoldenTest test, const std::string& file, const Node& node) {
     test.name = filledIn(test.name, file);
     if (!isName(test.name)) return refuseName(test.name, node);
     const auto [first, isNew] = names_.try_emplace(test.name, lineOf(test));
     if (!isNew)
       return problems_.add(
-          node.place, fmt::format("test.name: {}{} is the name of another test, that of {}; choose another name",
+          node.place, fmt::format("test.name: {}{} is already the name of the test in {}; choose another name",
                                   test.name, matchedText(test, " of "), first->second));
     manifest_.tests.push_back(std::move(test));
   }
@@ -286,7 +288,7 @@ class Reader {
   const scene::Allowance& allowance_;
   scene::Problems problems_;
   GoldenManifest manifest_;
-  std::map<std::string, std::string> names_;  ///< places of the [[test]] tables, by the tests' names
+  std::map<std::string, std::string> names_;  ///< position of each test's [[test]] table, by the test's name
 };
 
 }  // namespace

@@ -33,7 +33,7 @@ bool isDescription(const fs::path& file) { return originIn(file).has_value(); }
 std::optional<compare::PictureOrigin> parsePictureOrigin(std::string_view text) try {
   auto json = core::parseJson(text);
   if (!json.is_object()) return std::nullopt;
-  json.emplace("driver", "");  // no effect if the field is present
+  json.emplace("driver", "");  // does nothing if the field exists
   constexpr std::array kFields{"renderer", "driver", "software", "scene"};
   const auto isText = [&](const char* key) { return json.contains(key) && json[key].is_string(); };
   if (json.size() != kFields.size() || !std::ranges::all_of(kFields, isText)) return std::nullopt;

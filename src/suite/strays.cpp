@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 
 struct StrayFile {
   fs::path file;
-  std::string why;         ///< reason and remedy
-  bool isMissing = false;  ///< whether a pattern would use the file if its image existed
+  std::string why;         ///< why the file is a stray, and what to do
+  bool isMissing = false;  ///< whether only the file's image is missing
 };
 
 class StrayFinder {
@@ -50,9 +50,9 @@ class StrayFinder {
   static std::string whyAlone(const fs::path& description, const std::vector<fs::path>& links) {
     for (const fs::path& link : links)
       if (link.stem() == description.stem() && output::isPictureOrFilmName(link))
-        return fmt::format("{} is a link; links are no references: put the picture itself there",
+        return fmt::format("{} is a link, which cannot be a reference; replace it with the picture itself",
                            core::printable(link.native()));
-    return "describes a picture that is not there: remove " + core::printable(description.native());
+    return "describes a picture that does not exist; remove " + core::printable(description.native());
   }
 
   void examine(const fs::path& file) {
@@ -63,21 +63,21 @@ class StrayFinder {
     if (ofATest && isApprovedBeside(file, besides)) return;
     if (ofATest)
       strays_.push_back(
-          {file, fmt::format("lies beside {} but was not approved: approve it by --update --beside, or "
+          {file, fmt::format("lies beside {} but was not approved; approve it with --update --beside, or "
                              "remove {}",
                              core::printable(besides.filename().native()), withDescription(file))});
     else if (const GoldenTest* const pattern = patternOf(file))
       strays_.push_back(
           {file,
-           fmt::format("approved, and {} has no such image: run the program that makes it; if it is gone "
-                       "for good, remove {}",
+           fmt::format("approved, but {} has no such image; run the program that makes it, or, if the image is "
+                       "gone for good, remove {}",
                        core::printable(pattern->file), withDescription(file)),
            true});
     else if (all_)
-      strays_.push_back({file, "approved, and no test makes it: remove " + withDescription(file)});
+      strays_.push_back({file, "approved, but no test makes it; remove " + withDescription(file)});
   }
 
-  /// Returns the pattern of images that would use a reference; null if there is none.
+  /// Returns the pattern of images to which a reference could belong; null if there is none.
   const GoldenTest* patternOf(const fs::path& file) const {
     const fs::path relative = file.lexically_relative(root_);
     const std::string name = (relative.parent_path() / relative.stem()).native();
@@ -92,8 +92,8 @@ class StrayFinder {
     return nullptr;
   }
 
-  /// Returns the names of a picture and of its description, unless the description is missing or also belongs to a
-  /// test.
+  /// Returns the names of a picture and of its description. Leaves out the description if it is missing, or if it
+  /// also belongs to a test.
   std::string withDescription(const fs::path& file) const {
     std::error_code ignored;
     const fs::path json = descriptionOf(file);
@@ -121,7 +121,7 @@ void addTree(const fs::path& root, std::set<fs::path>& folders) {
 /// Removes a trailing slash.
 fs::path plain(const fs::path& folder) { return (folder / ".").parent_path(); }
 
-/// Adds the folders that can hold a pattern's references, even if the pattern matches no file at present.
+/// Adds the folders that can contain a pattern's references, even if the pattern matches no file at present.
 void addPlaces(const GoldenManifest& manifest, const GoldenTest& pattern, std::set<fs::path>& folders) {
   const fs::path folder = plain(manifest.references / fs::path(pattern.namePattern).parent_path());
   if (!isBeneath(folder, manifest.references)) return;
@@ -131,7 +131,7 @@ void addPlaces(const GoldenManifest& manifest, const GoldenTest& pattern, std::s
     addTree(folder, folders);
 }
 
-/// Returns the patterns of images that were requested as written in the manifest; all if `only` is empty.
+/// Returns the patterns of images whose text is in `only`, or all if `only` is empty.
 std::vector<const GoldenTest*> imagePatterns(const GoldenManifest& manifest,
                                              const std::vector<std::string>& only) {
   std::vector<const GoldenTest*> patterns;
@@ -143,8 +143,8 @@ std::vector<const GoldenTest*> imagePatterns(const GoldenManifest& manifest,
   return patterns;
 }
 
-/// Returns pictures and descriptions that belong to no test, and references whose image is missing.
-/// @param only  requested tests; empty for all, which examines every file
+/// Returns the pictures and descriptions that belong to no test, and the references whose image is missing.
+/// @param only  requested tests; if empty, every file is examined
 std::vector<StrayFile> strayFiles(const GoldenManifest& manifest, const std::vector<GoldenName>& names,
                                   const std::vector<std::string>& only) {
   std::vector<fs::path> usual;
@@ -187,7 +187,7 @@ std::vector<compare::Outcome> strayOutcomes(const GoldenManifest& manifest, cons
     outcome.name = stray.file.lexically_relative(manifest.references).replace_extension();
     outcome.status = stray.isMissing ? compare::OutcomeStatus::kMissing : compare::OutcomeStatus::kUnused;
     outcome.message =
-        allMade || stray.isMissing ? stray.why : "approved, and no test makes it: first mend what is in error";
+        allMade || stray.isMissing ? stray.why : "approved, but no test makes it; first fix the tests with errors";
     if (output::isPictureOrFilmName(stray.file)) outcome.reference = stray.file;
   }
   return outcomes;

@@ -35,7 +35,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the names of a test's pictures: the test's name or, for several times, one per time ("racket_t1.5").
+/// Returns the names of a test's pictures: the test's name, or one name for each of several times ("racket_t1.5").
 std::vector<std::string> caseNames(const GoldenTest& test) {
   if (test.times_s.size() <= 1) return {test.name};
   std::vector<std::string> names;
@@ -53,8 +53,8 @@ std::vector<GoldenCase> casesOf(const GoldenTest& test, const fs::path& output) 
   return cases;
 }
 
-/// Marks names NAME@X of other cases in the case NAME, so that they do not count as NAME's references for a
-/// renderer X.
+/// If a case is named NAME@X, records this in the case NAME, so that the file NAME@X does not count as a reference
+/// of NAME for a renderer X.
 void giveTakenStems(std::vector<GoldenCase>& cases) {
   std::map<std::string, GoldenCase*> byName;
   for (GoldenCase& one : cases) byName[one.name] = &one;
@@ -73,12 +73,12 @@ std::string listText(const std::vector<std::string>& names) {
 }
 
 bool isAskedFor(const GoldenCase& one, const std::string& word) {
-  const std::string only = word.starts_with("./") ? word.substr(2) : word;  // ./ escapes a leading dash
+  const std::string only = word.starts_with("./") ? word.substr(2) : word;  // ./-x stands for the name -x
   return only == one.test.file || core::matchesWildcard(only, one.name) ||
          core::matchesWildcard(only, one.test.name);
 }
 
-/// Returns the cases that match any of the names. @throws core::Error(kUsage) if a name matches none
+/// Returns the cases that match any of the given names. @throws core::Error(kUsage) if a name matches no case
 std::vector<GoldenCase> chosen(const std::vector<GoldenCase>& all, const std::vector<std::string>& only) {
   for (const std::string& name : only) {
     if (std::ranges::any_of(all, [&](const GoldenCase& one) { return isAskedFor(one, name); })) continue;
@@ -87,7 +87,7 @@ std::vector<GoldenCase> chosen(const std::vector<GoldenCase>& all, const std::ve
     const auto near = core::closest(name, names);
     throw core::usageError(fmt::format("{}: no such test{}", core::printable(name),
                                        near ? fmt::format("; did you mean '{}'?", *near)
-                                            : fmt::format("; there are {}", core::printable(listText(names)))));
+                                            : fmt::format("; known tests: {}", core::printable(listText(names)))));
   }
   std::vector<GoldenCase> wanted;
   for (const GoldenCase& one : all)
@@ -105,7 +105,7 @@ image::PixelSize sizeOf(const GoldenTest& test, const scene::Scene& scene, const
   if (width < scene::kLeastSide || width > most)
     throw core::Error(
         core::ErrorKind::kLimit,
-        fmt::format("height: {} pixels would make this scene of {}x{} {} pixels wide; sides are from {} to {} "
+        fmt::format("height: {} pixels would make this scene of {}x{} {} pixels wide; sides must be from {} to {} "
                     "pixels; {}",
                     *test.height, own.width, own.height, width, scene::kLeastSide, most,
                     howToRaise(scene::Limit::kSide)),
@@ -146,7 +146,8 @@ Drawing drawingOf(const GoldenCase& one, std::size_t place, const GoldenRequest&
   return {place, std::move(render), std::move(digest)};
 }
 
-/// Returns a picture's digest. @throws core::Error(kIo) if the PNG or the film's first frame cannot be read
+/// Returns the digest of a picture or film. @throws core::Error(kIo) if the PNG or the film's first frame is
+/// unreadable
 std::string pixelsOf(const fs::path& picture) {
   const bool isFilm = output::isFilm(picture);
   if (isFilm) output::FilmReader(picture).next();
@@ -157,12 +158,13 @@ std::string pixelsOf(const fs::path& picture) {
 void expectDrawn(const fs::path& picture, const std::string& read, const std::string& drawn) {
   if (read != drawn)
     throw core::ioError(
-        fmt::format("{}: is not the picture that was drawn there; let no other program write to it, "
+        fmt::format("{}: was changed after it was drawn; make sure that no other program writes to it, "
                     "and run again",
                     core::printable(picture.native())));
 }
 
-/// Adds to a picture's origin the software and renderer from its PNG texts; a variant overrides the renderer.
+/// Adds software and renderer to a picture's origin. They are read from the PNG's texts; a variant replaces the
+/// renderer.
 compare::PictureOrigin completed(compare::PictureOrigin origin, const GoldenCase& one) {
   origin.renderer = one.variant();
   for (const auto& [key, value] : image::textsOfWholePng(one.actual).value_or(std::vector<image::PngText>{})) {
@@ -179,14 +181,14 @@ bool isReadable(const fs::path& picture) try {
   return false;
 }
 
-/// Checks that an image of another program is not its own reference, with which it would always be identical.
+/// Checks that an image of another program is not its own reference, because the comparison would always pass.
 void expectApart(const fs::path& actual, const std::vector<GoldenReference>& references) {
   for (const GoldenReference& reference : references) {
     std::error_code ignored;
     if (fs::equivalent(actual, reference.picture, ignored))
       throw core::sceneError(
           fmt::format("{}: is its own reference and would always pass; name another folder in "
-                      "references, or have the program write into another",
+                      "references, or let the program write into another folder",
                       core::printable(actual.native())));
   }
 }
@@ -267,7 +269,7 @@ class Comparing {
   const scene::Limits& limits_;
 };
 
-/// Run of a suite: all cases are drawn first and then compared.
+/// Run of a suite: first draws all cases, then compares them.
 class Run {
  public:
   Run(const GoldenManifest& manifest, const GoldenRequest& request)
@@ -281,7 +283,7 @@ class Run {
     enterInputs();
     draw();
     core::forEachIndex(cases_.size(), request_.jobs, [&](std::size_t i) { compare(i); });
-    // A reference may belong to a scene that failed to load.
+    // If a scene failed to load, a stray reference may belong to it.
     const bool allMade =
         std::ranges::count(outcomes_, compare::OutcomeStatus::kError, &compare::Outcome::status) == 0;
     for (compare::Outcome& stray : strayOutcomes(manifest_, cases_, request_.only, allMade))
@@ -308,12 +310,13 @@ class Run {
     try {
       if (one.test.scene.empty()) return;
       drawings_.push_back(drawingOf(one, place, request_));
-    } catch (const core::Error& error) {  // contains all errors of the scene
+    } catch (const core::Error& error) {  // the error lists all errors of the scene
       fail(place, error);
     }
   }
 
-  /// Enters the scenes' inputs, so that reports do not replace them. @throws core::Error(kUsage) if one would
+  /// Registers the scenes' inputs, so that reports do not replace them. @throws core::Error(kUsage) if a report
+  /// would
   void enterInputs() const {
     if (request_.files == nullptr) return;
     for (const Drawing& drawing : drawings_)
@@ -327,7 +330,7 @@ class Run {
       const fs::path& picture = cases_[drawing.place].actual;
       core::makeFolders(picture.parent_path());
       std::error_code ignored;
-      fs::remove(picture, ignored);  // picture of an earlier run
+      fs::remove(picture, ignored);  // remove the picture of an earlier run
       requests.push_back(std::move(drawing.request));
     }
     const int workers = jobsThatFit(requests);
@@ -341,13 +344,13 @@ class Run {
     }
   }
 
-  /// Returns how many workers fit into free memory if each draws the largest picture.
+  /// Returns how many workers fit into free memory if each worker draws the largest picture.
   int jobsThatFit(const std::vector<job::RenderRequest>& requests) const {
     double most_bytes = 0;
     for (const job::RenderRequest& request : requests) most_bytes = std::max(most_bytes, request.worker_bytes);
     const int fit = request::workersThatFit(request_.jobs, most_bytes, request::freeMemory());
     if (fit > 0) return fit;
-    throw core::graphicsError(fmt::format("the largest picture takes about {} of memory, which is not free",
+    throw core::graphicsError(fmt::format("the largest picture needs about {} of memory, but less is free",
                                           request::memoryText(most_bytes)));
   }
 
@@ -370,7 +373,7 @@ class Run {
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
-  /// Names the reference of a test that has no new picture to compare.
+  /// Stores the reference's path in the outcome of a case that has no new picture.
   void showApproved(std::size_t place) try {
     const auto all = referencesOf(manifest_.references, cases_[place].reference());
     if (!all.empty()) outcomes_[place].reference = all.front().picture;

@@ -22,7 +22,7 @@ double numberOf(const Node& node) {
   return static_cast<double>(*whole);
 }
 
-/// Returns a path without links, as far as it exists; empty on failure.
+/// Returns a path with its links resolved, as far as the path exists. Returns an empty path on failure.
 fs::path real(const fs::path& path) {
   std::error_code failure;
   const fs::path whole = fs::weakly_canonical(fs::absolute(path.empty() ? "." : path, failure), failure);
@@ -36,7 +36,7 @@ void refuseValue(const std::string& message) { throw core::sceneError(message); 
 
 const std::string& textOf(const Node& node) {
   const auto* text = node.as<std::string>();
-  if (!text || text->empty()) refuseValue(fmt::format("expected a text, got {}", describe(node)));
+  if (!text || text->empty()) refuseValue(fmt::format("expected text, got {}", describe(node)));
   return *text;
 }
 

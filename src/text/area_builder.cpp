@@ -32,7 +32,8 @@ void AreaBuilder::addInRow(int y, double signedHeight, double x0, double x1) {
   for (int x = static_cast<int>(std::floor(left)); x == std::floor(left) || x < right; ++x) {
     const double start = std::max<double>(x, left), end = std::min<double>(x + 1, right);
     const double share = right > left ? signedHeight * ((end - start) / (right - left)) : signedHeight;
-    const double beyond = (start + end) / 2 - x;  // mean uncovered share, left of the edge
+    // Fraction of the pixel to the left of the edge, which the edge does not cover.
+    const double beyond = (start + end) / 2 - x;
     row[x] += share * (1 - beyond);
     row[x + 1] += share * beyond;
   }

@@ -31,8 +31,8 @@ void sortMarks(std::u32string& text) {
   }
 }
 
-// Returns the longest composition of a letter and its marks that `has` accepts. A mark behind an uncomposed mark
-// of the same class is not composed.
+// Returns the letter composed with as many of its marks as `has` accepts. A mark is not composed if another mark
+// of its class remains before it.
 std::u32string composedLetter(std::u32string_view letter, const std::function<bool(char32_t)>& has) {
   std::u32string best(letter), left;
   hb_codepoint_t whole = letter.front(), joined = 0;
@@ -52,7 +52,7 @@ std::u32string composedLetter(std::u32string_view letter, const std::function<bo
 
 bool isMark(char32_t character) { return classOf(character) != 0; }
 
-// Covers the classes of marks that the embedded fonts have. Source: UAX #44, table 15.
+// Distinguishes only the combining classes of the marks in the embedded fonts. Source: UAX #44, table 15.
 MarkPlace placeOf(char32_t mark) {
   switch (classOf(mark)) {
     case HB_UNICODE_COMBINING_CLASS_ABOVE:

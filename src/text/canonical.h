@@ -5,22 +5,22 @@
 #include <string>
 #include <string_view>
 
-/// Canonical equivalence: an accented letter is the same text as one character and as a letter with its marks. The
-/// tables are HarfBuzz's. Source: The Unicode Standard, chapter 3.11.
+/// Canonical equivalence of Unicode texts: an accented letter is the same text whether it is written as one
+/// character or as a letter and marks. The tables are HarfBuzz's. Source: The Unicode Standard, chapter 3.11.
 namespace poinsot::text {
 
-/// Reports whether the character is drawn on the one before it, such as an accent or a dot below.
+/// Reports whether a character is a mark, such as an accent, which is drawn on the character before it.
 bool isMark(char32_t character);
 
-/// Place of a mark on its letter, by its canonical combining class.
+/// Position of a mark relative to its letter, from its canonical combining class.
 enum class MarkPlace { kAbove, kBelow, kThrough };
 MarkPlace placeOf(char32_t mark);
 
-/// Decomposes every character completely, with marks in their canonical order (form NFD).
+/// Splits every character into its base letter and marks, with the marks in canonical order (form NFD).
 std::u32string decomposed(std::u32string_view text);
 
-/// Composes each letter with as many of its marks as form a character that `has` accepts; the other marks follow.
-/// If `has` accepts everything, the result is form NFC (except for Hangul). Equivalent texts give the same result.
+/// Composes each letter with its marks to one character if `has` accepts the character. Other marks follow. If
+/// `has` accepts everything, the result is form NFC (except for Hangul). Equivalent texts have equal results.
 std::u32string composed(std::u32string_view text, const std::function<bool(char32_t)>& has);
 
 }  // namespace poinsot::text

@@ -38,7 +38,7 @@ constexpr Command text(std::string_view name, Alphabet which) {
 }
 
 constexpr Command kCommands[] = {
-    // Greek. \epsilon and \phi are the forms of TeX; the other forms are \varepsilon and \varphi.
+    // Greek letters. \epsilon and \phi have the shapes of TeX; \varepsilon and \varphi have the other shapes.
     letter("alpha", U'α'),
     letter("beta", U'β'),
     letter("gamma", U'γ'),
@@ -101,14 +101,14 @@ constexpr Command kCommands[] = {
     alphabet("boldsymbol", Alphabet::kBoldItalic),
     text("text", Alphabet::kRoman),
     text("textbf", Alphabet::kBold),
-    // Accents: combining characters, whose glyphs lie left of their origin.
+    // Accents. They are combining characters, whose glyphs lie to the left of their origin.
     accent("hat", U'\u0302'),
     accent("dot", U'\u0307'),
     accent("ddot", U'\u0308'),
     accent("bar", U'\u0304'),
     accent("vec", U'\u20D7'),
     accent("tilde", U'\u0303'),
-    // Spaces, in eighteenths of an em, except the word space, which is the font's.
+    // Spaces. Widths are in eighteenths of an em. The word space has the width that the font gives it.
     space(",", 3.0 / 18),
     space(":", 4.0 / 18),
     space(";", 5.0 / 18),
@@ -156,7 +156,7 @@ constexpr Command kCommands[] = {
     symbol("langle", U'⟨', kOpening),
     symbol("rangle", U'⟩', kClosing),
     symbol("|", U'‖', kOrdinary),
-    // Signs for characters that the language uses itself.
+    // Commands for characters that have a special meaning in TeX, such as $.
     symbol("$", U'$', kOrdinary, true),
     symbol("%", U'%', kOrdinary, true),
     symbol("&", U'&', kOrdinary, true),

@@ -11,19 +11,19 @@
 namespace poinsot::text {
 
 enum class CommandKind {
-  kSymbol,  ///< one character, the same in every alphabet
-  kLetter,  ///< a letter in the current alphabet
+  kSymbol,  ///< character that is the same in every alphabet
+  kLetter,  ///< letter, drawn in the current alphabet
   kAccent,
   kSpace,
-  kFunction,  ///< an upright name: \sin
-  kAlphabet,  ///< \mathbf{...}: an alphabet for its argument
-  kText,      ///< \text{...}, \textbf{...}: running text
+  kFunction,  ///< function name in upright letters, such as \sin
+  kAlphabet,  ///< alphabet for its argument: \mathbf{...}
+  kText,      ///< running text as its argument: \text{...}, \textbf{...}
   kFraction,
-  kDisplayFraction,  ///< a fraction with its parts in the type size of the line
+  kDisplayFraction,  ///< fraction whose parts have the text size of the line
   kRoot,
 };
 
-/// Command \name of the language. The kind decides which fields are used.
+/// Command of the TeX subset. `kind` determines which other fields are used.
 struct Command {
   std::string_view name;
   CommandKind kind = CommandKind::kSymbol;
@@ -31,18 +31,18 @@ struct Command {
   AtomClass atomClass = AtomClass::kOrdinary;
   Alphabet alphabet = Alphabet::kRoman;
   double width_em = 0;
-  bool inText = false;  ///< allowed outside $...$ too
+  bool inText = false;  ///< whether the command is also allowed outside $...$
 };
 
 std::span<const Command> commands();
 
-/// Returns null if there is no such command.
+/// Returns the command with the given name, or null if there is no such command.
 const Command* findCommand(std::string_view name);
 
-/// Returns the command whose name is nearest to a mistyped one; empty if none is near.
+/// Returns the command whose name is most similar to a mistyped name. Empty if no name is similar.
 std::string nearestCommand(std::string_view name);
 
-/// Sign that a typed character stands for in formulas: '-' is the minus sign, a binary operator.
+/// Character that is drawn for a typed character in formulas. '-' is drawn as minus, a binary operator.
 struct Symbol {
   char32_t character = 0;
   AtomClass atomClass = AtomClass::kOrdinary;

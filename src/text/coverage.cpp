@@ -13,14 +13,14 @@
 namespace poinsot::text {
 namespace {
 
-// Chords this close to the curve change no 8-bit value by more than one step.
+// Largest distance of a chord from the curve. An error of this size changes an 8-bit value by at most one step.
 constexpr double kFillTolerance_px = 0.005;
-// The edge of a halo is background against background, so a twentieth of a pixel is not visible. It takes a third
-// of the time.
+// Largest distance of a chord from the curve in a halo, which takes a third of the time. The error is not visible,
+// because a halo usually has the colour of the background.
 constexpr double kHaloTolerance_px = 0.05;
 
-// Returns the place within its pixel, rounded to 1/1024. Moving by whole pixels then keeps every bit, which the
-// difference of two large numbers would not.
+// Returns the fractional part of a coordinate, rounded to 1/1024. All arithmetic uses the fractional part. A text
+// that is moved by whole pixels therefore keeps exactly the same pixel values.
 double fractionOf(double coordinate_px) {
   return std::floor(1024 * (coordinate_px - std::floor(coordinate_px)) + 0.5) / 1024;
 }
@@ -32,11 +32,13 @@ struct PixelBox {
   int bottom = 0;
 };
 
-// Returns all pixels that the segments touch. There must be at least one segment.
+// Returns the rectangle of all pixels that the segments touch.
+// @pre there is at least one segment
 PixelBox boxOf(const std::vector<Segment>& segments) {
   Point least{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
   Point most = least * -1;
-  for (const Segment& s : segments) {  // outlines are closed, so every point is the start of a segment
+  // Outlines are closed, so every point is the start of one of the segments.
+  for (const Segment& s : segments) {
     least = {std::min(least.x, s.from.x), std::min(least.y, s.from.y)};
     most = {std::max(most.x, s.from.x), std::max(most.y, s.from.y)};
   }

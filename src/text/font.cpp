@@ -48,14 +48,13 @@ EmbeddedFile fileOf(Typeface face) {
   return {"Latin Modern Roman 10 Bold", poinsot_font_latin_modern_bold, poinsot_font_latin_modern_bold_end};
 }
 
-// Throws if memory ran out. HarfBuzz itself goes on: a measure is then zero, a form is missing, or a text is
-// short.
+// Throws if memory ran out. HarfBuzz would continue with zero measures, missing forms or short texts.
 void expectMemory(bool sufficed) {
   if (!sufficed) throw std::bad_alloc();
 }
 
-// Returns the substitutions of a feature of the mathematics font, which has it; none for a text font. They are
-// looked up directly, because glyphs are set one by one.
+// Returns the substitution lookups of an OpenType feature of the mathematics font. Returns none for a text font.
+// Glyphs are typeset one by one, so these lookups are applied directly instead of by shaping.
 std::vector<unsigned> lookupsOf(hb_face_t* face, const char* feature) {
   std::vector<unsigned> lookups;
   if (!hb_ot_math_has_data(face)) return lookups;
@@ -68,7 +67,7 @@ std::vector<unsigned> lookupsOf(hb_face_t* face, const char* feature) {
   return lookups;
 }
 
-// Sets direction, script and language, because guessing them would read the machine's locale.
+// Returns a buffer with fixed direction, script and language. HarfBuzz would guess them from the locale.
 BufferPtr makeBuffer() {
   BufferPtr buffer(hb_buffer_create(), &hb_buffer_destroy);
   hb_buffer_set_direction(buffer.get(), HB_DIRECTION_LTR);
@@ -84,7 +83,8 @@ struct Font::Handles {
   FT_Face face = nullptr;
   hb_blob_t* blob = nullptr;
   hb_face_t* shapingFace = nullptr;
-  hb_font_t* shapingFont = nullptr;  // scaled to the font's units, so every position is a whole number
+  // The scale is the font's own units, so every position is a whole number.
+  hb_font_t* shapingFont = nullptr;
   double unitsPerEm = 1;
 
   explicit Handles(Typeface which) {
@@ -223,8 +223,8 @@ GlyphId Font::scriptForm(GlyphId id, int level) const {
 }
 
 GlyphId Font::dotlessForm(GlyphId id) const {
-  // HarfBuzz does not list one-to-one substitutions, but it extends a set of glyphs by them. The new glyph is the
-  // form.
+  // HarfBuzz cannot list one-to-one substitutions. It can extend a set of glyphs by their substitutes, so the
+  // added glyph is the dotless form.
   hb_face_t* face = handles_->shapingFace;
   const SetPtr glyphs(hb_set_create(), &hb_set_destroy);
   hb_set_add(glyphs.get(), id);

@@ -13,18 +13,19 @@ struct FT_FaceRec_;
 
 namespace poinsot::text {
 
-/// Measures of one glyph, in em at scale 1. Left, right, bottom and top bound its ink.
+/// Measures of one glyph in em. `left`, `right`, `bottom` and `top` are the bounds of its ink.
 struct GlyphMetrics {
   double advance = 0;
   double left = 0;
   double right = 0;
   double bottom = 0;
   double top = 0;
-  double italicCorrection = 0;  ///< how far a slanted letter leans over its advance
-  double topAccent = 0;         ///< x where an accent is attached; without a MATH table the ink's middle
+  double italicCorrection = 0;  ///< distance by which a slanted letter extends beyond its advance
+  double topAccent = 0;         ///< x at which an accent is centred; without a MATH table, the middle of the ink
 };
 
-/// Constants of the font's MATH table, in em (scales are ratios), with the names of the OpenType specification.
+/// Constants of the font's MATH table, with the names of the OpenType specification. Lengths are in em, scales are
+/// ratios.
 struct MathConstants {
   double scriptScale = 0;
   double scriptScriptScale = 0;
@@ -53,15 +54,15 @@ struct MathConstants {
   double radicalExtraAscender = 0;
   double radicalKernBeforeDegree = 0;
   double radicalKernAfterDegree = 0;
-  double radicalDegreeBottomRaise = 0;  ///< a share of the root sign's whole height
+  double radicalDegreeBottomRaise = 0;  ///< fraction of the root sign's total height
 };
 
-/// Embedded font: unhinted outlines through FreeType, kerning and the MATH table through HarfBuzz. All measures
-/// are whole numbers of the font's own units, so results have the same bits on every machine.
+/// Embedded font. FreeType reads its outlines without hinting; HarfBuzz reads its kerning and MATH table. All
+/// measures are whole numbers in the font's units, so results have the same bits on every machine.
 class Font {
  public:
-  /// Returns the font of this thread, made at first use. A font is a constant of the program, so there is no need
-  /// to pass it on. Threads must not share one, because FreeType keeps the last glyph in the face.
+  /// Returns a font, which is loaded at its first use on each thread. Threads must not share a font, because
+  /// FreeType stores the glyph that was loaded last in its face object.
   static const Font& of(Typeface face);
   /// Returns Latin Modern Math, the only font with a MATH table.
   static const Font& mathematics() { return of(Typeface::kMath); }
@@ -72,22 +73,22 @@ class Font {
 
   std::optional<GlyphId> glyph(char32_t character) const;
   GlyphMetrics metrics(GlyphId id) const;
-  /// Returns the constants of the MATH table; all 0 if the font has none.
+  /// Returns the constants of the MATH table. All are 0 if the font has no such table.
   const MathConstants& constants() const { return constants_; }
 
-  /// Returns the glyph's form for scripts, which is sturdier at small size. Level 0 is text, 1 a script, 2 a
-  /// script of a script.
+  /// Returns the glyph's form for subscripts and superscripts, which has thicker strokes.
+  /// @param level  0 for normal text, 1 for a script, 2 for a script of a script
   GlyphId scriptForm(GlyphId id, int level) const;
-  /// Returns the glyph without its dot, to carry an accent (i, j); the glyph itself if it has no such form.
+  /// Returns the form of an i or j without its dot, for use under an accent. Otherwise returns the glyph itself.
   GlyphId dotlessForm(GlyphId id) const;
-  /// Returns the same sign at its heights, smallest first.
+  /// Returns the forms of a symbol, such as a root sign, in different heights. The smallest comes first.
   std::vector<GlyphId> tallerForms(GlyphId id) const;
 
-  /// Returns the extra space between two characters by the font's own table, in em; negative brings them closer.
-  /// Latin Modern Math has no such table.
+  /// Returns the extra space between two characters in em, from the font's kerning table; negative values bring
+  /// them closer. The result is 0 for Latin Modern Math, which has no kerning table.
   double kerning_em(char32_t left, char32_t right) const;
 
-  /// Returns FreeType's face for outlines, which must be loaded unscaled.
+  /// Returns FreeType's face object, for reading outlines. Load glyphs unscaled.
   FT_FaceRec_* face() const;
   double unitsPerEm() const;
 
@@ -96,9 +97,10 @@ class Font {
   explicit Font(Typeface face);
   GlyphMetrics measured(GlyphId id) const;
 
-  std::unique_ptr<const Handles> handles_;  // hides FreeType and HarfBuzz from users of this header
+  std::unique_ptr<const Handles> handles_;  // pointer, so that this header does not include FreeType and HarfBuzz
   MathConstants constants_;
-  mutable std::unordered_map<GlyphId, GlyphMetrics> measured_;  ///< cache: HarfBuzz reads an outline each time
+  /// Measures by glyph; computing them again would be slow.
+  mutable std::unordered_map<GlyphId, GlyphMetrics> measured_;
   std::vector<unsigned> scriptLookups_, dotlessLookups_;
 };
 

@@ -16,8 +16,8 @@ namespace {
 
 Point pointOf(const FT_Vector& v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
 
-/// Forwards FreeType's calls to a sink. Exceptions must not pass through C code, so they are stored here
-/// meanwhile.
+/// Passes the points that FreeType reports to an OutlineSink. Exceptions of the sink are stored here, because they
+/// must not pass through FreeType's C code.
 struct Relay {
   OutlineSink& sink;
   std::exception_ptr thrown;
@@ -43,7 +43,7 @@ FT_Outline_Funcs relayed() {
   calls.line_to = [](const FT_Vector* to, void* relay) {
     return Relay::hand(relay, [&](OutlineSink& sink) { sink.lineTo(pointOf(*to)); });
   };
-  // CFF outlines are cubic; a quadratic piece would mean that the font was replaced.
+  // Outlines in CFF fonts have cubic curves only. A quadratic curve would mean that the font was replaced.
   calls.conic_to = [](const FT_Vector*, const FT_Vector*, void*) { return 1; };
   calls.cubic_to = [](const FT_Vector* c1, const FT_Vector* c2, const FT_Vector* to, void* relay) {
     return Relay::hand(relay, [&](OutlineSink& sink) { sink.cubicTo(pointOf(*c1), pointOf(*c2), pointOf(*to)); });

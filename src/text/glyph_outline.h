@@ -6,7 +6,7 @@
 
 namespace poinsot::text {
 
-/// Receives the contours of a glyph, one after the other. Each contour ends where it began.
+/// Receives the contours of a glyph one after the other. Each contour ends at its start.
 class OutlineSink {
  public:
   virtual ~OutlineSink() = default;
@@ -20,7 +20,7 @@ class OutlineSink {
   OutlineSink& operator=(const OutlineSink&) = default;
 };
 
-/// Traces the unhinted outline of a glyph in its font's own units, which are whole numbers.
+/// Passes the unhinted outline of a glyph to `sink`. Coordinates are whole numbers in the font's units.
 /// @throws std::bad_alloc; exceptions of the sink.
 void traceGlyph(Typeface font, GlyphId id, OutlineSink& sink);
 

@@ -27,7 +27,7 @@ HaloBuilder::HaloBuilder(int width, int height, double radius_px)
 
 void HaloBuilder::addSegment(const Segment& segment) {
   const auto& [from, to] = segment;
-  const double reach = radius_px_ + 0.5;  // where the ramp at the halo's edge ends
+  const double reach = radius_px_ + 0.5;  // distance at which the coverage of the halo's edge reaches 0
   const auto first = [&](double a, double b) {
     return std::max(0, static_cast<int>(std::floor(std::min(a, b) - reach)));
   };
@@ -45,8 +45,8 @@ void HaloBuilder::growInto(std::vector<double>& coverage) const {
   for (std::size_t i = 0; i < coverage.size(); ++i) {
     const double inside = coverage[i];
     const double ring = radius_px_ + 0.5 - std::sqrt(distance2_[i]);
-    // The edge in a pixel that is mostly inside moves outwards by the radius; the ring covers pixels mostly
-    // outside.
+    // A pixel mostly inside the shapes has its edge moved outwards by the radius. For other pixels, the coverage
+    // falls with the distance from the outline.
     coverage[i] = std::clamp(inside >= 0.5 ? inside + radius_px_ : std::max(inside, ring), 0.0, 1.0);
   }
 }

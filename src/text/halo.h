@@ -7,25 +7,27 @@
 
 namespace poinsot::text {
 
-/// Grows filled shapes by a radius, from the distance of each pixel to the nearest piece of outline.
+/// Enlarges filled shapes by a radius. The new coverage of a pixel follows from its distance to the nearest piece
+/// of the outlines.
 ///
-/// Growing by distance gives round corners by definition, and the least distance gives the union. FreeType's
-/// stroker is not used: its offset curves cross themselves in the narrow places of letters (the eye of an e),
-/// where filling them leaves holes or counts overlaps twice.
+/// With this method, corners are round and overlapping shapes are united. FreeType's stroker is not used. In
+/// narrow parts of letters, such as the eye of an e, its offset curves cross themselves. Filling them leaves holes
+/// or counts overlaps twice.
 class HaloBuilder {
  public:
   HaloBuilder(int width, int height, double radius_px);
 
   void addSegment(const Segment& segment);
 
-  /// Replaces the coverage of the shapes (0 to 1) by that of the grown shapes.
+  /// Replaces the coverage of the shapes, from 0 to 1, by the coverage of the enlarged shapes.
   void growInto(std::vector<double>& coverage) const;
 
  private:
   int width_;
   int height_;
   double radius_px_;
-  std::vector<double> distance2_;  // squared, from each pixel's centre; infinite if too far to matter
+  // Square of the distance from each pixel's centre to the outline; infinite beyond the halo.
+  std::vector<double> distance2_;
 };
 
 }  // namespace poinsot::text

@@ -12,7 +12,7 @@ constexpr double kSlight_em = -1.0 / 36;
 constexpr double kClear_em = -1.0 / 12;
 constexpr double kDeep_em = -1.0 / 9;
 
-// Kerning between any letter of `left` and any letter of `right`.
+// Extra space between any letter of `left` and any letter of `right` that follows it.
 struct Pair {
   std::u32string_view left;
   std::u32string_view right;
@@ -20,7 +20,7 @@ struct Pair {
 };
 
 constexpr Pair kPairs[] = {
-    // An overhanging arm and a low letter under it.
+    // Letter with an overhanging arm, followed by a low letter.
     {U"T", U"aceoqruwy", kClear_em},
     {U"T", U"A", kClear_em},
     {U"FVW", U"aeoru", kClear_em},
@@ -32,7 +32,7 @@ constexpr Pair kPairs[] = {
     {U"P", U"aeo", kSlight_em},
     {U"FPTVWYvwyr", U".,", kClear_em},
     {U"FTVWY", U"-–—:;", kSlight_em},
-    // A slope against a slope, a foot below an arm.
+    // Slanted side next to a slanted side, or foot below an arm.
     {U"AR", U"CGOQUt", kSlight_em},
     {U"A", U"TY", kClear_em},
     {U"A", U"VW", kDeep_em},
@@ -48,13 +48,13 @@ constexpr Pair kPairs[] = {
     {U"hmn", U"tuvwy", kSlight_em},
     {U"bop", U"vwxy", kSlight_em},
     {U"c", U"hk", kSlight_em},
-    // Round letters that would touch get more space.
+    // Round letters that would touch, and an f before a tall character: more space.
     {U"bop", U"ceoq", -kSlight_em},
     {U"f", U"’?!)]", -kClear_em},
 };
 
-// Reports whether a letter is beyond the table: Latin with accents, or Greek. The table's other characters beyond
-// ASCII are punctuation, after U+2000.
+// Reports whether a letter is Latin with an accent, or Greek. Such letters are not in kPairs, whose other
+// characters beyond ASCII are punctuation from U+2000 on.
 bool isAccented(char32_t character) { return character >= U'\u00C0' && character < U'\u2000'; }
 
 }  // namespace

@@ -22,10 +22,10 @@ bool isLetter(char32_t character) {
   }
 }
 
-// Spaces have the same width in any weight, so that words keep their places.
+// Spaces come from the regular font in bold text too, so that bold words do not change the word space.
 bool isSpace(char32_t character) { return character == U' ' || character == U'\u00A0'; }
 
-// Returns the font to look in first. In a formula letters and marks have weights, but signs have not, as in TeX.
+// Returns the font to try first. In bold formulas only letters and marks are bold, as in TeX.
 Typeface preferredFont(char32_t character, Alphabet alphabet) {
   switch (alphabet) {
     case Alphabet::kText:
@@ -53,7 +53,7 @@ bool haveGlyphs(std::u32string_view characters, Alphabet alphabet) {
 }  // namespace
 
 std::optional<FontGlyph> glyphOf(char32_t character, Alphabet alphabet) {
-  constexpr char32_t kSoftHyphen = U'\u00AD';  // visible only at the end of a broken line
+  constexpr char32_t kSoftHyphen = U'\u00AD';  // a soft hyphen is visible only where a line is broken
   if (character == kSoftHyphen) return std::nullopt;
   const char32_t shaped = inAlphabet(character, alphabet);
   if (shaped != character) return glyphIn(Typeface::kMath, shaped);
@@ -63,11 +63,11 @@ std::optional<FontGlyph> glyphOf(char32_t character, Alphabet alphabet) {
 }
 
 std::u32string splitIntoGlyphs(std::u32string_view letter, Alphabet alphabet) {
-  // Slanted letters have no accented forms of their own, so their accents are set as in a formula.
+  // The slanted alphabet has no accented letters. Letters are split, and accents placed as in a formula.
   const std::u32string parts = decomposed(letter);
   if (leans(parts.front(), alphabet) && haveGlyphs(parts, alphabet)) return parts;
   const std::u32string joined = composed(letter, [&](char32_t c) { return glyphOf(c, alphabet).has_value(); });
-  // The angle brackets U+2329 and U+232A are canonically equal to Chinese ones that the fonts lack.
+  // The angle brackets U+2329 and U+232A stay: they are canonically equal to Chinese ones that the fonts lack.
   return haveGlyphs(letter, alphabet) && !haveGlyphs(joined, alphabet) ? std::u32string(letter) : joined;
 }
 

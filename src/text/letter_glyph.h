@@ -15,12 +15,12 @@ struct FontGlyph {
   GlyphId id = 0;
 };
 
-/// Returns the glyph of a letter or a sign in an alphabet, in the alphabet's weight if a font has it; nullopt if
-/// no font has the character.
+/// Returns the glyph of a character in an alphabet, bold if the alphabet is bold and a bold font has the
+/// character. Returns nullopt if no font has the character.
 std::optional<FontGlyph> glyphOf(char32_t character, Alphabet alphabet);
 
-/// Splits a letter with its marks into characters that each have a glyph, the letter first. Canonically equal
-/// letters give the same result. Characters without a glyph remain if no split avoids them.
+/// Splits a letter with its marks into characters that have glyphs. The letter comes first. Canonically equal
+/// letters give the same result. Characters without a glyph remain if the split cannot avoid them.
 std::u32string splitIntoGlyphs(std::u32string_view letter, Alphabet alphabet);
 
 }  // namespace poinsot::text

@@ -6,16 +6,16 @@
 namespace poinsot::text {
 namespace {
 
-// Variant forms of Greek letters, in the order in which they follow ω in Unicode's blocks.
+// Variants of Greek letters. In Unicode's mathematical alphabets they follow the letter ω in this order.
 constexpr std::u32string_view kGreekVariants = U"∂ϵϑϰϕϱϖ";
 
-// First characters of one alphabet's ranges (Unicode chapter 22.2); 0 if the plain characters serve.
+// First characters of the ranges of one mathematical alphabet (Unicode chapter 22.2). 0 for plain characters.
 struct Starts {
   char32_t capital = 0;
   char32_t small = 0;
   char32_t digit = 0;
   char32_t greekCapital = 0;
-  char32_t greekSmall = 0;  // 25 letters α to ω with ς, then kGreekVariants
+  char32_t greekSmall = 0;  // start of the 25 letters α to ω (with ς), then kGreekVariants
 };
 
 Starts startsOf(Alphabet alphabet) {
@@ -41,13 +41,13 @@ char32_t shifted(char32_t c, char32_t from, char32_t to) { return to == 0 ? c : 
 }  // namespace
 
 char32_t inAlphabet(char32_t letter, Alphabet alphabet) {
-  // The place of the italic h in Unicode's block is empty, because Planck's constant existed before.
+  // The code of the mathematical italic h is unassigned, because Unicode already had Planck's constant.
   if (letter == U'h' && alphabet == Alphabet::kMathItalic) return U'ℎ';
   const Starts starts = startsOf(alphabet);
   if (between(letter, U'A', U'Z')) return shifted(letter, U'A', starts.capital);
   if (between(letter, U'a', U'z')) return shifted(letter, U'a', starts.small);
   if (between(letter, U'0', U'9')) return shifted(letter, U'0', starts.digit);
-  if (letter == U'\u03A2') return letter;  // not assigned: the final sigma has no capital
+  if (letter == U'\u03A2') return letter;  // unassigned code: the final sigma has no capital letter
   if (between(letter, U'Α', U'Ω')) return shifted(letter, U'Α', starts.greekCapital);
   if (between(letter, U'α', U'ω')) return shifted(letter, U'α', starts.greekSmall);
   const auto variant = kGreekVariants.find(letter);

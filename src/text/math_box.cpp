@@ -17,11 +17,11 @@ struct Ligature {
   char32_t character;
 };
 
-// Longest first. The font has these glyphs, but no feature that selects them.
+// Ligatures, longest first. The font has glyphs for them, but no OpenType feature that selects the glyphs.
 constexpr Ligature kLigatures[] = {
     {U"ffi", U'\uFB03'}, {U"ffl", U'\uFB04'}, {U"ff", U'\uFB00'}, {U"fi", U'\uFB01'}, {U"fl", U'\uFB02'}};
 
-// Reports whether text begins with a ligature. A last letter that bears a mark is not joined.
+// Reports whether `text` begins with the letters of a ligature. A mark on the last letter prevents the ligature.
 bool begins(std::u32string_view text, const Ligature& ligature) {
   const std::size_t length = ligature.letters.size();
   return text.starts_with(ligature.letters) && (text.size() == length || !isMark(text[length]));
@@ -38,7 +38,7 @@ std::u32string withLigatures(std::u32string_view text) {
   return result;
 }
 
-// Returns the letters that a character of shaped text was made from.
+// Returns the letters that a ligature stands for, or the character itself.
 std::u32string typedAs(char32_t character) {
   const auto* found = std::ranges::find(kLigatures, character, &Ligature::character);
   return found == std::end(kLigatures) ? std::u32string(1, character) : std::u32string(found->letters);
@@ -78,7 +78,7 @@ Box glyphBox(char32_t character, const MathStyle& style) {
 
   Box box;
   addGlyph(box, {id, 0, 0, scale, {character}, nominal->face});
-  // Roman letters have a correction too, for their use as accented or scripted bases, but not in words.
+  // Upright letters also have an italic correction, for accents and scripts. In words it would add unwanted space.
   box.italic = leans(character, style.alphabet) ? scale * metrics.italicCorrection : 0;
   box.width = scale * metrics.advance + box.italic;
   box.accentX = scale * metrics.topAccent;
@@ -89,7 +89,7 @@ Box glyphBox(char32_t character, const MathStyle& style) {
 
 namespace {
 
-// Returns a bare letter without its dot, if it has one; any other box as it is.
+// Returns a letter without its dot if the box is an i or j. Returns any other box unchanged.
 Box withoutDot(Box base) {
   if (!base.character || base.glyphs.size() != 1 || base.glyphs.front().face != Typeface::kMath) return base;
   const Font& font = Font::mathematics();
@@ -104,7 +104,7 @@ Box withoutDot(Box base) {
   return base;
 }
 
-// Returns the rise of a mark, which is drawn for a letter of the font's accent height on the baseline.
+// Returns the distance by which a mark is moved up. Unmoved, it fits a letter of the font's accent height.
 double riseOf(MarkPlace place, const Box& base, int level) {
   const double drawnFor = scaleOf(level) * Font::mathematics().constants().accentBaseHeight;
   switch (place) {
@@ -131,14 +131,14 @@ Box accented(const Box& base, char32_t mark, const MathStyle& style) {
 
 Box textBox(std::u32string_view text, bool bold, int level) {
   const MathStyle style{level, false, textAlphabet(bold)};
-  // Bold letters are the mathematical ones, which have no ligatures.
+  // Bold letters are mathematical characters, which have no ligatures.
   const std::u32string letters = bold ? std::u32string(text) : withLigatures(text);
   Box box;
   for (std::size_t i = 0, before = 0; i < letters.size(); before = std::exchange(i, afterMarks(letters, i))) {
     if (i > 0) box.width += scaleOf(level) * kerning_em(letters[before], letters[i], bold);
     Box letter = glyphBox(letters[i], style);
     letter.glyphs.front().plain = typedAs(letters[i]);
-    letter.accentX = letter.width / 2;  // as in the font's own accented letters
+    letter.accentX = letter.width / 2;  // centres accents, as in the font's own accented letters
     for (std::size_t mark = i + 1; mark < afterMarks(letters, i); ++mark)
       letter = accented(letter, letters[mark], style);
     place(box, letter, box.width, 0);

@@ -11,8 +11,8 @@ namespace {
 
 const MathConstants& constants() { return Font::mathematics().constants(); }
 
-// Makes binary operators ordinary that are only signs. Goes from left to right, because each operator depends on
-// the class of its left neighbour.
+// Turns binary operators that are only signs, such as the minus of -1, into ordinary atoms. Atoms are processed
+// from left to right, because an operator depends on the class of its left neighbour.
 std::vector<Atom> withSignsSettled(std::vector<Atom> atoms) {
   const AtomClass* before = nullptr;
   for (auto atom = atoms.begin(); atom != atoms.end(); ++atom) {
@@ -25,7 +25,7 @@ std::vector<Atom> withSignsSettled(std::vector<Atom> atoms) {
   return atoms;
 }
 
-// Distances of the scripts' baselines from the base's, up and down.
+// Distances of the superscript's baseline above, and of the subscript's baseline below, the baseline of the base.
 struct Shifts {
   double up = 0;
   double down = 0;
@@ -47,8 +47,8 @@ double shiftDown(const Box& base, const Box& sub, const MathStyle& style) {
   return std::max(down, sub.height - scale * c.subscriptTopMax);
 }
 
-// Opens the gap between the scripts, first by raising the superscript as far as the font allows, then by lowering
-// the subscript.
+// Moves a superscript and a subscript apart until their gap is large enough. First the superscript moves up as far
+// as the font allows, then the subscript moves down.
 Shifts apart(Shifts shifts, const Box& sub, const Box& sup, double scale) {
   const MathConstants& c = constants();
   const double gap = (shifts.up - sup.depth) - (sub.height - shifts.down);
@@ -73,7 +73,7 @@ Box joined(const std::vector<Atom>& list, const MathStyle& style) {
     append(line, atom.box);
     if (!atom.isSpace) before = &atom.atomClass;
   }
-  // A group of one atom keeps that atom's measures, by which its scripts and accents are placed.
+  // A group of one atom is the same as the atom itself, so that scripts and accents are placed as on the atom.
   if (atoms.size() == 1) return atoms.front().box;
   line.accentX = line.width / 2;
   return line;
@@ -116,7 +116,8 @@ Box fraction(const Box& numerator, const Box& denominator, const MathStyle& styl
   const double down =
       std::max(scale * f.denominatorShiftDown, denominator.height + scale * f.denominatorGapMin - barBottom);
   const double side =
-      scale * 0.12;  // TeX's \nulldelimiterspace, 1.2 pt at 10 pt: a bar does not touch its neighbour
+      // Space beside the bar, which keeps it off its neighbour (TeX's \nulldelimiterspace, 1.2 pt at 10 pt).
+      scale * 0.12;
   const double bar = std::max(numerator.width, denominator.width);
 
   Box box;
@@ -139,15 +140,14 @@ std::optional<Box> squareRoot(const Box& content, const MathStyle& style) {
     const GlyphMetrics sign = font.metrics(form);
     const double spare = scale * (sign.top - sign.bottom) - needed;
     if (spare < 0) continue;
-    // The spare height of the sign is shared between above and below.
+    // If the root sign is taller than needed, half of the extra height is above the content and half below.
     const double top = content.height + scale * c.radicalVerticalGap + spare / 2 + rule;
     const double y = top - scale * sign.top;
     Box box;
     box.glyphs.push_back({form, 0, y, scale, U"√"});
     box.depth = std::max(0.0, -(y + scale * sign.bottom));
     box.height = top;
-    // The bar starts where the sign's ink ends, because overlapping edges would be darker than the rest of the
-    // bar.
+    // The bar starts at the right edge of the sign's ink. If they overlapped, the overlap would be darker.
     const double barStart = scale * sign.right;
     const double contentX = scale * sign.advance;
     box.rules.push_back({barStart, top - rule, contentX + content.width - barStart, rule});
@@ -165,7 +165,7 @@ Box withIndex(const Box& root, const Box& index, const MathStyle& style) {
   const MathConstants& c = constants();
   const double scale = scaleOf(style.level);
   const double before = scale * c.radicalKernBeforeDegree;
-  // The sign moves under a wide index, and does not stand out to the left of a narrow one.
+  // The root sign moves right to make room for a wide index, but never left for a narrow index.
   const double signX = std::max(0.0, before + index.width + scale * c.radicalKernAfterDegree);
   const double signHeight = root.height - scale * c.radicalExtraAscender + root.depth;
   const double bottom = c.radicalDegreeBottomRaise * signHeight - root.depth;
@@ -180,10 +180,10 @@ Box withIndex(const Box& root, const Box& index, const MathStyle& style) {
 
 namespace {
 
-// Spaces between atoms: rows are the left class, columns the right class, both in the order of AtomClass
-// (ordinary, function, binary, relation, opening, closing, punctuation, inner). 0 is none and 1 thin; t (thin), m
-// (medium) and k (thick) are left out in scripts. "*" cannot occur, because such a binary operator has become
-// ordinary.
+// Space between two atoms: rows are the class of the left atom, columns the class of the right atom. Classes are
+// in the order of AtomClass (ordinary, function, binary, relation, opening, closing, punctuation, inner).
+// 0 means no space, 1 a thin space. t (thin), m (medium) and k (thick) are used outside scripts only. * cannot
+// occur, because withSignsSettled() makes such binary operators ordinary.
 constexpr char kSpaces[8][9] = {
     "01mk000t", "11*k000t", "mm**m**m", "kk*0k00k", "00*00000", "01mk000t", "tt*ttttt", "t1mkt0tt",
 };

@@ -24,7 +24,7 @@ class MathParser {
     std::vector<Atom> atoms;
     while (reader_.skipBlanks(), !takeEnd(reader_, end)) {
       if (isScriptSign(reader_.peek()))
-        atoms.push_back({});  // scripts without a base, as in {}^2
+        atoms.push_back({});  // empty base, as in {}^2
       else
         atoms.push_back(parseNucleus());
       parseScripts(atoms.back());
@@ -32,7 +32,7 @@ class MathParser {
     return joined(atoms, style_);
   }
 
-  // Parses one letter, one command with its arguments or one group in braces, and the marks typed after it.
+  // Parses one letter, one command with its arguments, or one group in braces, with the marks that follow.
   Atom parseNucleus() {
     const TexReader::Nested nested(reader_);
     const std::size_t column = reader_.column();
@@ -82,7 +82,7 @@ class MathParser {
         parseArgument(column, fmt::format("'{}'", static_cast<char>(sign)), sign == U'_' ? cramped(style) : style);
   }
 
-  // Parses what a script or a command applies to: a group in braces or the next single item.
+  // Parses the argument of a script or a command: a group in braces, or a single item.
   Box parseArgument(std::size_t column, const std::string& what, const MathStyle& style) {
     reader_.skipBlanks();
     const char32_t next = reader_.peek();
@@ -139,11 +139,11 @@ class MathParser {
   Box rootBox(std::size_t column, const std::string& what) {
     const std::optional<Box> index = rootIndex();
     const auto root = squareRoot(parseArgument(column, what, cramped(style_)), style_);
-    if (!root) reader_.fail(column, "what is under the root is taller than the font's largest root sign");
+    if (!root) reader_.fail(column, "the expression under the root is taller than the font's largest root sign");
     return index ? withIndex(*root, *index, style_) : *root;
   }
 
-  // Parses the 3 of \sqrt[3]{x}, in type of the smallest size.
+  // Parses the index of a root, such as the 3 of \sqrt[3]{x}. An index has the smallest text size.
   std::optional<Box> rootIndex() {
     const std::size_t column = reader_.column();
     if (!reader_.takeIf(U'[')) return std::nullopt;

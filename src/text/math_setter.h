@@ -7,16 +7,18 @@
 
 namespace poinsot::text {
 
-/// Sets one line written in a small subset of TeX, in UTF-8.
+/// Typesets one line of text, written in UTF-8 in a small subset of TeX.
 ///
-/// Outside formulas: upright roman text, kerned; ' is an apostrophe, ``...'' are quotes, -- and --- dashes, ~ a
-/// space; \textbf{...}, \, \; \quad and "\ " spaces, \$ \% \& \# \_ \{ \} \degree \ldots. Inside $...$: Latin
-/// letters italic, digits upright, Greek by command (\omega, \Omega) or as the letter itself, \mathbf \boldsymbol
-/// \mathrm \mathit, accents \hat \dot \ddot \bar \vec \tilde, scripts _ ^ ', \frac{}{}, \dfrac{}{} with its parts
-/// in full size, \sqrt{} \sqrt[3]{}, \text{...}, functions (\sin) and the operators of commands.cpp, spaced as in
-/// TeX; - is the minus sign.
+/// Outside formulas, text is upright and kerned. ' is an apostrophe, ``...'' are quotes, -- and --- are dashes, ~
+/// is a non-breaking space. Commands: \textbf{...}, the spaces \, \; \quad and "\ ", and the characters \$ \% \&
+/// \# \_ \{ \} \degree \ldots.
 ///
-/// Canonically equal texts, such as composed and decomposed letters, are set the same.
+/// Inside $...$, Latin letters are italic and digits upright. Greek letters are commands (\omega, \Omega) or the
+/// letters themselves. Alphabets: \mathbf \boldsymbol \mathrm \mathit. Accents: \hat \dot \ddot \bar \vec \tilde.
+/// Scripts: _ ^ '. Also \frac{}{}, \dfrac{}{} with parts in full size, \sqrt{} \sqrt[3]{}, \text{...}, functions
+/// (\sin) and the operators of commands.cpp, spaced as in TeX. - is the minus sign.
+///
+/// Canonically equal texts, such as composed and decomposed letters, give the same result.
 ///
 /// Examples: Poinsot's construction | $\boldsymbol{\omega}$ | $\hat{\mathbf{e}}_1$ | $2T/L$
 /// @throws core::Error(kUsage) with the column (in characters, from 1): unknown command ("did you mean"), braces

@@ -22,8 +22,8 @@ class Tracer {
 
   void cubicTo(Point c1, Point c2, Point end) {
     const Point start = pen_;
-    // A quarter circle of radius r cut into n chords deviates by 0.31 r / n², and its control polygon is 1.66 r
-    // long.
+    // Number of chords for a curve, from the length of its control polygon. A quarter circle of radius r has a
+    // control polygon of length 1.66 r; n chords deviate from it by 0.31 r / n².
     const double length = distance(start, c1) + distance(c1, c2) + distance(c2, end);
     const int pieces = 1 + static_cast<int>(std::sqrt(0.19 * length / tolerance_px_));
     for (int i = 1; i < pieces; ++i) {
@@ -56,7 +56,7 @@ class GlyphTracer final : public OutlineSink {
   double pixelsPerUnit_;
 };
 
-// Traces a rule counter-clockwise to the eye, like the outer contours of PostScript glyphs.
+// Adds the outline of a rule. It is counter-clockwise, like the outer contours of PostScript glyphs.
 void traceRule(Tracer& tracer, const Rule& rule, double size_px, Point origin) {
   const double left = origin.x + size_px * rule.x_em;
   const double right = origin.x + size_px * (rule.x_em + rule.width_em);

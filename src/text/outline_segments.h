@@ -8,14 +8,16 @@
 
 namespace poinsot::text {
 
-/// Straight piece of outline in pixels, y down. Filled shapes lie on the same side of all segments.
+/// Straight piece of an outline in pixels, y down. The filled side is the same for all segments.
 struct Segment {
   Point from;
   Point to;
 };
 
-/// Returns the closed outlines of a run's glyphs (unhinted) and rules at `size_px` pixels to the em, with the left
-/// end of the baseline at `origin`. Curves are cut into chords at most about `tolerance_px` away from them.
+/// Returns the closed outlines of a line's glyphs (unhinted) and rules.
+/// @param size_px  pixels per em
+/// @param origin  position of the left end of the baseline
+/// @param tolerance_px  approximate largest distance of a chord from its curve
 std::vector<Segment> outlineSegments(const GlyphRun& run, double size_px, Point origin, double tolerance_px);
 
 }  // namespace poinsot::text

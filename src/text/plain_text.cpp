@@ -10,12 +10,12 @@ constexpr std::u32string_view kRaised = U"⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼�
 
 std::u32string grouped(const std::u32string& part) { return part.size() > 1 ? U"(" + part + U")" : part; }
 
-// Puts sums and quotients in parentheses. "2T" needs none before a slash.
+// Returns a part of a quotient, in parentheses if it is a sum or a quotient. A product such as "2T" needs none.
 std::u32string quotientPart(const std::u32string& part) {
   return part.find_first_of(U" /+−") == part.npos ? part : grouped(part);
 }
 
-// Returns a script in Unicode's own small digits if all characters have one, otherwise behind TeX's sign.
+// Returns a script in Unicode's small characters if all exist, as in "₁₂"; otherwise after TeX's `sign`.
 std::u32string script(const std::u32string& content, std::u32string_view small, char32_t sign) {
   std::u32string mapped;
   for (const char32_t c : content) {

@@ -10,13 +10,13 @@ namespace poinsot::text {
 
 std::string toUtf8(std::u32string_view characters);
 
-/// Returns formulas in one line of plain Unicode, to read aloud or to search: "x₁", "x^(a + b)", "(a + b)/2",
-/// "√x".
+/// Functions that return formulas as one line of plain Unicode, for reading aloud and searching: "x₁", "x^(a +
+/// b)", "(a + b)/2", "√x".
 std::u32string plainSubscript(const std::u32string& script);
 std::u32string plainSuperscript(const std::u32string& script);
 std::u32string plainFraction(const std::u32string& numerator, const std::u32string& denominator);
 std::u32string plainRoot(const std::u32string& content);
-/// Adds an index to a root of plainRoot(): "∛x", "⁵√x", "[n]√x".
+/// Adds an index to a root that plainRoot() returned: "∛x", "⁵√x", "[n]√x".
 std::u32string plainWithIndex(const std::u32string& index, const std::u32string& root);
 
 }  // namespace poinsot::text

@@ -5,7 +5,7 @@
 
 namespace poinsot::text {
 
-/// Point in a plane of pixels, x right and y down, or of a font's units, x right and y up.
+/// Point in pixels (x right, y down) or in a font's units (x right, y up).
 struct Point {
   double x = 0;
   double y = 0;
@@ -17,7 +17,7 @@ struct Point {
 
 inline double distance(Point a, Point b) {
   const Point d = b - a;
-  return std::sqrt(d.x * d.x + d.y * d.y);  // IEEE 754 fixes the bits of sqrt, as of + - * /
+  return std::sqrt(d.x * d.x + d.y * d.y);  // IEEE 754 defines every bit of sqrt, as of + - * /
 }
 
 }  // namespace poinsot::text

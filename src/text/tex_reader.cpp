@@ -10,7 +10,7 @@
 namespace poinsot::text {
 namespace {
 
-// Limit for a label or a title. A longer string is a mistake, and a picture has no room for it.
+// Largest number of characters in a label or a title. A longer text is a mistake and would not fit a picture.
 constexpr std::size_t kMostCharacters = 2000;
 constexpr int kDeepest = 40;
 
@@ -23,7 +23,7 @@ bool isBlank(char32_t c) { return c == U' ' || c == U'\t' || c == U'\n' || c == 
 TexReader::TexReader(std::string_view tex) : tex_(tex) {
   while (!tex.empty()) {
     const core::CodePoint next = core::firstCodePoint(tex);
-    if (next.length == 0) fail(characters_.size() + 1, "not UTF-8; save the file with that encoding");
+    if (next.length == 0) fail(characters_.size() + 1, "not valid UTF-8; save the file as UTF-8");
     if (characters_.size() == kMostCharacters)
       fail(kMostCharacters + 1, fmt::format("too long; at most {} characters", kMostCharacters));
     characters_ += next.value;
@@ -47,12 +47,12 @@ std::string TexReader::takeName() {
   std::string name;
   while (isNameLetter(peek())) name += static_cast<char>(take());
   if (!name.empty()) {
-    skipBlanks();  // as in TeX, blanks after a word belong to it
+    skipBlanks();  // spaces after a command name are skipped, as in TeX
     return name;
   }
   const char32_t sign = peek();
   if (sign >= 0x7f || (sign < 0x20 && !isBlank(sign)))
-    fail(position_, "a backslash before a character that makes no command");
+    fail(position_, "a backslash before a character that is not a command");
   take();
   return std::string(1, isBlank(sign) ? ' ' : static_cast<char>(sign));
 }

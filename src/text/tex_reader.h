@@ -7,8 +7,8 @@
 
 namespace poinsot::text {
 
-/// Reads a string of the small TeX language character by character. Columns count characters from 1. Every failure
-/// throws core::Error(kUsage) with its column and the string.
+/// Reads a text in the small TeX subset character by character. Columns are counted in characters, from 1. All
+/// errors are core::Error(kUsage) with the column and the text.
 class TexReader {
  public:
   /// @throws core::Error(kUsage) if `tex` is not UTF-8 or is longer than 2000 characters.
@@ -18,15 +18,15 @@ class TexReader {
   char32_t peek() const { return atEnd() ? U'\0' : characters_[position_]; }
   char32_t take();
   bool takeIf(char32_t wanted);
-  /// Takes the name after a backslash, which has been taken already: letters, or one other character.
+  /// Reads the name of a command after the backslash: a word of letters or one other character.
   std::string takeName();
   void skipBlanks();
 
   std::size_t column() const { return position_ + 1; }
   [[noreturn]] void fail(std::size_t column, const std::string& what) const;
 
-  /// Guard for the inside of braces or of an argument. It limits the depth, so that hostile input cannot exhaust
-  /// the stack.
+  /// Guard for the time in which the inside of braces or an argument is parsed. It limits the nesting depth, so
+  /// that malicious input cannot overflow the stack.
   class Nested {
    public:
     explicit Nested(TexReader& reader);

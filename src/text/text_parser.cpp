@@ -13,7 +13,7 @@
 namespace poinsot::text {
 namespace {
 
-// Typed replacement for a character that keyboards lack. The table is ordered longest first.
+// Sequence that is typed for a character that keyboards do not have, such as -- for an en dash. Longest first.
 struct Typed {
   std::u32string_view typed;
   char32_t character;
@@ -38,10 +38,11 @@ std::u32string withTypography(std::u32string_view text) {
   return result;
 }
 
-// Returns a hint how to write, as a sign, a character that the language uses itself.
+// Returns a hint on how to write a character that has a special meaning, such as \$ for $.
 std::string orTheSign(char sign) {
   const std::string name(1, sign);
-  return findCommand(name) ? fmt::format("for the sign write \\{}", name) : "there is no command for the sign";
+  return findCommand(name) ? fmt::format("for the character itself write \\{}", name)
+                           : "there is no command for the character itself";
 }
 
 class TextParser {
@@ -92,7 +93,7 @@ class TextParser {
       case CommandKind::kText:
         return parseArgument(*command, column);
       default:
-        pending_ += command->character;  // a sign that is allowed in running text too
+        pending_ += command->character;  // symbol that is also allowed outside formulas
     }
   }
 
@@ -108,7 +109,7 @@ class TextParser {
     append(line_, box);
   }
 
-  // Sets the pending text. Runs are as long as possible, because kerning and ligatures depend on neighbours.
+  // Typesets the pending text. Text is collected first, because kerning and ligatures depend on neighbours.
   void setPending() {
     if (!pending_.empty()) append(line_, textBox(withTypography(pending_), style_.bold, style_.level));
     pending_.clear();
@@ -130,7 +131,7 @@ Box parseText(TexReader& reader, const TextStyle& style, const ListEnd& end) {
 
 namespace {
 
-// Reports a list that is still open at the end of the string, or an index open where braces or the formula end.
+// Reports an opening sign that is never closed, at the end of the text or where an outer part ends.
 void failUnclosed(const TexReader& reader, const ListEnd& end) {
   if (end.sign == U'}') reader.fail(end.openedAt, "'{' is never closed; " + orTheSign('{'));
   if (end.sign == U'$') reader.fail(end.openedAt, "'$' is never closed; a formula is $...$; " + orTheSign('$'));
@@ -164,7 +165,7 @@ std::u32string takeLetter(TexReader& reader, char32_t letter, Alphabet alphabet)
   const std::u32string glyphs = splitIntoGlyphs(typed, alphabet);
   const auto lacks = [&](char32_t c) { return !glyphOf(c, alphabet); };
   if (std::ranges::none_of(glyphs, lacks)) return glyphs;
-  // Names the first of the typed characters that cannot be drawn by itself.
+  // Finds the first of the typed characters that cannot be drawn alone, for the error message.
   const auto missing = std::ranges::find_if(typed, [&](char32_t c) {
     return std::ranges::any_of(splitIntoGlyphs({&c, 1}, alphabet), lacks);
   });

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`poinsot bench --quick`: every job has figures; what goes wrong is said, and nothing is left behind.
+"""Tests `poinsot bench --quick`: every job has figures, failures are reported, and no temporary file stays.
 
     bench_test.py BENCH PROGRAM
 """
@@ -14,7 +14,7 @@ BENCH, PROGRAM = sys.argv.pop(1), sys.argv.pop(1)
 
 
 def bench(*options, program=PROGRAM):
-    """What it did, with a temporary folder of its own that must be empty in the end."""
+    """Runs bench with its own temporary folder. `left` of the result names the files that stay there."""
     with tempfile.TemporaryDirectory() as folder:
         run = subprocess.run([sys.executable, '-B', BENCH, '--program', program, *options], capture_output=True,
                              text=True, env=os.environ | {'TMPDIR': folder})
@@ -23,7 +23,7 @@ def bench(*options, program=PROGRAM):
 
 
 def rows(report):
-    """The tables' rows, by what stands before the first colon of their first cells."""
+    """Returns the rows of all tables, by their first cell up to a colon."""
     cells = [[cell.strip() for cell in line.strip('|').split('|')] for line in report.splitlines() if line[:1] == '|']
     return {row[0].split(':')[0]: row[1:] for row in cells}
 
@@ -41,22 +41,22 @@ class Bench(unittest.TestCase):
             self.assertEqual(len(figures), 5)
             count, wall, rate, *others = figures
             self.assertTrue(all(figure > 0 for figure in (count, wall, *others)), (job, figures))
-            # A frame of over 20 s, as under a sanitizer, is rounded to 0.0 a second.
+            # If a frame takes over 20 s, as under a sanitizer, the rate is rounded to 0.0 per second.
             self.assertTrue(rate > 0 or wall > 20 * count, (job, figures))
         for step in ('simulate', 'compose', 'draw', 'resolve', 'read', 'text', 'convert', 'encode'):
             spent = float(found[f'{step}, per frame'][0])
             self.assertTrue(spent > 0, (step, spent))
 
-    def test_a_command_that_fails(self):
+    def test_reports_a_command_that_fails(self):
         run = bench('--jobs', 'T', program='/bin/false')
         self.assertEqual((run.returncode, run.stdout, run.left), (3, '', []))
         self.assertIn('poinsot bench: error: status 1: ', run.stderr)
         self.assertIn('/false trajectory', run.stderr)
 
-    def test_a_job_that_there_is_not(self):
+    def test_rejects_an_unknown_job(self):
         run = bench('--jobs', 'J1,J9')
         self.assertEqual((run.returncode, run.stdout), (2, ''))
-        self.assertIn("there is no job 'J9', only J1, J2, J3, J4, J5, S, T", run.stderr)
+        self.assertIn("unknown job 'J9'; known jobs: J1, J2, J3, J4, J5, S, T", run.stderr)
 
 
 if __name__ == '__main__':

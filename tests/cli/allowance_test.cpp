@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each limit of docs/scene.md through the whole program: what is at the limit is accepted, what is one above is
-// refused with 2, at once and in little memory, with the way to raise it in the message; and the ways to raise it
-// do.
+// Tests each limit of docs/scene.md through the whole program. A value at the limit is accepted. A value one above
+// the limit is refused with exit code 2, at once and in little memory, and the message says how to raise the
+// limit. Raising the limit in that way works.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -30,14 +30,13 @@ std::string repeated(const std::string& text, int count) {
   return all;
 }
 
-/// A command, and how it ends in a folder of its own with the files that it needs.
-class Allowance : public testing::Test {
+class CommandLimits : public testing::Test {
  protected:
-  Allowance() { folder_.put("s.toml", kScene); }
+  CommandLimits() { folder_.put("s.toml", kScene); }
 
   ShellResult shell(const std::string& words, const std::vector<std::string>& environment = {}) const {
     auto all = environment;
-    all.insert(all.begin(), {"XDG_CONFIG_HOME=", "HOME="});  // no defaults.toml of who runs the tests
+    all.insert(all.begin(), {"XDG_CONFIG_HOME=", "HOME="});  // ignores the tester's own defaults.toml
     return runShell(folder_.path(), kProgram + words, all);
   }
 
@@ -46,8 +45,8 @@ class Allowance : public testing::Test {
     EXPECT_EQ(result.exitCode, 0) << words.substr(0, 200) << "\n" << result.out.substr(0, 500);
   }
 
-  /// At once: the least of three runs, as others use the machine. Measured: 0.03 to 0.05 s, 27 to 45 MiB;
-  /// the pages that the kernel gives are counted, not timed.
+  /// Expects a refusal within 0.1 s of user time and 64 MiB. The fastest of three runs counts, because other
+  /// processes share the machine. Measured: 0.03 to 0.05 s, 27 to 45 MiB.
   void expectRefused(const std::string& words, const std::string& says, Limit limit) const {
     double user_s = 1e9, peak_MiB = 0;
     std::string out;
@@ -66,7 +65,7 @@ class Allowance : public testing::Test {
     EXPECT_LE(peak_MiB, 64) << rowOf(limit).name;
   }
 
-  /// A mesh of so many triangles, 4 at least: a closed one is not asked for where it is only drawn.
+  /// Writes a mesh of `triangles` triangles, at least 4. The mesh need not be closed, because it is only drawn.
   void putMesh(const std::string& name, int triangles) const {
     const std::string tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
     folder_.put(name, tetrahedron + repeated("f 1 3 2\n", triangles - 4));
@@ -75,7 +74,7 @@ class Allowance : public testing::Test {
   const ScratchFolder folder_;
 };
 
-TEST_F(Allowance, OfTheTextOfAScene) {
+TEST_F(CommandLimits, LimitSizeStringsNestingAndValuesOfAScene) {
   const auto put = [&](const std::string& name, const std::string& text) { folder_.put(name, text); };
   const auto padded = [&](std::size_t bytes) {
     return kScene + "#" + std::string(bytes - kScene.size() - 1, 'x');
@@ -100,7 +99,7 @@ TEST_F(Allowance, OfTheTextOfAScene) {
   const auto nested = [](int n) { return "x = " + repeated("[", n) + repeated("]", n) + "\n"; };
   put("at.toml", nested(64));
   put("above.toml", nested(65));
-  EXPECT_THAT(shell("check at.toml").out, HasSubstr("unknown key"));  // its only fault
+  EXPECT_THAT(shell("check at.toml").out, HasSubstr("unknown key"));  // the only error in this scene
   expectRefused("check above.toml", "above.toml:1:69: error: tables and arrays may be nested at most 64 deep",
                 Limit::kNesting);
   EXPECT_THAT(shell("check above.toml --limit nesting=65").out, HasSubstr("unknown key"));
@@ -113,7 +112,7 @@ TEST_F(Allowance, OfTheTextOfAScene) {
   EXPECT_THAT(shell("check above.toml --limit values=100001").out, HasSubstr("unknown key"));
 }
 
-TEST_F(Allowance, OfElementsAndCharacters) {
+TEST_F(CommandLimits, LimitElementsAndCharacters) {
   const auto masses = [](int n) {
     std::string text = "[motion]\nomega_body = [0.1, 10, 0]\n";
     for (int i = 0; i < n; ++i)
@@ -127,7 +126,6 @@ TEST_F(Allowance, OfElementsAndCharacters) {
                 Limit::kElements);
   expectAccepted("check above.toml --limit elements=10001");
 
-  // Two notes of 40 lines of 125 characters, and a title.
   const std::string line = "  '" + std::string(125, 'x') + "',\n";
   const std::string note = "[[note]]\ntext = [\n" + repeated(line, 40) + "]\n";
   folder_.put("at.toml", kScene + note + note);
@@ -137,7 +135,7 @@ TEST_F(Allowance, OfElementsAndCharacters) {
   expectAccepted("check above.toml --limit characters=10001");
 }
 
-TEST_F(Allowance, OfFilesThatASceneNames) {
+TEST_F(CommandLimits, LimitFilesAndTrianglesOfAScene) {
   const std::string scene = kScene + "[show.body]\nshape = 'mesh'\nfile = 'm.obj'\n";
   putMesh("m.obj", 12);
   folder_.put("m.toml", scene);
@@ -146,33 +144,33 @@ TEST_F(Allowance, OfFilesThatASceneNames) {
       fmt::format("check m.toml --limit file_bytes={} --limit files_bytes={} --limit triangles=12", size, size));
   expectRefused(fmt::format("check m.toml --limit file_bytes={}", size - 1), "cannot read m.obj: it has",
                 Limit::kFileBytes);
-  expectRefused(fmt::format("check m.toml --limit files_bytes={}", size - 1), "the files of a scene have too many",
-                Limit::kFilesBytes);
-  expectRefused("check m.toml --limit triangles=11", "the mesh has more than 11 triangles", Limit::kTriangles);
+  expectRefused(fmt::format("check m.toml --limit files_bytes={}", size - 1),
+                "together the files of the scene exceed their limit", Limit::kFilesBytes);
+  expectRefused("check m.toml --limit triangles=11", "the mesh has more than the allowed 11 triangles",
+                Limit::kTriangles);
 
-  // What a file claims is refused before it is read: by its size, and by its header.
+  // The size of a file and the count in its header are refused before the data is read.
   fs::resize_file(folder_ / "m.obj", std::uintmax_t{1} << 40);
-  expectRefused("check m.toml", "it has 1099511627776 bytes, more than the 134217728 that are read",
-                Limit::kFileBytes);
+  expectRefused("check m.toml", "it has 1099511627776 bytes, more than the allowed 134217728", Limit::kFileBytes);
   folder_.put("m.stl", std::string(80, 'x') + "\xff\xff\xff\x3f");
   EXPECT_EQ(shell("check m.toml -D show.body.file=m.stl").exitCode, 2);
   folder_.put(
       "m.ply",
       "ply\nformat ascii 1.0\nelement vertex 1000000000\nproperty float x\nproperty float y\nproperty float z\n"
       "element face 1\nproperty list uchar int vertex_indices\nend_header\n");
-  expectRefused("check m.toml -D show.body.file=m.ply", "the mesh has more than 6000000 vertices",
+  expectRefused("check m.toml -D show.body.file=m.ply", "the mesh has more than the allowed 6000000 vertices",
                 Limit::kTriangles);
 }
 
-TEST_F(Allowance, OfPicturesAndFilms) {
+TEST_F(CommandLimits, LimitSideFramesRateAndDuration) {
   expectAccepted("check s.toml -D output.size=[8192,16]");
   expectRefused("check s.toml -D output.size=[8194,16]", "each side must be from 16 to 8192 pixels, got 8194",
                 Limit::kSide);
-  expectRefused("still s.toml --size 8193x16 -o t.png", "--size 8193x16: sides are from 16 to 8192 pixels",
+  expectRefused("still s.toml --size 8193x16 -o t.png", "--size 8193x16: sides must be from 16 to 8192 pixels",
                 Limit::kSide);
   expectAccepted("still s.toml --size 16384x16 -o t.png --dry-run --limit side=16384");
   EXPECT_THAT(shell("still s.toml --size 16384x16 -o t.png --limit side=16385").out,
-              HasSubstr("--limit: the limit side may be from 1 to 16384 pixels, got 16385"));
+              HasSubstr("--limit: the limit side must be from 1 to 16384 pixels, got 16385"));
 
   expectAccepted("check s.toml -D time.duration=1200");
   expectRefused("check s.toml -D time.duration=1200.01", "36001 frames; a film may have at most 36000",
@@ -187,12 +185,11 @@ TEST_F(Allowance, OfPicturesAndFilms) {
   expectAccepted("check s.toml -D time.duration=3601 -D time.fps=10 --limit duration=3601 --limit frames=36010");
 }
 
-TEST_F(Allowance, OfMemory) {
-  // 115 MB and 46 bytes a pixel (request/memory.cpp).
+TEST_F(CommandLimits, LimitTheMemoryOfAWorker) {
+  // Estimate in request/memory.cpp: 115 MB and 46 bytes per pixel.
   const std::string still = "still s.toml -o t.png --dry-run --size ";
   expectRefused(still + "8192x8192",
-                "a worker that makes pictures of 8192x8192: about 3.0 GiB of memory, more than "
-                "the 2 GiB that it may take",
+                "a worker that makes pictures of 8192x8192: about 3.0 GiB of memory, more than the allowed 2 GiB",
                 Limit::kMemory);
   const std::int64_t takes = 115'000'000 + 46 * 64 * 32;
   expectAccepted(still + fmt::format("64x32 --max-memory {}", takes));
@@ -201,7 +198,7 @@ TEST_F(Allowance, OfMemory) {
   EXPECT_EQ(shell("gallery s.toml --size 8192x8192 -o out --dry-run").exitCode, 2);
 }
 
-TEST_F(Allowance, OfSteps) {
+TEST_F(CommandLimits, LimitIntegrationSteps) {
   const std::string driven = "info s.toml -D motion.torque.body=[0.1,0.2,0.3] ";
   const std::string report = shell(driven + "--json").out;
   const auto at = report.find("\"steps\"");
@@ -212,8 +209,8 @@ TEST_F(Allowance, OfSteps) {
   expectRefused(driven + fmt::format("--limit steps={}", steps - 1), "steps", Limit::kSteps);
 }
 
-TEST_F(Allowance, OfWhatIsWritten) {
-  // 10 s at 10 Hz, both ends: 101 rows of about 290 bytes.
+TEST_F(CommandLimits, LimitTheSizeOfATrajectory) {
+  // 10 s at 10 Hz with both ends are 101 rows of about 290 bytes.
   expectAccepted("trajectory s.toml -D time.speed=1 --rate 10 --limit output=29290");
   expectRefused("trajectory s.toml -D time.speed=1 --rate 10 --limit output=29289", "101 rows are about",
                 Limit::kOutput);
@@ -221,7 +218,7 @@ TEST_F(Allowance, OfWhatIsWritten) {
                 Limit::kOutput);
 }
 
-TEST_F(Allowance, NumbersAreFiniteAndInRange) {
+TEST_F(CommandLimits, RejectNumbersOutOfRange) {
   for (const char* value : {"nan", "inf", "-inf", "1e400", "0x1p3", "1e-400", "-0.0", "4.9e-324"}) {
     const ShellResult result = shell(fmt::format("check s.toml -D motion.omega_body=[{},0,0]", value));
     EXPECT_EQ(result.exitCode, 2) << value;
@@ -232,7 +229,7 @@ TEST_F(Allowance, NumbersAreFiniteAndInRange) {
   expectAccepted("check s.toml -D motion.omega_body=[-0.0,1,0]");
 }
 
-TEST_F(Allowance, OfOptionsIsSaidWithTheOption) {
+TEST_F(CommandLimits, NameTheOptionWithAnInvalidLimit) {
   const auto says = [&](const std::string& words) {
     const ShellResult result = shell("check s.toml " + words);
     EXPECT_EQ(result.exitCode, 2) << words;
@@ -240,24 +237,25 @@ TEST_F(Allowance, OfOptionsIsSaidWithTheOption) {
   };
   EXPECT_THAT(says("--limit side"), HasSubstr("--limit: 'side': a limit is NAME=VALUE, such as side=16384"));
   EXPECT_THAT(says("--limit sides=1"), HasSubstr("--limit: there is no limit 'sides'; did you mean side?"));
-  EXPECT_THAT(says("--limit side="), HasSubstr("the limit side is a whole number, got ''"));
+  EXPECT_THAT(says("--limit side="), HasSubstr("the limit side must be a whole number, got ''"));
   EXPECT_THAT(says("--limit side=-1"), HasSubstr("got -1"));
-  EXPECT_THAT(says("--limit side=1e4"), HasSubstr("is a whole number, got '1e4'"));
-  EXPECT_THAT(says("--limit side=99999999999999999999"), HasSubstr("is a whole number"));
+  EXPECT_THAT(says("--limit side=1e4"), HasSubstr("must be a whole number, got '1e4'"));
+  EXPECT_THAT(says("--limit side=99999999999999999999"), HasSubstr("must be a whole number"));
   EXPECT_THAT(says("--max-memory 8000000TiB"),
-              HasSubstr("--max-memory: the limit memory may be from 1 to 1024 TiB"));
-  EXPECT_THAT(says("--max-memory 9223372036854775807TiB"), HasSubstr("--max-memory: the limit memory is a whole"));
+              HasSubstr("--max-memory: the limit memory must be from 1 to 1024 TiB"));
+  EXPECT_THAT(says("--max-memory 9223372036854775807TiB"),
+              HasSubstr("--max-memory: the limit memory must be a whole"));
   EXPECT_THAT(says("--max-seconds 0"), HasSubstr("--max-seconds"));
-  EXPECT_THAT(says("--asset-root s.toml"), HasSubstr("--asset-root s.toml: it is no folder"));
+  EXPECT_THAT(says("--asset-root s.toml"), HasSubstr("--asset-root s.toml: not a folder"));
 }
 
-TEST_F(Allowance, OfAnotherFolderReachesAllWhoReadTheScene) {
+TEST_F(CommandLimits, PassAssetRootAndLimitsToWorkersAndScripts) {
   fs::create_directories(folder_ / "shared");
   putMesh("shared/m.obj", 4);
   folder_.put("m.toml", kScene + "[show.body]\nshape = 'mesh'\nfile = 'm.obj'\n[output]\nsize = [32, 32]\n");
   EXPECT_THAT(shell("check m.toml").out, HasSubstr("cannot read m.obj: No such file"));
   expectAccepted("check m.toml --asset-root shared");
-  expectAccepted("still m.toml --asset-root shared -o t.png");  // by a worker
+  expectAccepted("still m.toml --asset-root shared -o t.png");  // drawn by a worker process
   const ShellResult script =
       shell("submit m.toml --engine make --asset-root shared -o t.mp4 --limit frames=400 --max-memory 1GiB");
   EXPECT_EQ(script.exitCode, 0) << script.out;

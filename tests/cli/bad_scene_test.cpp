@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each way a scene can be wrong, as a user meets it: exit code, place, caret, repair. Lines and columns were
-// counted by hand.
+// Tests every error of a scene as a user sees it: exit code, place, caret and suggested repair. Lines and columns
+// were counted by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ std::vector<BadScene> badScenes() {
   };
 }
 
-TEST(BadScenes, AreRefusedWithTheirPlace) {
+TEST(BadScenes, AreRejectedWithLineAndColumn) {
   const ScratchFolder folder;
   for (const BadScene& bad : badScenes()) {
     folder.put("bad.toml", bad.text);
@@ -59,20 +59,20 @@ TEST(BadScenes, AreRefusedWithTheirPlace) {
   EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{"bad.toml"});
 }
 
-TEST(BadScenes, ShowTheLineAndACaret) {
+TEST(BadScenes, ArePrintedWithTheBadLineAndACaret) {
   const ScratchFolder folder;
   folder.put("bad.toml", sceneWith(kBody, "omega_bdoy = [0.1, 10, 0]"));
   EXPECT_THAT(run(folder, {"check", "bad.toml"}).err, HasSubstr("   5 | omega_bdoy = [0.1, 10, 0]\n"
                                                                 "     | ^^^^^^^^^^"));
 }
 
-TEST(BadScenes, OddSizeNamesTheNearestEvenOne) {
+TEST(BadScenes, GetTheNearestEvenSizeSuggested) {
   const ScratchFolder folder;
   folder.put("bad.toml", sceneWith(kBody, kMotion, "[output]\nsize = [161, 90]\n"));
   EXPECT_THAT(run(folder, {"check", "bad.toml"}).err, HasSubstr("the nearest even size is 162"));
 }
 
-TEST(BadScenes, AllProblemsOfAllFilesInOneRun) {
+TEST(BadScenes, AreAllReportedInOneRun) {
   const ScratchFolder folder;
   folder.put("one.toml", sceneWith(kBody, "omega_bdoy = [1, 2, 3]", "[camera]\nfov = \"200 deg\"\n"));
   folder.put("two.toml", sceneWith("principal_moments = [1, 2, 9]", kMotion));
@@ -85,17 +85,17 @@ TEST(BadScenes, AllProblemsOfAllFilesInOneRun) {
   EXPECT_EQ(result.out, "good.toml: ok\n");
 }
 
-TEST(GoodScenes, AreToldWhatMayBeASlip) {
+TEST(GoodScenes, GetANoteAboutALikelyMistake) {
   const ScratchFolder folder;
   folder.put("good.toml", sceneWith(kBody, kMotion, "[camera]\nazimuth = 2\n"));
   const auto result = run(folder, {"check", "good.toml"});
   EXPECT_EQ(result.exitCode, 0);
   EXPECT_EQ(result.out, "good.toml: ok\n");
   EXPECT_EQ(result.err,
-            "good.toml:7:11: note: camera.azimuth: 2 is in radians, 115 deg; for degrees write \"2 deg\"\n");
+            "good.toml:7:11: note: camera.azimuth: 2 is in radians (115 deg); for degrees write \"2 deg\"\n");
 }
 
-TEST(BadScenes, OverridesAreCheckedAlike) {
+TEST(BadScenes, AreRejectedIfOptionDMakesThemBad) {
   const ScratchFolder folder;
   folder.put("good.toml", kGoodScene);
   const std::pair<std::string, std::string> cases[] = {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words are understood or refused, and nothing is done for them yet. What libFuzzer does with them for hours
-// (tests/fuzz) is done here for a moment, as the whole program is too much to be built for it every time.
+// Tests that the parser accepts or refuses a command line and does nothing else yet. tests/fuzz runs libFuzzer on
+// this parser for hours. These tests do the same for a moment, because the whole program is too large to be built
+// for libFuzzer every time.
 #include "cli/command_line.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// Any other exception ends the test.
+/// Returns whether the parser accepts the words. An exception other than a usage error ends the test.
 bool isUnderstood(const Words& words) {
   try {
     const CommandLine line(words);
@@ -39,8 +40,8 @@ const Words kLines[] = {{"render", "nowhere.toml", "-o", "a.mp4", "-q", "720p", 
                         {"help", "render"},
                         {"--version"}};
 
-// Were something done for them, the missing files would be noticed.
-TEST(CommandLine, IsUnderstoodBeforeAnythingIsDone) {
+// The files do not exist, so any further work on them would fail.
+TEST(CommandLine, IsParsedWithoutReadingItsFiles) {
   for (const Words& words : kLines) EXPECT_TRUE(isUnderstood(words)) << words.front();
 }
 
@@ -52,7 +53,7 @@ class Mutator {
   }
 
  private:
-  // std::mt19937's numbers are the same everywhere; the distribution classes' are not.
+  // std::mt19937 gives the same numbers on every platform; the distribution classes do not.
   unsigned below(std::size_t n) { return static_cast<unsigned>(random_() % n); }
 
   const char* piece() {
@@ -95,8 +96,8 @@ class Mutator {
   std::mt19937 random_{1};
 };
 
-// Measured with this seed: 693 of 4000 are understood.
-TEST(CommandLine, OfAnyWordsIsUnderstoodOrRefused) {
+// Measured with this seed: 693 of 4000 command lines are accepted.
+TEST(CommandLine, AcceptsOrRejectsAnyWordsWithoutCrash) {
   Mutator mutate;
   int understood = 0;
   for (int i = 0; i < 4000; ++i) understood += isUnderstood(mutate(kLines[i % std::size(kLines)])) ? 1 : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `poinsot diff` as others call it: exit codes, the JSON object, folders, films.
+// Tests `poinsot diff` as other programs call it: exit codes, the JSON object, folders, films.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -34,7 +34,6 @@ void save(const std::filesystem::path& file, const Picture& picture) {
       .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
 }
 
-/// What the script of a page is given.
 json dataOf(const std::string& page) {
   const std::string mark = "type=\"application/json\">";
   const auto begin = page.find(mark) + mark.size();
@@ -79,8 +78,8 @@ TEST_F(DiffCommand, HasThreeVerdictsAndTheirExitCodes) {
   }
 }
 
-// By hand: 64x48 = 3072 pixels, 9216 values; one pixel went from 100 to 255 in each channel.
-TEST_F(DiffCommand, TellsTheFigures) {
+// Computed by hand: 64x48 = 3072 pixels, 9216 values; one pixel went from 100 to 255 in each channel.
+TEST_F(DiffCommand, ReportsTheFiguresOfAPair) {
   const json far = figures({"a.png", "far.png"}, 1);
   EXPECT_EQ(far["verdict"], "different");
   EXPECT_EQ(far["differing_pixels"], 1);
@@ -102,7 +101,7 @@ TEST_F(DiffCommand, TellsTheFigures) {
   EXPECT_EQ(same["flip"]["mean"], 0.0);
 }
 
-TEST_F(DiffCommand, NeverResizes) {
+TEST_F(DiffCommand, ReportsAnotherSizeAsDifferentWithoutResizing) {
   save(folder_ / "wide.png", grey({65, 48}, 100));
   const RunResult wide = diff({"a.png", "wide.png"});
   EXPECT_EQ(wide.exitCode, 1);
@@ -113,10 +112,10 @@ TEST_F(DiffCommand, NeverResizes) {
   EXPECT_EQ(figureless["differing_pixels"], nullptr);
 }
 
-TEST_F(DiffCommand, TakesPicturesOfOnePixelAndOfSixteenBits) {
+TEST_F(DiffCommand, ComparesPicturesOfOnePixelAndOfSixteenBits) {
   save(folder_ / "one.png", grey({1, 1}, 5));
   save(folder_ / "two.png", grey({1, 1}, 6));
-  const json one = figures({"one.png", "two.png"}, 1);  // all of its pixels differ
+  const json one = figures({"one.png", "two.png"}, 1);
   EXPECT_EQ(one["differing_share"], 1.0);
   EXPECT_EQ(one["ssim"], nullptr);
   image::DeepImage deep({64, 48}, 3);
@@ -128,10 +127,10 @@ TEST_F(DiffCommand, TakesPicturesOfOnePixelAndOfSixteenBits) {
   EXPECT_NEAR(figures({"deep.png", "deeper.png"}, 0)["max_difference"].get<double>(), 255.0 / 65535, 1e-12);
 }
 
-TEST_F(DiffCommand, LimitsAreRangesFromZero) {
+TEST_F(DiffCommand, TakesLimitsAsRangesFromZero) {
   EXPECT_EQ(diff({"a.png", "far.png", "--max", "0-255", "--flip-mean", "0-1", "--flip-max", "0-1"}).exitCode, 0);
   EXPECT_EQ(diff({"a.png", "near.png", "--pixels", "0-0"}).exitCode, 1);
-  EXPECT_EQ(diff({"a.png", "near.png", "--pixels", "0-0.01%"}).exitCode, 1);  // 0.33 of a pixel
+  EXPECT_EQ(diff({"a.png", "near.png", "--pixels", "0-0.01%"}).exitCode, 1);  // 0.01 % is 0.3 of a pixel
   const RunResult bare = diff({"a.png", "near.png", "--max", "3"});
   EXPECT_EQ(bare.exitCode, 2);
   EXPECT_THAT(bare.err, HasSubstr("--max '3': write 0-3: a limit is a range from 0"));
@@ -140,17 +139,17 @@ TEST_F(DiffCommand, LimitsAreRangesFromZero) {
   EXPECT_EQ(diff({"a.png", "near.png", "--pixels", "0-1.5"}).exitCode, 2);
 }
 
-TEST_F(DiffCommand, WritesItsPictures) {
+TEST_F(DiffCommand, WritesMapAndDifferencePictures) {
   EXPECT_EQ(diff({"a.png", "far.png", "--map", "map.png", "--diff-image", "d.png"}).exitCode, 1);
   const image::Image map = image::readPng(folder_ / "map.png"), d = image::readPng(folder_ / "d.png");
   EXPECT_EQ(map.size, a_.size);
   EXPECT_GT(map.at(30, 20)[0], 150);
-  EXPECT_EQ(map.at(60, 40)[2], 4);  // magma's 0 is #000004
+  EXPECT_EQ(map.at(60, 40)[2], 4);  // magma's colour for 0 is #000004
   EXPECT_EQ(d.at(30, 20)[0], 255);
   EXPECT_EQ(d.at(31, 20)[0], 0);
 }
 
-TEST_F(DiffCommand, SaysWhatItCannotRead) {
+TEST_F(DiffCommand, ReportsUnreadableAndUnsuitableFiles) {
   EXPECT_EQ(diff({"a.png", "none.png"}).exitCode, 4);
   folder_.put("text.png", "no picture");
   const RunResult text = diff({"a.png", "text.png"});
@@ -173,19 +172,19 @@ TEST_F(DiffCommand, PairsFoldersByName) {
       StartsWith("different: 1 identical, 1 different, 1 missing, 1 new\n  different  in/two.png: largest"));
   EXPECT_THAT(result.out, HasSubstr("  missing    gone.png\n  new        more.png\n"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "maps/in/two.png"));
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "maps/one.png"));  // identical
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "maps/one.png"));
   const json both = figures({"old", "new"}, 1);
   EXPECT_EQ(both["pictures"].size(), 2u);
   EXPECT_EQ(both["pictures"][0]["name"], "in/two.png");
   EXPECT_EQ(both["only_in_reference"], json::array({"gone.png"}));
   EXPECT_EQ(figures({"old", "old"}, 0)["verdict"], "identical");
-  EXPECT_EQ(diff({"old", "maps/none"}).exitCode, 4);  // a folder and none
+  EXPECT_EQ(diff({"old", "maps/none"}).exitCode, 4);  // a folder and a missing path
   std::filesystem::create_directory(folder_ / "empty");
-  EXPECT_THAT(diff({"empty", "new"}).out, StartsWith("different: 3 new\n"));  // the first run of all
+  EXPECT_THAT(diff({"empty", "new"}).out, StartsWith("different: 3 new\n"));  // first run, nothing is approved yet
   EXPECT_EQ(diff({"new", "empty"}).exitCode, 1);
   const RunResult none = diff({"empty", "empty"});
   EXPECT_EQ(none.exitCode, 2);
-  EXPECT_EQ(none.err, "poinsot: error: empty and empty: no PNG file and no film is there\n");
+  EXPECT_EQ(none.err, "poinsot: error: empty and empty: neither folder contains a PNG file or a film\n");
 }
 
 TEST_F(DiffCommand, ComparesFilmsFrameByFrame) {
@@ -208,7 +207,7 @@ TEST_F(DiffCommand, ComparesFilmsFrameByFrame) {
   EXPECT_THAT(diff({"a.mp4", "short.mp4"}).out, StartsWith("different: the film has 6 frames, not 8\n"));
 }
 
-TEST_F(DiffCommand, SaysOfFilmsThatDoNotGoTogetherWhy) {
+TEST_F(DiffCommand, ReportsSizesAndFrameRatesThatDiffer) {
   folder_.put("s.toml", kGoodScene);
   const auto film = [&](std::vector<std::string> words) {
     words.insert(words.begin(), {"render", "s.toml", "--frames", "0-3", "--quiet", "-o"});
@@ -228,7 +227,7 @@ TEST_F(DiffCommand, SaysOfFilmsThatDoNotGoTogetherWhy) {
   EXPECT_THAT(bytesOf(folder_ / "size.svg"), HasSubstr(">the size is 192x108, not 160x90</text>"));
 }
 
-// Whatever the format: GIF has another rate than it was made at, and alpha.
+// Films of any two formats can be compared. GIF may have another frame rate than it was rendered at, and alpha.
 TEST_F(DiffCommand, ComparesFilmsOfAnyTwoFormats) {
   folder_.put("s.toml", kGoodScene);
   for (const char* name : {"a.mp4", "a.gif", "a.apng", "a.webm"})
@@ -242,7 +241,7 @@ TEST_F(DiffCommand, ComparesFilmsOfAnyTwoFormats) {
   }
 }
 
-TEST_F(DiffCommand, WritesNothingOverWhatIsCompared) {
+TEST_F(DiffCommand, DoesNotOverwriteThePicturesItCompares) {
   const std::string reference = bytesOf(folder_ / "a.png");
   for (const char* what : {"--map", "--diff-image", "--report"}) {
     const RunResult refused = diff({"a.png", "far.png", what, "./a.png", "--force"});
@@ -252,7 +251,7 @@ TEST_F(DiffCommand, WritesNothingOverWhatIsCompared) {
   EXPECT_EQ(bytesOf(folder_ / "a.png"), reference);
 }
 
-TEST_F(DiffCommand, TellsOfAllPairsThoughOneCannotBeRead) {
+TEST_F(DiffCommand, ReportsAllPairsIfOneCannotBeRead) {
   for (const char* name : {"old/a.png", "new/a.png", "old/c.png"}) save(folder_ / name, a_);
   save(folder_ / "new/c.png", grey({64, 48}, 200));
   save(folder_ / "old/b.png", a_);
@@ -270,8 +269,8 @@ TEST_F(DiffCommand, TellsOfAllPairsThoughOneCannotBeRead) {
   EXPECT_EQ(entries[1]["actual"], nullptr);
 }
 
-// far.png has one white pixel at (30, 20) on grey 100, which is 0x64; each channel of c.png is 100 higher.
-TEST_F(DiffCommand, TellsWhatChangedInWords) {
+// far.png has one white pixel at (30, 20) on grey 100, which is 0x64. Each channel of c.png is 100 higher.
+TEST_F(DiffCommand, DescribesTheChangeInWords) {
   const std::string words = "1 pixel at (30, 20), #646464 became #ffffff";
   EXPECT_THAT(diff({"a.png", "far.png"}).out, HasSubstr("\n  what changed       " + words + "\n"));
   const json one = figures({"a.png", "far.png"}, 1);
@@ -285,8 +284,9 @@ TEST_F(DiffCommand, TellsWhatChangedInWords) {
   EXPECT_THAT(diff({"old", "new"}).out, HasSubstr("; brighter by 100 everywhere\n"));
 }
 
-// A page names files as URLs from its own folder: RFC 3986 escapes all but letters, digits and "-._~".
-TEST_F(DiffCommand, NamesFilesFromTheFolderOfItsReport) {
+// A page names files by URLs relative to its own folder. RFC 3986 escapes all characters except letters, digits
+// and "-._~".
+TEST_F(DiffCommand, LinksFilesRelativeToTheReportsFolder) {
   const std::string name = "a b?#%é'.png";
   for (const char* side : {"old/", "new/"}) save(folder_ / (side + name), a_);
   std::filesystem::create_directories(folder_ / "pages");
@@ -295,7 +295,7 @@ TEST_F(DiffCommand, NamesFilesFromTheFolderOfItsReport) {
             "../old/a%20b%3F%23%25%C3%A9%27.png");
 }
 
-TEST_F(DiffCommand, LeavesNoMapOfAnEarlierRun) {
+TEST_F(DiffCommand, RemovesMapsOfAnEarlierRun) {
   save(folder_ / "old/a.png", a_);
   save(folder_ / "new/a.png", grey({64, 48}, 200));
   EXPECT_EQ(diff({"old", "new", "--map", "maps"}).exitCode, 1);
@@ -305,19 +305,19 @@ TEST_F(DiffCommand, LeavesNoMapOfAnEarlierRun) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "maps/a.png"));
 }
 
-TEST_F(DiffCommand, SeesPngsWhateverTheCase) {
+TEST_F(DiffCommand, FindsPngsWithUpperCaseExtension) {
   save(folder_ / "old/X.PNG", a_);
   save(folder_ / "new/X.PNG", grey({64, 48}, 200));
   EXPECT_EQ(diff({"old", "new"}).exitCode, 1);
 }
 
-// Of 105 rows that are not identical the hundred worst have pictures in the page: those of another size and
-// without a partner, and the 97 pairs that differ most.
-TEST_F(DiffCommand, ReportsTheWorstOfManyPairs) {
+// In a report of 105 rows that are not identical, only the hundred worst embed pictures: the rows of another size
+// or without a partner, and the 97 pairs that differ most.
+TEST_F(DiffCommand, EmbedsOnlyTheHundredWorstPairsInTheReport) {
   for (int k = 0; k <= 101; ++k) {
     const std::string name = "p" + std::to_string(k) + ".png";
     save(folder_ / "old" / name, grey({4, 3}, 60));
-    save(folder_ / "new" / name, grey({4, 3}, 60 + k));  // p0 is identical
+    save(folder_ / "new" / name, grey({4, 3}, 60 + k));
   }
   save(folder_ / "old/size.png", grey({4, 3}, 60));
   save(folder_ / "new/size.png", grey({3, 4}, 60));
@@ -351,8 +351,7 @@ TEST_F(DiffCommand, ReportsTheWorstOfManyPairs) {
   EXPECT_EQ(entries["more.png"]["reference"], nullptr);
 }
 
-// Whoever may not read a file cannot know whose it is.
-TEST_F(DiffCommand, ReplacesNothingThatItCannotRead) {
+TEST_F(DiffCommand, DoesNotReplaceFilesThatItCannotRead) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root can become somebody else";
   folder_.put("s.toml", kGoodScene);
   EXPECT_EQ(run(folder_, {"render", "s.toml", "-o", "a.apng", "--frames", "0-1", "--quiet"}).exitCode, 0);
@@ -367,8 +366,8 @@ TEST_F(DiffCommand, ReplacesNothingThatItCannotRead) {
   EXPECT_EQ(bytesOf(folder_ / "d.csv"), "somebody's");
 }
 
-// What the page shows is tested in a browser (tests/golden/page_test.py), what the curve shows in
-// tests/compare/diff_curve_test.cpp.
+// tests/golden/page_test.py tests the content of the page in a browser; tests/compare/diff_curve_test.cpp tests
+// the curve.
 TEST_F(DiffCommand, ReplacesItsOwnReportsAndNothingElse) {
   folder_.put("s.toml", kGoodScene);
   EXPECT_EQ(run(folder_, {"render", "s.toml", "-o", "a.apng", "--frames", "0-3", "--quiet"}).exitCode, 0);
@@ -387,7 +386,7 @@ TEST_F(DiffCommand, ReplacesItsOwnReportsAndNothingElse) {
   EXPECT_EQ(diff({"a.png", "far.png", "--report", "r.html", "--force"}).exitCode, 1);
   const RunResult other = diff({"a.apng", "a.apng", "--curve", "c.png"});
   EXPECT_EQ(other.exitCode, 2);
-  EXPECT_THAT(other.err, HasSubstr("curve 'c.png': works: NAME.csv, NAME.svg"));
+  EXPECT_THAT(other.err, HasSubstr("curve 'c.png': must be named NAME.csv or NAME.svg"));
   EXPECT_EQ(diff({"a.apng", "a.apng", "--report", "a2.apng"}).exitCode, 2);
   const RunResult twice = diff({"a.apng", "a.apng", "--map", "m.png", "--diff-image", "./m.png"});
   EXPECT_EQ(twice.exitCode, 2);

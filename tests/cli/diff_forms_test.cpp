@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `poinsot diff` of pictures as other tools store them, of animations, and with places that are left out. All
-// files are written chunk by chunk, so that what is equal and what is not is known from the PNG specification.
+// Tests `poinsot diff` on pictures in the formats of other tools, on animations, and with ignored places. All
+// files are written chunk by chunk, so that the PNG specification decides which of them are equal.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -25,7 +25,7 @@ RawPng square(ColorType type, std::uint8_t depth = 8, std::vector<Bytes> chunks 
   return {kSide, kSide, depth, type, std::move(chunks)};
 }
 
-/// Samples of the square whose pixels are what `pixel` gives for their number.
+/// Returns the samples of a square picture; `pixel` returns the samples of one pixel from its index.
 template <class Pixel>
 Bytes samples(Pixel pixel) {
   Bytes all;
@@ -36,7 +36,7 @@ Bytes samples(Pixel pixel) {
 
 using Values = std::vector<int>;
 
-class DiffForms : public ::testing::Test {
+class DiffFormats : public ::testing::Test {
  protected:
   RunResult diff(std::vector<std::string> words) {
     words.insert(words.begin(), "diff");
@@ -51,7 +51,8 @@ class DiffForms : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-/// One picture of 16 greys in every form that can hold it, by what is said of that form.
+/// Returns one picture of 16 greys in every format that can hold it. The keys are the names that messages give to
+/// the formats.
 std::map<std::string, Bytes> formsOfOnePicture() {
   const auto level = [](int i) { return 17 * (i % 16); };
   Bytes colors, fourBits;
@@ -75,8 +76,8 @@ std::map<std::string, Bytes> formsOfOnePicture() {
   };
 }
 
-// Another way to store the same pixels, as lossless optimisers choose it, is refused by --exact only.
-TEST_F(DiffForms, StorageIsNoDifferenceOfPixels) {
+// Lossless optimisers choose another way to store the same pixels. Only --exact refuses that.
+TEST_F(DiffFormats, IgnoresTheStorageFormatWithoutOptionExact) {
   const auto forms = formsOfOnePicture();
   for (const auto& [name, bytes] : forms) save(name + ".png", bytes);
   for (const auto& [a, bytesA] : forms)
@@ -84,13 +85,13 @@ TEST_F(DiffForms, StorageIsNoDifferenceOfPixels) {
       const RunResult result = diff({a + ".png", b + ".png"});
       EXPECT_EQ(result.exitCode, 0) << a << " / " << b << result.err;
       EXPECT_EQ(result.out, a == b ? "identical\n"
-                                   : "identical\n  note               " + b + " beside " + a + ", same pixels\n");
+                                   : "identical\n  note               stored as " + b + " instead of " + a +
+                                         ", same pixels\n");
       EXPECT_EQ(diff({a + ".png", b + ".png", "--exact", "--quiet"}).exitCode, a == b ? 0 : 1);
     }
 }
 
-// Four bits of grey are the same 16 levels, but no other way to store eight of them.
-TEST_F(DiffForms, FiguresAreTheSameInEveryForm) {
+TEST_F(DiffFormats, GivesTheSameFiguresForEveryFormat) {
   auto forms = formsOfOnePicture();
   save("changed.png",
        pngBytes(square(kRgb), samples([](int i) { return Values(3, i == 40 ? 200 : 17 * (i % 16)); })));
@@ -106,18 +107,18 @@ TEST_F(DiffForms, FiguresAreTheSameInEveryForm) {
   }
 }
 
-TEST_F(DiffForms, FoldersSayOnceWhatIsStoredDifferently) {
+TEST_F(DiffFormats, NotesStorageDifferencesOfAFolderOnce) {
   const auto forms = formsOfOnePicture();
   for (const char* name : {"old/a.png", "old/b.png", "old/c.png", "new/c.png"}) save(name, forms.at("RGB"));
   for (const char* name : {"new/a.png", "new/b.png"}) save(name, forms.at("grey"));
   EXPECT_EQ(diff({"old", "new"}).out,
-            "identical: 3 identical\n  note: 2 of 3: grey beside RGB, same pixels (a.png, b.png)\n");
-  EXPECT_EQ(figures({"old", "new"})["pictures"][0]["notes"], json::array({"grey beside RGB, same pixels"}));
+            "identical: 3 identical\n  note: 2 of 3: stored as grey instead of RGB, same pixels (a.png, b.png)\n");
+  EXPECT_EQ(figures({"old", "new"})["pictures"][0]["notes"],
+            json::array({"stored as grey instead of RGB, same pixels"}));
   EXPECT_EQ(diff({"old", "new", "--exact", "--quiet"}).exitCode, 1);
 }
 
-// Nobody sees what stands under alpha 0.
-TEST_F(DiffForms, HiddenColoursAreNoDifference) {
+TEST_F(DiffFormats, IgnoresColoursOfTransparentPixels) {
   const auto hidden = [](int color) {
     return pngBytes(square(kRgba), samples([=](int i) {
                       return i < 64 ? Values{color, color, color, 0} : Values{9, 9, 9, 255};
@@ -128,9 +129,9 @@ TEST_F(DiffForms, HiddenColoursAreNoDifference) {
   EXPECT_EQ(diff({"black.png", "white.png"}).out, "identical\n");
 }
 
-// A quarter of a black picture became a hole: only alpha changed. With limits that leave the samples free, FLIP
-// still sees it, and so does the map.
-TEST_F(DiffForms, AHoleIsSeen) {
+// A quarter of a black picture became a hole: only alpha changed. Even with limits that allow any sample, FLIP and
+// its map show the hole.
+TEST_F(DiffFormats, DetectsAHoleInTheAlphaChannel) {
   const auto black = [](bool hole) {
     return pngBytes(square(kRgba), samples([=](int i) { return Values{0, 0, 0, hole && i < 64 ? 0 : 255}; }));
   };
@@ -145,14 +146,14 @@ TEST_F(DiffForms, AHoleIsSeen) {
     EXPECT_GE(figures({"none.png", map})["differing_pixels"], 64) << map;
 }
 
-TEST_F(DiffForms, NotesAnotherColourSpace) {
+TEST_F(DiffFormats, NotesThatColourSpacesDiffer) {
   const Bytes pixels(kSide * kSide * 3, 70);
   save("plain.png", pngBytes(square(kRgb), pixels));
   save("srgb.png", pngBytes(square(kRgb, 8, {pngChunk("sRGB", {0})}), pixels));
   save("p3.png", pngBytes(square(kRgb, 8, {pngChunk("cICP", {12, 13, 0, 1})}), pixels));
   EXPECT_EQ(diff({"plain.png", "srgb.png"}).out, "identical\n");
   const std::string said =
-      "identical\n  note               Display P3 (cICP) beside sRGB; both are compared as sRGB\n";
+      "identical\n  note               Display P3 (cICP) instead of sRGB; both are compared as sRGB\n";
   EXPECT_EQ(diff({"plain.png", "p3.png"}).out, said);
   EXPECT_EQ(diff({"srgb.png", "p3.png"}).out, said);
   EXPECT_EQ(diff({"p3.png", "p3.png"}).out, "identical\n");
@@ -164,8 +165,8 @@ Bytes animation(const std::vector<int>& levels, const std::vector<std::uint16_t>
   return apngBytes(square(kRgb), pictures, delays_ms);
 }
 
-// Only the third picture differs, which no reader of still pictures sees.
-TEST_F(DiffForms, AnAnimationIsOneWhateverItsName) {
+// Only the third frame differs, and readers of still pictures see only the first.
+TEST_F(DiffFormats, ComparesAllFramesOfAnAnimatedPng) {
   const std::vector<std::uint16_t> delays(4, 100);
   for (const char* name : {"a.png", "a.apng", "old/a.png"}) save(name, animation({10, 20, 30, 40}, delays));
   for (const char* name : {"b.png", "b.apng", "new/a.png"}) save(name, animation({10, 20, 200, 40}, delays));
@@ -185,7 +186,7 @@ TEST_F(DiffForms, AnAnimationIsOneWhateverItsName) {
   EXPECT_EQ(diff({"a.png", "nothere.png"}).exitCode, 4);
 }
 
-TEST_F(DiffForms, TimesOfFramesAreCompared) {
+TEST_F(DiffFormats, ComparesTimesOfFrames) {
   save("even.png", animation({10, 20, 30, 40}, {100, 100, 100, 100}));
   save("rest.png", animation({10, 20, 30, 40}, {100, 2000, 100, 100}));
   save("end.png", animation({10, 20, 30, 40}, {100, 100, 100, 2000}));
@@ -199,8 +200,7 @@ TEST_F(DiffForms, TimesOfFramesAreCompared) {
   EXPECT_EQ(diff({"even.png", "near.png"}).exitCode, 0);
 }
 
-// Frames that are all the same have pictures and maps too, where their times or their number differ.
-TEST_F(DiffForms, FilmsThatDifferInTimesOnlyHaveMapsAndPages) {
+TEST_F(DiffFormats, WritesMapsAndReportsIfOnlyTimesDiffer) {
   save("old/times.png", animation({10, 20, 30, 40}, {100, 100, 100, 100}));
   save("new/times.png", animation({10, 20, 30, 40}, {100, 2000, 100, 100}));
   save("old/count.png", animation({10, 20, 30, 40}, {100, 100, 100, 100}));
@@ -217,8 +217,8 @@ TEST_F(DiffForms, FilmsThatDifferInTimesOnlyHaveMapsAndPages) {
   }
 }
 
-// The picture that viewers without animation show stands before the first frame, and belongs to no frame.
-TEST_F(DiffForms, TheDefaultPictureOfAnAnimationIsCompared) {
+// The default image, which viewers without animation show, precedes the first frame and belongs to no frame.
+TEST_F(DiffFormats, ComparesTheDefaultPictureOfAnAnimation) {
   const auto withDefault = [](int level) {
     return apngBytes(square(kRgb), {Bytes(kSide * kSide * 3, 10), Bytes(kSide * kSide * 3, 20)}, {100, 100},
                      Bytes(kSide * kSide * 3, static_cast<std::uint8_t>(level)));
@@ -236,7 +236,7 @@ TEST_F(DiffForms, TheDefaultPictureOfAnAnimationIsCompared) {
   }
 }
 
-TEST_F(DiffForms, FoldersTakeNamesInCapitalsAndNameLinks) {
+TEST_F(DiffFormats, FindsUpperCaseNamesAndNotesLinksInFolders) {
   save("old/X.APNG", animation({10, 20}, {100, 100}));
   save("new/X.APNG", animation({10, 200}, {100, 100}));
   EXPECT_THAT(diff({"old", "new"}).out, StartsWith("different: 1 different\n"));
@@ -246,8 +246,7 @@ TEST_F(DiffForms, FoldersTakeNamesInCapitalsAndNameLinks) {
             "identical: 1 identical\n  note: new/link: is a link to a folder, which is not followed\n");
 }
 
-// Reports say what happened, too, and the exit code is that of a file that cannot be read.
-TEST_F(DiffForms, AnUnreadablePictureIsReported) {
+TEST_F(DiffFormats, ReportsAnUnreadablePicture) {
   save("a.png", pngBytes(square(kGrey), Bytes(256, 100)));
   folder_.put("torn.png", "version https://git-lfs.github.com/spec/v1\n");
   const RunResult result = diff({"torn.png", "a.png", "--json", "--junit", "j.xml", "--report", "r.html"});
@@ -256,13 +255,14 @@ TEST_F(DiffForms, AnUnreadablePictureIsReported) {
   EXPECT_EQ(made["verdict"], "error");
   EXPECT_EQ(made["size"], nullptr);
   EXPECT_EQ(made["channels"], nullptr);
-  EXPECT_THAT(bytesOf(folder_ / "j.xml"),
-              HasSubstr("<error type=\"error\" message=\"torn.png: not a readable PNG: it is a Git LFS pointer"));
+  EXPECT_THAT(
+      bytesOf(folder_ / "j.xml"),
+      HasSubstr("<error type=\"error\" message=\"torn.png: not a readable PNG: the file is a Git LFS pointer"));
   EXPECT_THAT(bytesOf(folder_ / "r.html"), HasSubstr("\"status\":\"error\""));
   EXPECT_EQ(diff({"torn.png", "a.png"}).out, "");
 }
 
-TEST_F(DiffForms, JsonOfFilmsNamesFrames) {
+TEST_F(DiffFormats, PrintsFirstAndWorstFrameOfFilmsAsJson) {
   save("old/a.png", animation({10, 20, 30, 40}, {100, 100, 100, 100}));
   save("new/a.png", animation({10, 20, 200, 250}, {100, 100, 100, 100}));
   const json pair = figures({"old", "new"})["pictures"][0]["film"], films = figures({"old/a.png", "new/a.png"});
@@ -276,8 +276,8 @@ TEST_F(DiffForms, JsonOfFilmsNamesFrames) {
   EXPECT_EQ(films["worst_frame"], 3);
 }
 
-// Frame 1 has the larger mean, and is within limits that frame 2 breaks by far: a bright dot.
-TEST_F(DiffForms, TheWorstFrameIsTheOneFarthestBeyondItsLimits) {
+// Frame 1 has the larger mean and is within the limits. A bright dot puts frame 2 far beyond the limits.
+TEST_F(DiffFormats, NamesTheFrameFarthestBeyondItsLimitsAsTheWorst) {
   std::vector<Bytes> before(3, Bytes(kSide * kSide * 3, 100)), after = before;
   for (auto& v : after[1]) v = 108;
   for (int c = 0; c < 3; ++c) after[2][static_cast<std::size_t>(c)] = 255;
@@ -291,9 +291,9 @@ TEST_F(DiffForms, TheWorstFrameIsTheOneFarthestBeyondItsLimits) {
   EXPECT_THAT(diff(words).out, HasSubstr("first      frame 2, at 0.200 s, is different"));
 }
 
-class DiffRules : public DiffForms {
+class DiffRules : public DiffFormats {
  protected:
-  /// The top row went from 100 to 200, and pixel (5, 9) from 100 to 104.
+  /// The top row goes from 100 to 200, and pixel (5, 9) from 100 to 104.
   DiffRules() {
     save("a.png", pngBytes(square(kRgb), Bytes(kSide * kSide * 3, 100)));
     save("b.png", pngBytes(square(kRgb), samples([](int i) {
@@ -304,7 +304,7 @@ class DiffRules : public DiffForms {
   }
 };
 
-TEST_F(DiffRules, IgnoredPlacesAreNotCompared) {
+TEST_F(DiffRules, IgnoredRegionsAreNotCompared) {
   EXPECT_EQ(diff({"a.png", "b.png"}).exitCode, 1);
   const json made = figures({"a.png", "b.png", "--ignore", "0,0,16,1"});
   EXPECT_EQ(made["differing_pixels"], 1);
@@ -317,7 +317,7 @@ TEST_F(DiffRules, IgnoredPlacesAreNotCompared) {
   EXPECT_EQ(figures({"a.png", "b.png", "--mask", "mask.png"})["differing_pixels"], 1);
 }
 
-TEST_F(DiffRules, WhatIgnoresWronglyIsRefused) {
+TEST_F(DiffRules, RejectInvalidIgnoredRegionsAndMasks) {
   save("small.png", pngBytes({8, 8, 8, kGrey, {}}, Bytes(64)));
   save("white.png", pngBytes(square(kGrey), Bytes(256, 255)));
   const auto error = [&](const std::vector<std::string>& more, int code = 2) {
@@ -339,8 +339,8 @@ TEST_F(DiffRules, WhatIgnoresWronglyIsRefused) {
   EXPECT_THAT(error({"--mask", "nothere.png"}, 4), HasSubstr("nothere.png"));
 }
 
-TEST_F(DiffRules, LevelsDoNotCountAsPixels) {
-  // 17 pixels differ; 16 by more than 4.
+TEST_F(DiffRules, CountOnlyPixelsBeyondTheLevel) {
+  // 17 pixels differ, 16 of them by more than 4.
   EXPECT_EQ(figures({"a.png", "b.png", "--level", "4"})["counted_pixels"], 16);
   const std::vector<std::string> free = {"a.png",       "b.png", "--max",      "0-255",
                                          "--flip-mean", "0-1",   "--flip-max", "0-1"};
@@ -356,7 +356,7 @@ TEST_F(DiffRules, LevelsDoNotCountAsPixels) {
   EXPECT_EQ(with("255", "0-3").exitCode, 2);
 }
 
-TEST_F(DiffRules, RulesHaveNames) {
+TEST_F(DiffRules, CanBeChosenByName) {
   save("one.png", pngBytes(square(kRgb), samples([](int i) { return Values(3, i == 7 ? 101 : 100); })));
   EXPECT_EQ(diff({"a.png", "one.png", "--rule", "same"}).exitCode, 1);
   EXPECT_EQ(diff({"a.png", "one.png", "--rule", "near"}).exitCode, 0);
@@ -369,10 +369,11 @@ TEST_F(DiffRules, RulesHaveNames) {
   EXPECT_EQ(driver["differing_share"], 1);
   EXPECT_EQ(driver["flip_mean"], 0.02);
   EXPECT_EQ(driver["flip_max"], 0.4);
-  EXPECT_THAT(diff({"a.png", "one.png", "--rule", "nere"}).err, HasSubstr("there are same, near, other_driver"));
+  EXPECT_THAT(diff({"a.png", "one.png", "--rule", "nere"}).err,
+              HasSubstr("known rules: same, near, other_driver"));
 }
 
-TEST_F(DiffRules, LimitsAreExplained) {
+TEST_F(DiffRules, ExplainInvalidLimits) {
   const auto error = [&](const char* option, const char* value) {
     const RunResult result = diff({"a.png", "b.png", option, value});
     EXPECT_EQ(result.exitCode, 2);
@@ -380,14 +381,14 @@ TEST_F(DiffRules, LimitsAreExplained) {
   };
   EXPECT_THAT(error("--pixels", "50%"), HasSubstr("write 0-50%: a limit is a range from 0"));
   EXPECT_THAT(error("--pixels", "50"), HasSubstr("write 0-50: a limit is a range from 0"));
-  EXPECT_THAT(error("--max", "0-50%"), HasSubstr("a share with % is for pixels only"));
+  EXPECT_THAT(error("--max", "0-50%"), HasSubstr("% is allowed for pixels only"));
   const RunResult all =
       diff({"a.png", "b.png", "--max", "0-255", "--pixels", "0-100%", "--flip-mean", "0-1", "--flip-max", "0-1"});
   EXPECT_EQ(all.exitCode, 2);
   EXPECT_THAT(all.err, HasSubstr("every picture would pass; lower at least one limit"));
 }
 
-TEST_F(DiffRules, NamesWhatIsMissing) {
+TEST_F(DiffRules, ReportMissingFilesAndFolders) {
   std::filesystem::create_directory(folder_ / "new");
   for (const auto& [a, b] :
        {std::pair("nothere", "new"), {"nothere.png", "a.png"}, {"new", "nothere"}, {"a.png", "nothere.mp4"}}) {
@@ -398,7 +399,7 @@ TEST_F(DiffRules, NamesWhatIsMissing) {
   }
 }
 
-class DiffReports : public DiffForms {
+class DiffReports : public DiffFormats {
  protected:
   DiffReports() {
     for (const char* name : {"old/same.png", "new/same.png", "old/x[1].png", "old/gone.png", "new/more.png"})
@@ -411,14 +412,14 @@ class DiffReports : public DiffForms {
   }
 };
 
-// The count of each element is that of the tests above; GitLab's form of attachments is from its documentation.
-TEST_F(DiffReports, AreReadByContinuousIntegration) {
+// The expected counts follow from the tests above. GitLab's documentation defines the form of attachments.
+TEST_F(DiffReports, AreWrittenAsJUnitAndMarkdown) {
   EXPECT_EQ(diff({"old", "new", "--map", "maps", "--junit", "j.xml", "--markdown", "m.md"}).exitCode, 1);
   const std::string xml = bytesOf(folder_ / "j.xml");
   EXPECT_THAT(xml, HasSubstr("tests=\"4\" failures=\"3\" errors=\"0\""));
   EXPECT_THAT(xml, HasSubstr("<failure type=\"different\" message=\"largest difference 80 (limit 2)"));
   EXPECT_THAT(xml, HasSubstr("approve by poinsot diff old new --update 'x[1].png'"));
-  EXPECT_THAT(xml, HasSubstr(">largest difference 80 (limit 2)"));  // GitLab shows no message attribute
+  EXPECT_THAT(xml, HasSubstr(">largest difference 80 (limit 2)"));  // GitLab does not show the message attribute
   const std::string here = std::filesystem::canonical(folder_.path()).string();
   EXPECT_THAT(xml, HasSubstr("<system-out>[[ATTACHMENT|" + here + "/new/x[1].png]]\n[[ATTACHMENT|" + here +
                              "/maps/x[1].png]]\n[[ATTACHMENT|" + here + "/old/x[1].png]]\n"));
@@ -431,11 +432,11 @@ TEST_F(DiffReports, AreReadByContinuousIntegration) {
   EXPECT_THAT(table, HasSubstr("| different | x&#91;1&#93;&#46;png | largest difference 80 "));
   EXPECT_THAT(table, HasSubstr("```sh\npoinsot diff old new --update "));
   EXPECT_EQ(diff({"old", "old", "--markdown", "m.md"}).exitCode, 0);
-  EXPECT_EQ(bytesOf(folder_ / "m.md"), table + "### old and old: passed\n\n3 identical\n");  // is added to
+  EXPECT_EQ(bytesOf(folder_ / "m.md"), table + "### old and old: passed\n\n3 identical\n");  // appended
 }
 
-// GitHub gives the summary of a step any name, so its variable says which file it is.
-TEST_F(DiffReports, AddMarkdownToNoFileOfAnotherKind) {
+// GitHub may give the step summary any name, so a variable names the file.
+TEST_F(DiffReports, AppendMarkdownOnlyToMarkdownFiles) {
   const std::string picture = bytesOf(folder_ / "new/x[1].png");
   folder_.put("film.mp4", picture);
   folder_.put("summary", "# Job\n");
@@ -471,10 +472,10 @@ TEST_F(DiffReports, ApprovePicturesByName) {
   EXPECT_THAT(made.out, StartsWith("old/x[1].png: approved, 256 pixels changed, largest 80"));
   EXPECT_EQ(bytesOf(folder_ / "old/x[1].png"), bytesOf(folder_ / "new/x[1].png"));
   const RunResult rest = approve("*");
-  EXPECT_EQ(rest.exitCode, 1);  // what is gone is not approved
+  EXPECT_EQ(rest.exitCode, 1);
   EXPECT_EQ(rest.out,
-            "missing    gone.png: only in the reference; if it is gone for good, remove "
-            "old/gone.png\nold/more.png: approved, the first of its test\n");
+            "missing    gone.png: only in the reference; if the new picture is gone for good, remove "
+            "old/gone.png\nold/more.png: approved as the first reference of its test\n");
   EXPECT_EQ(approve("same.png").out, "nothing to approve: all of these are identical\n");
 }
 

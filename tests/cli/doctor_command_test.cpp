@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `doctor` on this machine, as it is and with something taken away.
+// Tests `doctor` on this machine, complete and with parts taken away.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,26 +12,26 @@ namespace {
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 
-TEST(Doctor, MakesAFilmWhereAllIsWell) {
+TEST(Doctor, ReportsAWorkingMachineAndItsTestFilm) {
   const ScratchFolder folder;
   const auto result = run(folder, {"doctor"});
   EXPECT_EQ(result.exitCode, 0) << result.out << result.err;
   EXPECT_EQ(result.err, "");
   EXPECT_THAT(result.out, ContainsRegex("\nok      machine +[0-9]+ CPUs?, "));
-  EXPECT_THAT(result.out, ContainsRegex("\nok      test film +a second of 1280x720 in [0-9.]+ s\n"));
+  EXPECT_THAT(result.out, ContainsRegex("\nok      test film +one second of film at 1280x720 in [0-9.]+ s\n"));
   EXPECT_THAT(result.out, ContainsRegex("\nok      film h264 +NAME.mp4\n"));
   EXPECT_THAT(result.out, ContainsRegex("\nok      OpenGL " + backEndNames()[0] + " +llvmpipe"));
   EXPECT_TRUE(namesIn(folder.path()).empty());
 }
 
-TEST(Doctor, NamesWhatManyDoWithout) {
+TEST(Doctor, ReportsAnOptionalPartAsAbsent) {
   const ScratchFolder folder;
   const auto result = run(folder, {"doctor"}, Stdout::kFile, {"POINSOT_CACHE=off"});
   EXPECT_EQ(result.exitCode, 0) << result.out;
-  EXPECT_THAT(result.out, ContainsRegex("\nabsent  shader cache +there is none, .*\n.*POINSOT_CACHE"));
+  EXPECT_THAT(result.out, ContainsRegex("\nabsent  shader cache +none, .*\n.*POINSOT_CACHE"));
 }
 
-TEST(Doctor, SaysNoWhereNoFilmCanBeMade) {
+TEST(Doctor, ExitsWith1IfItCannotRenderAFilm) {
   const ScratchFolder folder;
   const auto result = run(folder, {"doctor"}, Stdout::kFile, {"TMPDIR=/nowhere"});
   EXPECT_EQ(result.exitCode, 1);

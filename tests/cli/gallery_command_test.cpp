@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `gallery` through the whole program, with tiny pictures: which scenes, which instants, the sheet, what goes
-// wrong.
+// Tests `gallery` through the whole program with tiny pictures: the scenes, the times, the sheet and the errors.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +25,7 @@ class GalleryCommand : public ::testing::Test {
     put("b", "");
   }
 
-  /// A good scene of 4 s; `time` are lines of its table [time].
+  /// Writes a valid scene of 4 s; `time` has lines for its table [time].
   void put(const std::string& name, const std::string& time) const {
     std::string scene = kGoodScene;
     const std::string table = "[time]\n";
@@ -54,8 +53,8 @@ TEST_F(GalleryCommand, MakesAPictureOfEveryScene) {
   EXPECT_THAT(namesIn(folder_ / "out" / "gallery"), ElementsAre("a.png", "b.png", "contact_sheet.png"));
 }
 
-// The oracle is `still` at the time in words: 1 s as the scene says, a third of 4 s where it says nothing.
-TEST_F(GalleryCommand, PicturesAreStillsAtTheTellingInstant) {
+// Oracle: `still` at the same time, which is 1 s if the scene sets `still` and a third of 4 s otherwise.
+TEST_F(GalleryCommand, DrawsStillsAtTheDefaultTime) {
   good({"gallery", "-o", "g", "--quiet"});
   good({"still", "scenes/a.toml", "--time", "1", "-o", "a.png"});
   good({"still", "scenes/b.toml", "--time", "1.3333333333333333", "-o", "b.png"});
@@ -68,22 +67,22 @@ TEST_F(GalleryCommand, PicturesAreStillsAtTheTellingInstant) {
   EXPECT_FALSE(bytes("g/a.png") == bytes("g/b.png"));
 }
 
-// By pixels: a picture also says in words which scene it is of.
-TEST_F(GalleryCommand, AStillAfterTheEndIsTheEnd) {
+// Compares pixels, because the metadata of a picture names its scene.
+TEST_F(GalleryCommand, DrawsTheEndOfTheFilmIfTimeStillIsLater) {
   put("late", "still = 3600\n");
   good({"still", "scenes/late.toml", "-o", "late.png"});
   good({"still", "scenes/a.toml", "--time", "4", "-o", "end.png"});
   EXPECT_EQ(image::readPng(folder_ / "late.png"), image::readPng(folder_ / "end.png"));
 }
 
-TEST_F(GalleryCommand, WorkersDoNotChangeAByte) {
+TEST_F(GalleryCommand, WritesTheSameBytesWithAnyNumberOfWorkers) {
   good({"gallery", "-o", "one", "-j", "1"});
   good({"gallery", "-o", "five", "-j", "5"});
   for (const char* name : {"a.png", "b.png", "contact_sheet.png"})
     EXPECT_TRUE(bytes(std::string("one/") + name) == bytes(std::string("five/") + name)) << name;
 }
 
-TEST_F(GalleryCommand, ChoosesScenes) {
+TEST_F(GalleryCommand, DrawsOnlyTheChosenScenes) {
   good({"gallery", "--only", "b", "-o", "g", "--no-sheet"});
   EXPECT_THAT(namesIn(folder_ / "g"), ElementsAre("b.png"));
   good({"gallery", "scenes/a.toml", "-o", "h", "--size", "48x28"});
@@ -94,7 +93,7 @@ TEST_F(GalleryCommand, ChoosesScenes) {
   EXPECT_THAT(wrong.err, HasSubstr("--only bb: no such scene; did you mean 'b'?"));
 }
 
-TEST_F(GalleryCommand, OneBadSceneStopsNoOther) {
+TEST_F(GalleryCommand, DrawsOtherScenesIfOneIsInvalid) {
   folder_.put("scenes/aa_bad.toml", "schema = 1\n[body]\nprincipal_moments = [1, 2, 9]\n");
   const auto result = run(folder_, {"gallery", "-o", "g"});
   EXPECT_EQ(result.exitCode, 2);
@@ -102,7 +101,7 @@ TEST_F(GalleryCommand, OneBadSceneStopsNoOther) {
   EXPECT_THAT(namesIn(folder_ / "g"), ElementsAre("a.png", "b.png", "contact_sheet.png"));
 }
 
-TEST_F(GalleryCommand, AForeignFileIsNotReplaced) {
+TEST_F(GalleryCommand, DoesNotReplaceAForeignFile) {
   std::filesystem::create_directory(folder_ / "g");
   folder_.put("g/a.png", "a letter");
   const auto result = run(folder_, {"gallery", "-o", "g"});
@@ -112,24 +111,24 @@ TEST_F(GalleryCommand, AForeignFileIsNotReplaced) {
   EXPECT_THAT(namesIn(folder_ / "g"), ElementsAre("a.png", "b.png", "contact_sheet.png"));
 }
 
-TEST_F(GalleryCommand, SaysWhatIsMissing) {
+TEST_F(GalleryCommand, ReportsMissingScenesAndDuplicateNames) {
   std::filesystem::create_directory(folder_ / "empty");
-  EXPECT_THAT(run(folder_, {"gallery", "empty"}).err, HasSubstr("empty: no scene (NAME.toml) is there"));
+  EXPECT_THAT(run(folder_, {"gallery", "empty"}).err, HasSubstr("empty: contains no scene (NAME.toml)"));
   EXPECT_EQ(run(folder_, {"gallery", "nowhere.toml"}).exitCode, 2);
   EXPECT_THAT(run(folder_, {"gallery", "scenes", "scenes/a.toml"}).err, HasSubstr("another picture"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / "gallery" / "a.png"));
 }
 
-TEST_F(GalleryCommand, DryRunMakesNothing) {
+TEST_F(GalleryCommand, WritesNothingInADryRun) {
   const auto result = good({"gallery", "--dry-run"});
   EXPECT_THAT(result.out, AllOf(HasSubstr("out/gallery/a.png: scenes/a.toml at 1 s of film\n"),
                                 HasSubstr("out/gallery/contact_sheet.png\n")));
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre("scenes"));
 }
 
-// Each picture is in the sheet, one beside the other: its light, averaged, where its place is, and tinted paper
-// around it (ink 0x2B2F36 at 6 % on white is 0xF8 in sRGB or darker, white is 0xFF).
-TEST_F(GalleryCommand, TheSheetHoldsThePicturesWithAirAround) {
+// The sheet has each picture at its place, averaged in linear light, and tinted paper around the pictures. Ink
+// 0x2B2F36 at 6 % on white is 0xF8 or darker in sRGB; white is 0xFF.
+TEST_F(GalleryCommand, DrawsTheContactSheetWithMargins) {
   good({"gallery", "-o", "g"});
   const auto sheet = image::readPng(folder_ / "g" / "contact_sheet.png");
   EXPECT_EQ(sheet.size, (image::PixelSize{2 * 480 + 3 * 40, 270 + 60 + 2 * 40}));
@@ -137,19 +136,19 @@ TEST_F(GalleryCommand, TheSheetHoldsThePicturesWithAirAround) {
   EXPECT_THAT(paper, ::testing::Each(AllOf(::testing::Gt(235), ::testing::Lt(255))));
   for (int x = 0; x < sheet.size.width; ++x)
     EXPECT_EQ(std::vector<int>(sheet.at(x, 20), sheet.at(x, 20) + 3), paper) << x;
-  const auto picture = image::readPng(folder_ / "g" / "a.png");  // 160x90: not enlarged, in the middle of its cell
+  const auto picture = image::readPng(folder_ / "g" / "a.png");  // 160x90: not enlarged, centred in its cell
   for (int y = 0; y < picture.size.height; ++y)
     for (int x = 0; x < picture.size.width; ++x)
       for (int c = 0; c < 3; ++c)
         ASSERT_EQ(sheet.at(40 + 160 + x, 40 + 90 + y)[c], picture.at(x, y)[c]) << x << " " << y;
-  int ink = 0;  // the name under the first picture
+  int ink = 0;  // pixels of the name under the first picture
   for (int y = 40 + 270; y < 40 + 270 + 60; ++y)
     for (int x = 40; x < 40 + 480; ++x) ink += sheet.at(x, y)[0] < 200 ? 1 : 0;
   EXPECT_GT(ink, 20) << "an a of 24 pixels";  // measured 48
 }
 
-// The golden suite draws the scenes that are the same today.
-TEST_F(GalleryCommand, ChecksAndDrawsReleasedScenes) {
+// The golden suite draws the scenes that are unchanged since the release.
+TEST_F(GalleryCommand, DrawsScenesOfTheFirstRelease) {
   namespace fs = std::filesystem;
   const fs::path source = POINSOT_SOURCE_DIR;
   std::vector<std::string> check{"check"}, draw{"gallery"}, names;

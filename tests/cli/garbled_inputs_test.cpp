@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that were cut off or damaged, by every command that reads them: refused with a word, and nothing lost (row
-// F4 of the promises in SECURITY.md). What each reader makes of every byte is tested beside it (Fuzz, MeshFuzz,
-// Png).
+// Every command refuses truncated or damaged files with a message, and nothing is lost (row F4 of the promises in
+// SECURITY.md). The tests of each reader try damage at every byte (Fuzz, MeshFuzz, Png).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +12,7 @@ namespace {
 using testing::AnyOf;
 using testing::HasSubstr;
 
-class Garbled : public testing::Test {
+class DamagedInput : public testing::Test {
  protected:
   void SetUp() override { folder_.put("s.toml", kGoodScene); }
 
@@ -22,7 +21,8 @@ class Garbled : public testing::Test {
     ASSERT_EQ(made.exitCode, 0) << made.err;
   }
 
-  /// Of the file, at so many places: all before it, and all with a byte there turned.
+  /// Returns damaged copies of a file. At each of `places` positions, one copy is cut off and one has a changed
+  /// byte.
   std::vector<std::string> damaged(const std::string& name, std::size_t places) const {
     const std::string whole = bytesOf(folder_ / name);
     std::vector<std::string> texts;
@@ -39,7 +39,7 @@ class Garbled : public testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(Garbled, ScenesAreRefusedAtALine) {
+TEST_F(DamagedInput, SceneIsRejectedWithTheLine) {
   const auto texts = damaged("s.toml", 40);
   int refused = 0;
   for (const std::string& text : texts) {
@@ -53,7 +53,7 @@ TEST_F(Garbled, ScenesAreRefusedAtALine) {
   EXPECT_GT(refused, 20);
 }
 
-TEST_F(Garbled, PicturesAreRefused) {
+TEST_F(DamagedInput, PictureIsRejected) {
   make({"still", "s.toml", "-o", "a.png", "--size", "64x36", "--quiet"});
   for (const std::string& bytes : damaged("a.png", 25)) {
     folder_.put("b.png", bytes);
@@ -63,8 +63,7 @@ TEST_F(Garbled, PicturesAreRefused) {
   }
 }
 
-// A turned byte of a stream may be a picture still, another one.
-TEST_F(Garbled, FilmsAreRefusedOrDiffer) {
+TEST_F(DamagedInput, FilmGetsAVerdictOrAnError) {
   make({"render", "s.toml", "-o", "a.mp4", "--size", "64x36", "--frames", "0-5", "--quiet"});
   for (const std::string& bytes : damaged("a.mp4", 25)) {
     folder_.put("b.mp4", bytes);
@@ -76,7 +75,7 @@ TEST_F(Garbled, FilmsAreRefusedOrDiffer) {
   }
 }
 
-TEST_F(Garbled, TablesAreRefusedAtALineOrGraded) {
+TEST_F(DamagedInput, TableIsRejectedOrGraded) {
   make({"trajectory", "s.toml", "--rate", "5", "-o", "a.csv"});
   for (const std::string& text : damaged("a.csv", 25)) {
     folder_.put("b.csv", text);
@@ -88,7 +87,7 @@ TEST_F(Garbled, TablesAreRefusedAtALineOrGraded) {
   }
 }
 
-TEST_F(Garbled, SuitesAreRefusedAtALine) {
+TEST_F(DamagedInput, GoldenTomlIsRejected) {
   folder_.put("golden.toml", "size = [64, 36]\n[[test]]\nname = 'one'\nscene = 's.toml'\ntimes = [0.5, 1]\n");
   for (const std::string& text : damaged("golden.toml", 25)) {
     folder_.put("g.toml", text);
@@ -100,8 +99,8 @@ TEST_F(Garbled, SuitesAreRefusedAtALine) {
   }
 }
 
-// What a killed render left may be damaged; another render begins anew then, with the same bytes.
-TEST_F(Garbled, WorkFoldersAreNotBelieved) {
+// If a killed render left damaged files, the next render starts anew and makes the same bytes.
+TEST_F(DamagedInput, SegmentsAreRenderedAgain) {
   const std::vector<std::string> words{"render",   "s.toml",   "-o",        "a.mp4",   "--size",
                                        "64x36",    "--frames", "0-5",       "--quiet", "--keep",
                                        "--resume", "--force",  "--segment", "3"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `poinsot golden` and `diff`: what is approved, by which command, for which variant, and what reports say of it.
+// Tests approval by `poinsot golden` and `diff`: the approved pictures, the printed command, variants and reports.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,15 +14,14 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-constexpr const char* kStorage = "RGB beside grey, same pixels; --exact asks for the same storage";
+constexpr const char* kStorage = "stored as RGB instead of grey, same pixels; --exact requires the same storage";
 
 class GoldenApproval : public GoldenImagesFixture {
  protected:
-  /// One test, `s`, of new.png.
   void suite(const std::string& more = "") { manifest("[[test]]\nname = 's'\nimage = 'new.png'\n" + more); }
 };
 
-TEST_F(GoldenApproval, NamesStorageAsTheReasonAndApprovesItWithExact) {
+TEST_F(GoldenApproval, ApprovesAnotherStorageFormatWithOptionExact) {
   save("new.png", flat(90));
   suite();
   approve();
@@ -33,15 +32,16 @@ TEST_F(GoldenApproval, NamesStorageAsTheReasonAndApprovesItWithExact) {
   EXPECT_THAT(exact.out, AllOf(StartsWith(std::string("identical  s: ") + kStorage + "\n"),
                                HasSubstr("approve it: poinsot golden golden.toml --exact --update --only s\n")));
   EXPECT_THAT(bytesOf(folder_ / "j.xml"), HasSubstr(std::string("message=\"") + kStorage + "\""));
-  EXPECT_THAT(bytesOf(folder_ / "m.md"), HasSubstr("RGB beside grey, same pixels; &#45;&#45;exact asks"));
-  approve();  // asks for pixels only
+  EXPECT_THAT(bytesOf(folder_ / "m.md"),
+              HasSubstr("stored as RGB instead of grey, same pixels; &#45;&#45;exact requires"));
+  approve();  // compares pixels only, without --exact
   EXPECT_EQ(golden({"--exact"}).exitCode, 1);
   EXPECT_EQ(golden({"--exact", "--update", "--only", "s"}).out,
-            "ref/s.png: approved, RGB beside grey, same pixels\n");
+            "ref/s.png: approved, stored as RGB instead of grey, same pixels\n");
   EXPECT_EQ(golden({"--exact"}).out, "1 identical\n");
 }
 
-TEST_F(GoldenApproval, CopiesStorageOfPairsWithExact) {
+TEST_F(GoldenApproval, ApprovesAnotherStorageFormatInDiffExact) {
   save("r/a.png", flat(90));
   save("t/a.png", flatRgb(90));
   EXPECT_EQ(poinsot({"diff", "r", "t", "--exact", "--junit", "j.xml"}).exitCode, 1);
@@ -49,12 +49,12 @@ TEST_F(GoldenApproval, CopiesStorageOfPairsWithExact) {
               AllOf(HasSubstr(kStorage), HasSubstr("approve by poinsot diff r t --exact --update a.png\n")));
   EXPECT_THAT(poinsot({"diff", "r", "t", "--update", "*"}).out, StartsWith("nothing to approve"));
   EXPECT_EQ(poinsot({"diff", "r", "t", "--exact", "--update", "a.png"}).out,
-            "r/a.png: approved, RGB beside grey, same pixels\n");
+            "r/a.png: approved, stored as RGB instead of grey, same pixels\n");
   EXPECT_EQ(poinsot({"diff", "r", "t", "--exact"}).exitCode, 0);
 }
 
-// The printed command must not remove what was approved for the other variants, and must look as the run did.
-TEST_F(GoldenApproval, PrintsACommandThatRepeatsWhatMatters) {
+// The printed command must keep the references of other variants and must repeat the options of the run.
+TEST_F(GoldenApproval, PrintsACommandWithTheOptionsOfTheRun) {
   save("new.png", flat(90));
   suite();
   approve();
@@ -73,20 +73,20 @@ TEST_F(GoldenApproval, PrintsACommandThatRepeatsWhatMatters) {
   EXPECT_EQ(golden().out, "2 identical\n");
 }
 
-TEST_F(GoldenApproval, KnowsTheVariantsOfAllCases) {
+TEST_F(GoldenApproval, RejectsAVariantThatNoTestHas) {
   save("new.png", flat(90));
   suite("variant = 'mesa'\n");
   approve();
   const std::string second = "[[test]]\nname = 'b'\nimage = 'new.png'\nvariant = '";
   suite("variant = 'soft'\n" + second + "mesa'\n");
-  folder_.put("ref/b.png", bytesOf(folder_ / "ref/s.png"));  // known to be of no variant
+  folder_.put("ref/b.png", bytesOf(folder_ / "ref/s.png"));  // has no description, so no variant
   EXPECT_EQ(golden({"--only", "s"}).exitCode, 2);
   suite("variant = 'mesa'\n" + second + "mesa'\n");
   EXPECT_EQ(golden().out, "2 identical\n");
   EXPECT_EQ(golden({"--only", "b"}).out, "1 identical\n");
 }
 
-TEST_F(GoldenApproval, RejectsVariantsWhoseFileIsThatOfAnother) {
+TEST_F(GoldenApproval, RejectsAVariantWithTheFileNameOfAnother) {
   save("new.png", flat(90));
   suite();
   approve();
@@ -97,11 +97,11 @@ TEST_F(GoldenApproval, RejectsVariantsWhoseFileIsThatOfAnother) {
   const RunResult refused = golden({"--update", "--beside", "--variant", "mesa_1"});
   EXPECT_EQ(refused.exitCode, 2);
   EXPECT_THAT(refused.err,
-              HasSubstr("ref/s@mesa_1.png: is the reference of 'mesa 1', and that of 'mesa_1' would"));
+              HasSubstr("ref/s@mesa_1.png: is the reference of 'mesa 1'; the reference of 'mesa_1' would"));
   EXPECT_EQ(bytesOf(folder_ / "ref/s@mesa_1.png"), first);
 }
 
-TEST_F(GoldenApproval, LeavesNoReportsOfAnEarlierRun) {
+TEST_F(GoldenApproval, RemovesReportsOfAnEarlierRun) {
   save("new.png", flat(90));
   suite();
   approve();
@@ -116,7 +116,7 @@ TEST_F(GoldenApproval, LeavesNoReportsOfAnEarlierRun) {
   EXPECT_EQ(bytesOf(folder_ / "j.xml"), "<theirs/>");
 }
 
-TEST_F(GoldenApproval, WritesNoReports) {
+TEST_F(GoldenApproval, RejectsReportOptions) {
   save("new.png", flat(90));
   suite();
   for (const char* option : {"--junit", "--report", "--markdown", "--outcome"}) {
@@ -130,7 +130,7 @@ TEST_F(GoldenApproval, WritesNoReports) {
   EXPECT_FALSE(fs::exists(folder_ / "ref"));
 }
 
-TEST_F(GoldenApproval, SaysWhatToDoAboutATornReference) {
+TEST_F(GoldenApproval, ExplainsHowToRepairATruncatedReference) {
   save("new.png", flat(90));
   suite();
   approve();

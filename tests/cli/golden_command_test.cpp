@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `poinsot golden` through the life of a suite: new, approved, passed, changed, approved again.
+// Tests `poinsot golden` through the life of a suite: new, approved, passed, changed, approved again.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -43,8 +43,8 @@ class GoldenCommand : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-// A scene that cannot be drawn is no result, which --quiet leaves out.
-TEST_F(GoldenCommand, QuietReportsTestsThatCouldNotRun) {
+// A scene that cannot be drawn is an error, and --quiet leaves out results only.
+TEST_F(GoldenCommand, PrintsErrorsOfTestsDespiteOptionQuiet) {
   approve();
   EXPECT_EQ(golden({"--quiet"}).err, "");
   folder_.put("s.toml", "[body]\n");
@@ -55,11 +55,11 @@ TEST_F(GoldenCommand, QuietReportsTestsThatCouldNotRun) {
   EXPECT_THAT(quiet.err, HasSubstr("s.toml:1:1"));
 }
 
-TEST_F(GoldenCommand, GoesThroughTheLifeOfASuite) {
+TEST_F(GoldenCommand, ReportsNewApprovedAndChangedPictures) {
   const RunResult first = golden();
   EXPECT_EQ(first.exitCode, 1);
   EXPECT_THAT(first.out, StartsWith("new        s: nothing was approved yet"));
-  EXPECT_EQ(golden({"--update"}).out, "golden/s.png: approved, the first of its test\n");
+  EXPECT_EQ(golden({"--update"}).out, "golden/s.png: approved as the first reference of its test\n");
   EXPECT_EQ(golden().out, "1 identical\n");
   EXPECT_EQ(golden({"--exact"}).exitCode, 0);
 
@@ -77,11 +77,11 @@ TEST_F(GoldenCommand, GoesThroughTheLifeOfASuite) {
 TEST_F(GoldenCommand, ApprovesNothingInCi) {
   const RunResult refused = golden({"--update"}, {"CI=true"});
   EXPECT_EQ(refused.exitCode, 2);
-  EXPECT_THAT(refused.err, HasSubstr("nothing is approved where the environment says CI"));
+  EXPECT_THAT(refused.err, HasSubstr("not possible while the environment variable CI is set"));
   EXPECT_FALSE(fs::exists(folder_ / "golden"));
 }
 
-TEST_F(GoldenCommand, KeepsWhatAPictureWasMadeWith) {
+TEST_F(GoldenCommand, RecordsRendererSoftwareAndSceneOfAReference) {
   approve();
   const auto origin = nlohmann::json::parse(bytesOf(folder_ / "golden/s.json"));
   EXPECT_THAT(origin["renderer"].get<std::string>(), StartsWith("llvmpipe"));
@@ -89,8 +89,8 @@ TEST_F(GoldenCommand, KeepsWhatAPictureWasMadeWith) {
   EXPECT_EQ(origin["scene"].get<std::string>().size(), 64u);
 }
 
-// Another program's file says nothing of the picture beside it.
-TEST_F(GoldenCommand, ComparesWithAPictureBesideAJsonOfOthers) {
+// A JSON file of another program does not describe the picture beside it.
+TEST_F(GoldenCommand, IgnoresAForeignJsonNextToAReference) {
   approve();
   folder_.put("golden/s.json", "[1]");
   EXPECT_EQ(golden().out, "1 identical\n");
@@ -98,8 +98,8 @@ TEST_F(GoldenCommand, ComparesWithAPictureBesideAJsonOfOthers) {
   EXPECT_EQ(golden().exitCode, 1);
 }
 
-// It may be the parameters of the user's own program.
-TEST_F(GoldenCommand, ReplacesNoJsonOfTheUsersUnlessForced) {
+// The file may hold the parameters of the user's own program.
+TEST_F(GoldenCommand, ReplacesAForeignJsonOnlyWithForce) {
   fs::create_directory(folder_ / "golden");
   folder_.put("golden/s.json", "{\"renderer\": \"mine\", \"gain\": 3}");
   const RunResult refused = golden({"--update"});
@@ -114,14 +114,15 @@ TEST_F(GoldenCommand, ReplacesNoJsonOfTheUsersUnlessForced) {
   EXPECT_THAT(bytesOf(folder_ / "golden/s.json"), HasSubstr("llvmpipe"));
 }
 
-// Where an approved picture is of this renderer, only that counts; else any of those approved.
-TEST_F(GoldenCommand, ComparesWithItsOwnRenderersPicture) {
+// If there is a reference by the same renderer, only that reference counts. Otherwise any approved reference
+// counts.
+TEST_F(GoldenCommand, PrefersTheReferenceOfTheSameRenderer) {
   approve();
   const auto ours = nlohmann::json::parse(bytesOf(folder_ / "golden/s.json"));
   auto theirs = ours;
   theirs["renderer"] = "softpipe";
   folder_.put("golden/s.json", theirs.dump());
-  EXPECT_EQ(golden().exitCode, 0);  // of another, and the same
+  EXPECT_EQ(golden().exitCode, 0);  // reference of another renderer, same pixels
 
   folder_.put("s.toml", std::string(kGoodScene) + "[style]\ntheme = 'dark'\n");
   EXPECT_EQ(golden().exitCode, 1);
@@ -130,19 +131,19 @@ TEST_F(GoldenCommand, ComparesWithItsOwnRenderersPicture) {
   EXPECT_TRUE(fs::exists(folder_ / "golden/s.png"));
   EXPECT_EQ(golden().out, "1 identical\n");
   folder_.put("s.toml", kGoodScene);
-  EXPECT_EQ(golden().exitCode, 1);  // as the other's still is
+  EXPECT_EQ(golden().exitCode, 1);  // only the other renderer's reference has this look
 
   folder_.put("golden/s.json", theirs.dump());
   fs::remove(folder_ / "golden/s@llvmpipe_LLVM_15.0.6_128_bits.png");
   for (const auto& entry : fs::directory_iterator(folder_ / "golden"))
     if (entry.path().filename().native().find('@') != std::string::npos) fs::remove(entry.path());
   folder_.put("s.toml", std::string(kGoodScene) + "[style]\ntheme = 'dark'\n");
-  approve();  // in place of all
+  approve();  // replaces all references
   EXPECT_EQ(nlohmann::json::parse(bytesOf(folder_ / "golden/s.json"))["renderer"], ours["renderer"]);
 }
 
-// What was approved of others was approved for a scene that is no more.
-TEST_F(GoldenCommand, ApprovingAnotherSceneRemovesWhatWasApprovedOfTheOld) {
+// References of other renderers show the old scene.
+TEST_F(GoldenCommand, RemovesReferencesOfAnEarlierSceneOnUpdate) {
   approve();
   const std::string old = bytesOf(folder_ / "golden/s.png");
   auto theirs = nlohmann::json::parse(bytesOf(folder_ / "golden/s.json"));
@@ -159,7 +160,7 @@ TEST_F(GoldenCommand, ApprovingAnotherSceneRemovesWhatWasApprovedOfTheOld) {
   EXPECT_FALSE(fs::exists(folder_ / "golden/s@softpipe.json"));
 }
 
-TEST_F(GoldenCommand, WritesNothingOverWhatIsNotItsOwn) {
+TEST_F(GoldenCommand, DoesNotOverwriteReferencesOrForeignFiles) {
   approve();
   const std::string approved = bytesOf(folder_ / "golden/s.png");
   folder_.put("s.toml", std::string(kGoodScene) + "[style]\ntheme = 'dark'\n");
@@ -185,17 +186,17 @@ TEST_F(GoldenCommand, WritesNothingOverWhatIsNotItsOwn) {
   EXPECT_EQ(bytesOf(folder_ / "pictures/s.png"), "somebody's");
 }
 
-TEST_F(GoldenCommand, KnowsNoRendererOfPicturesOfOthers) {
+TEST_F(GoldenCommand, RejectsOptionBesideForPicturesOfOtherPrograms) {
   saveFlat("theirs.png", 90);
   folder_.put("golden.toml", "[[test]]\nimage = 'theirs.png'\n");
   approve();
   const RunResult refused = golden({"--update", "--beside"});
   EXPECT_EQ(refused.exitCode, 2);
-  EXPECT_THAT(refused.err, HasSubstr("--beside: theirs: of a picture that another program made"));
+  EXPECT_THAT(refused.err, HasSubstr("--beside: theirs: another program made this picture"));
   EXPECT_EQ(golden({"--beside"}).exitCode, 2);
 }
 
-TEST_F(GoldenCommand, TakesTimesPatternsAndPicturesOfOthers) {
+TEST_F(GoldenCommand, RunsTestsOfTimesPatternsAndForeignPictures) {
   fs::create_directory(folder_ / "scenes");
   folder_.put("scenes/one.toml", kGoodScene);
   folder_.put("scenes/two.toml", kGoodScene);
@@ -229,7 +230,7 @@ TEST_F(GoldenCommand, ComparesTheSheetOfASweep) {
   EXPECT_EQ(image::readPng(folder_ / "golden/sheet.png").pixels, image::readPng(folder_ / "sheet.png").pixels);
 }
 
-TEST_F(GoldenCommand, HoldsTimesToTheFilm) {
+TEST_F(GoldenCommand, RejectsTimesOutsideTheFilm) {
   folder_.put("golden.toml", "[[test]]\nscene = 's.toml'\nsize = [64, 36]\ntimes = [0.5, 50]\n");
   const RunResult result = golden();
   EXPECT_EQ(result.exitCode, 1);
@@ -237,13 +238,13 @@ TEST_F(GoldenCommand, HoldsTimesToTheFilm) {
   EXPECT_THAT(result.out, HasSubstr("new        s_t0.5"));
   const RunResult other = golden({"--only", "zzz"});
   EXPECT_EQ(other.exitCode, 2);
-  EXPECT_THAT(other.err, HasSubstr("zzz: no such test; there are s_t0.5, s, s_t50"));
+  EXPECT_THAT(other.err, HasSubstr("zzz: no such test; known tests: s_t0.5, s, s_t50"));
 }
 
-TEST_F(GoldenCommand, TellsWhatNoTestMakesAndWhatIsNotThere) {
+TEST_F(GoldenCommand, ReportsUnusedReferencesAndMissingPictures) {
   approve();
   saveFlat("golden/gone.png", 1);
-  EXPECT_THAT(golden().out, HasSubstr("unused     gone: approved, and no test makes it: remove golden/gone.png"));
+  EXPECT_THAT(golden().out, HasSubstr("unused     gone: approved, but no test makes it; remove golden/gone.png"));
   folder_.put("golden.toml", "[[test]]\nimage = 'nothing.png'\n");
   const RunResult missing = golden();
   EXPECT_EQ(missing.exitCode, 1);
@@ -254,12 +255,13 @@ TEST_F(GoldenCommand, TellsWhatNoTestMakesAndWhatIsNotThere) {
   EXPECT_THAT(wrong.out,
               HasSubstr("error      s_t0: s.toml:2:1: error: body.principal_moment: unknown key; did you "
                         "mean body.principal_moments?"));
-  EXPECT_THAT(wrong.out, HasSubstr("\nerror      s_t0.5: the same\n"));
+  EXPECT_THAT(wrong.out, HasSubstr("\n"
+                                   "error      s_t0.5: same error as above\n"));
   EXPECT_THAT(wrong.out,
-              HasSubstr("unused     gone: approved, and no test makes it: first mend what is in error\n"));
+              HasSubstr("unused     gone: approved, but no test makes it; first fix the tests with errors\n"));
 }
 
-TEST_F(GoldenCommand, HasItsOwnRulesWithReasons) {
+TEST_F(GoldenCommand, AppliesTheRuleOfATestAndPrintsItsReason) {
   saveFlat("theirs.png", 90);
   folder_.put("golden.toml", "[[test]]\nimage = 'theirs.png'\n");
   approve();
@@ -274,7 +276,7 @@ TEST_F(GoldenCommand, HasItsOwnRulesWithReasons) {
   EXPECT_EQ(golden({"--exact"}).exitCode, 1);
 }
 
-TEST_F(GoldenCommand, SaysWhereAManifestIsWrong) {
+TEST_F(GoldenCommand, ReportsLineOfMistakesInTheManifest) {
   const auto refusal = [&](const std::string& text) {
     folder_.put("golden.toml", text);
     const RunResult result = golden();
@@ -282,7 +284,7 @@ TEST_F(GoldenCommand, SaysWhereAManifestIsWrong) {
     return result.err;
   };
   EXPECT_THAT(refusal("[[test]]\nscene = 's.toml'\nrule = { max = '0-9' }\n"),
-              HasSubstr("golden.toml:3:8: error: test.rule: expected a reason beside the limits"));
+              HasSubstr("golden.toml:3:8: error: test.rule: expected the key reason beside the limits"));
   EXPECT_THAT(refusal("[[test]]\nscene = 's.toml'\nrule = { max = '3', reason = 'x' }\n"),
               HasSubstr("golden.toml:3:16: error: test.rule.max: a limit '3': write 0-3"));
   EXPECT_EQ(refusal("[[test]]\nscene = 's.toml'\nrule = 3\n"),
@@ -290,27 +292,28 @@ TEST_F(GoldenCommand, SaysWhereAManifestIsWrong) {
   EXPECT_THAT(refusal("[[test]]\nscen = 's.toml'\n"),
               HasSubstr("test.scen: unknown key; did you mean test.scene?"));
   EXPECT_THAT(refusal("[[test]]\nname = '../x'\nscene = 's.toml'\n"),
-              HasSubstr("a name must be that of a file below the references"));
+              HasSubstr("must be a relative path of at most 200 printable characters"));
   EXPECT_THAT(refusal("[[test]]\nscene = 's.toml'\n[[test]]\nscene = 's.toml'\n"),
-              HasSubstr("golden.toml:3:1: error: test.name: s is the name of another test"));
-  EXPECT_THAT(refusal("[[test]]\nscene = 'no*.toml'\n"), HasSubstr("no file is there of the name no*.toml"));
+              HasSubstr("golden.toml:3:1: error: test.name: s is already the name of the test in line 1"));
+  EXPECT_THAT(refusal("[[test]]\nscene = 'no*.toml'\n"), HasSubstr("no file matches no*.toml"));
   EXPECT_THAT(refusal("[[test]]\nsize = [0, 5]\nscene = 's.toml'\n"),
               HasSubstr("expected pixels from 16 to 8192, got 0"));
-  EXPECT_THAT(refusal("size = [64, 64]\n"), HasSubstr("expected [[test]]"));
+  EXPECT_THAT(refusal("size = [64, 64]\n"), HasSubstr("expected at least one [[test]]"));
   fs::remove(folder_ / "golden.toml");
   EXPECT_EQ(golden().exitCode, 4);
 }
 
-TEST_F(GoldenCommand, HoldsWidthsToTheLimitsOfAPicture) {
+TEST_F(GoldenCommand, RejectsAHeightThatMakesThePictureTooWide) {
   folder_.put("golden.toml", "[[test]]\nscene = 's.toml'\nset = 'output.size=[8192, 16]'\nheight = 17\n");
   const RunResult result = golden();
   EXPECT_EQ(result.exitCode, 1);
   EXPECT_THAT(result.out, HasSubstr("golden.toml:4:10: height: 17 pixels would make this scene of 8192x16 8704 "
-                                    "pixels wide; sides are from 16 to 8192 pixels"));
+                                    "pixels wide; sides must be from 16 to 8192 pixels"));
 }
 
-// A manifest, too, comes from anywhere: what it names lies below it, or where the user says.
-TEST_F(GoldenCommand, ReachesNothingElsewhere) {
+// A golden.toml may come from a stranger, too. Its files must lie below its folder or in a folder that the user
+// names.
+TEST_F(GoldenCommand, RejectsPathsOutsideItsFolders) {
   const ScratchFolder elsewhere;
   elsewhere.put("secret.toml", "password = 'x'\n");
   fs::create_symlink(elsewhere / "secret.toml", folder_ / "link.toml");
@@ -330,8 +333,8 @@ TEST_F(GoldenCommand, ReachesNothingElsewhere) {
   EXPECT_THAT(refusal("[[test]]\nscene = '../*/secret.toml'\n"), HasSubstr(read));
   EXPECT_THAT(refusal("[[test]]\nscene = '../*.toml'\n"), HasSubstr(read));
   EXPECT_THAT(refusal("[[test]]\nscene = 'away/*.toml'\n"), HasSubstr(read));
-  EXPECT_THAT(refusal("[[test]]\nscene = 'link.toml'\n"), HasSubstr("is a link that leads out"));
-  EXPECT_THAT(refusal("[[test]]\nscene = 'lin*.toml'\n"), HasSubstr("is a link that leads out"));
+  EXPECT_THAT(refusal("[[test]]\nscene = 'link.toml'\n"), HasSubstr("is a link to a place outside"));
+  EXPECT_THAT(refusal("[[test]]\nscene = 'lin*.toml'\n"), HasSubstr("is a link to a place outside"));
   EXPECT_THAT(refusal("[[test]]\nimage = '/etc/passwd'\n"), HasSubstr("test.image: \"/etc/passwd\" " + read));
   EXPECT_THAT(refusal("[[test]]\nimage = 'away/x.png'\n"), HasSubstr(read));
   for (const char* references : {"..", "/tmp", "away", "golden/../.."})
@@ -347,23 +350,22 @@ TEST_F(GoldenCommand, ReachesNothingElsewhere) {
   EXPECT_EQ(golden({"--asset-root", outside}).out, "1 identical\n");
 }
 
-// A link among the references is none of them: it may lead to any picture of the user's.
-TEST_F(GoldenCommand, ComparesWithNoLinks) {
+// A link in the folder of references could lead to any picture of the user, so it is not a reference.
+TEST_F(GoldenCommand, IgnoresLinksAmongReferences) {
   approve();
   fs::rename(folder_ / "golden/s.png", folder_ / "mine.png");
   fs::create_symlink("../mine.png", folder_ / "golden/s.png");
   EXPECT_THAT(golden().out, StartsWith("new        s: nothing was approved yet"));
 }
 
-TEST_F(GoldenCommand, RefusesWhatTakesTooMuchMemory) {
+TEST_F(GoldenCommand, ReportsPicturesThatExceedTheMemoryLimit) {
   const RunResult refused = golden({"--max-memory", "100MiB"});
   EXPECT_EQ(refused.exitCode, 1);
-  EXPECT_THAT(refused.out,
-              HasSubstr("error      s: a worker that makes pictures of 64x48: about 0.1 GiB of memory, more "
-                        "than the 100 MiB that it may take; --max-memory SIZE raises that"));
+  EXPECT_THAT(refused.out, HasSubstr("error      s: a worker that makes pictures of 64x48: about 0.1 GiB of "
+                                     "memory, more than the allowed 100 MiB; --max-memory SIZE raises the limit"));
 }
 
-TEST_F(GoldenCommand, ReportsForMachinesAndForPeople) {
+TEST_F(GoldenCommand, WritesJUnitAndHtmlReports) {
   saveFlat("theirs.png", 90);
   folder_.put("golden.toml",
               "size = [64, 48]\n[[test]]\nscene = 's.toml'\n[[test]]\nname = 'theirs'\nimage = 'theirs.png'\n");

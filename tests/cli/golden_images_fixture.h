@@ -11,17 +11,15 @@
 
 namespace poinsot {
 
-/// A grey PNG of 16x12 pixels of one level.
 inline Bytes flat(int level) {
   return pngBytes({16, 12, 8, 0, {}}, Bytes(16 * 12, static_cast<std::uint8_t>(level)));
 }
 
-/// The same picture, stored as RGB.
 inline Bytes flatRgb(int level) {
   return pngBytes({16, 12, 8, 2, {}}, Bytes(16 * 12 * 3, static_cast<std::uint8_t>(level)));
 }
 
-/// A folder with a golden.toml whose references are in ref, outside of CI.
+/// Fixture with a golden.toml whose references are in ref; the variable CI is empty.
 class GoldenImagesFixture : public ::testing::Test {
  protected:
   RunResult golden(std::vector<std::string> words = {}) {

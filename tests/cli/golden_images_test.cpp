@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `poinsot golden` with pictures and films that other programs make: patterns, variants, rules with places left
-// out.
+// Tests `poinsot golden` with pictures and films of other programs: patterns, variants, and rules with ignored
+// places.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ Bytes film(const std::vector<int>& levels) {
 
 class GoldenImages : public GoldenImagesFixture {};
 
-// As `diff old new` pairs them: names with brackets, and the same name in two folders.
+// Pairs are the same as those of `diff old new`, for names with brackets and for one name in two folders.
 TEST_F(GoldenImages, ArePairedByName) {
   for (const char* name : {"new/wave[1].png", "new/wave[2].png", "new/axes/ticks.png", "new/lines/ticks.png",
                            "new/icon@2x.png", "new/B\xc3\xa4r \xce\xb1.png"})
@@ -48,9 +48,8 @@ TEST_F(GoldenImages, ArePairedByName) {
   EXPECT_EQ(golden({"--only", "nothing*"}).exitCode, 2);
   fs::remove(folder_ / "new/wave[2].png");
   const std::string missing =
-      "missing    wave[2]: approved, and new/**/* has no such image: run the program that makes it; if it is gone "
-      "for "
-      "good, remove ref/wave[2].png and ref/wave[2].json\n";
+      "missing    wave[2]: approved, but new/**/* has no such image; run the program that makes it, or, if the "
+      "image is gone for good, remove ref/wave[2].png and ref/wave[2].json\n";
   EXPECT_THAT(golden().out, HasSubstr(missing));
   EXPECT_THAT(golden({"--only", "new/**/*"}).out, HasSubstr(missing));
   EXPECT_THAT(golden({"--only", "wave[1]"}).out, Not(HasSubstr("missing")));
@@ -59,8 +58,8 @@ TEST_F(GoldenImages, ArePairedByName) {
   EXPECT_EQ(run(folder_, {"diff", "ref", "ref"}).out, "identical: 6 identical\n");
 }
 
-// The program that makes the images may have failed: continuous integration needs its report.
-TEST_F(GoldenImages, PatternsWithoutAFileAreErrorsOfTheRun) {
+// If the program that makes the images failed, continuous integration still needs a report.
+TEST_F(GoldenImages, ReportAPatternWithoutFilesAsAnError) {
   save("new/a.png", flat(90));
   save("one.png", flat(90));
   manifest("[[test]]\nname = 'axes/*'\nimage = 'new/*.png'\n[[test]]\nimage = 'one.png'\n");
@@ -72,14 +71,14 @@ TEST_F(GoldenImages, PatternsWithoutAFileAreErrorsOfTheRun) {
               StartsWith("error      new/*.png: new/*.png matches no PNG and no film; run the program "));
   EXPECT_THAT(
       none.out,
-      HasSubstr("missing    axes/a: approved, and new/*.png has no such image: run the program that makes it"));
+      HasSubstr("missing    axes/a: approved, but new/*.png has no such image; run the program that makes it"));
   EXPECT_THAT(bytesOf(folder_ / "j.xml"), HasSubstr("tests=\"3\" failures=\"1\" errors=\"1\""));
   EXPECT_EQ(golden({"--only", "one"}).out, "1 identical\n");
   EXPECT_EQ(golden({"--update"}).exitCode, 1);
   EXPECT_TRUE(fs::exists(folder_ / "ref/axes/a.png"));
 }
 
-TEST_F(GoldenImages, AreChosenByTheFileThatTheManifestNames) {
+TEST_F(GoldenImages, AreChosenByTheirPattern) {
   for (const char* name : {"new/a.png", "new/b.png", "other/c.png"}) save(name, flat(90));
   manifest("[[test]]\nimage = 'new/*.png'\n[[test]]\nimage = 'other/*.png'\n");
   EXPECT_EQ(golden({"--list", "--only", "new/*.png"}).out, "a\nb\n");
@@ -88,8 +87,8 @@ TEST_F(GoldenImages, AreChosenByTheFileThatTheManifestNames) {
     {"name": "b", "image": "new/*.png"}, {"name": "c", "image": "other/*.png"}]})"));
 }
 
-// A manifest among the sources cannot know the build folder.
-TEST_F(GoldenImages, LieInAFolderThatTheCommandNames) {
+// A golden.toml among the sources cannot contain the path of the build folder.
+TEST_F(GoldenImages, AreReadFromTheFolderInOptionImages) {
   const ScratchFolder build;
   saveBytes(build / "plots/a.png", flat(90));
   manifest("[[test]]\nimage = 'plots/*.png'\n");
@@ -99,32 +98,32 @@ TEST_F(GoldenImages, LieInAFolderThatTheCommandNames) {
   saveBytes(build / "plots/a.png", flat(190));
   EXPECT_THAT(golden(images).out, HasSubstr("approve it: poinsot golden golden.toml --images " +
                                             build.path().string() + " --update --only a\n"));
-  // The folder is allowed for what is read, not for what is written.
+  // --images allows a folder for reading, not for writing.
   folder_.put("golden.toml", "references = '" + build.path().string() + "'\n[[test]]\nimage = 'plots/*.png'\n");
   EXPECT_THAT(golden(images).err, HasSubstr("is not below the folder of this file"));
 }
 
-TEST_F(GoldenImages, UnusedReferencesAreFoundWithoutComparing) {
+TEST_F(GoldenImages, OptionUnusedFindsReferencesWithoutComparing) {
   for (const char* name : {"new/a.png", "new/deep/b.png", "one.png"}) save(name, flat(90));
   manifest("[[test]]\nimage = 'new/**/*.png'\n[[test]]\nimage = 'one.png'\n");
   approve();
-  EXPECT_EQ(golden({"--unused"}).out, "nothing approved is unused\n");
-  save("new/a.png", flat(190));  // is not compared
+  EXPECT_EQ(golden({"--unused"}).out, "no unused references\n");
+  save("new/a.png", flat(190));
   fs::remove_all(folder_ / "out/golden");
   EXPECT_EQ(golden({"--unused"}).exitCode, 0);
   EXPECT_FALSE(fs::exists(folder_ / "out/golden"));
-  fs::remove_all(folder_ / "new/deep");  // a whole folder of images is not made any more
+  fs::remove_all(folder_ / "new/deep");  // no test makes this folder any more
   for (const RunResult& result : {golden({"--unused"}), golden()}) {
     EXPECT_EQ(result.exitCode, 1);
-    EXPECT_THAT(result.out, HasSubstr("missing    deep/b: approved, and new/**/*.png has no such image: run the "
-                                      "program that makes it; if it is gone for "
-                                      "good, remove ref/deep/b.png"));
+    EXPECT_THAT(result.out, HasSubstr("missing    deep/b: approved, but new/**/*.png has no such image; run the "
+                                      "program that makes it, or, if the image is gone for good, "
+                                      "remove ref/deep/b.png"));
   }
   EXPECT_THAT(golden({"--unused", "--only", "a"}).err, HasSubstr("leave out --only and --update"));
 }
 
-// A page that is opened as a file may load scripts and no data, so the outcome is a call.
-TEST_F(GoldenImages, OutcomesAreScriptsForAnIndexPage) {
+// A page opened as a file may load scripts and no data, so the outcome is a function call.
+TEST_F(GoldenImages, WriteAnOutcomeScriptForTheIndexPage) {
   const auto outcome = [&] {
     const std::string text = bytesOf(folder_ / "o.js");
     EXPECT_THAT(text, StartsWith("poinsotOutcome({"));
@@ -146,7 +145,7 @@ TEST_F(GoldenImages, OutcomesAreScriptsForAnIndexPage) {
   EXPECT_EQ(outcome()["passed"], false);
   EXPECT_THAT(outcome()["message"].get<std::string>(), StartsWith("b: largest difference 100"));
   EXPECT_TRUE(outcome()["page"].is_null());
-  // A run that ends before it compares leaves no outcome of an earlier one.
+  // A run that ends before it compares leaves no outcome of an earlier run.
   manifest("[[test]]\nimag = 'new/*.png'\n");
   EXPECT_EQ(golden({"--outcome", "o.js"}).exitCode, 2);
   EXPECT_EQ(outcome()["verdict"], "error");
@@ -156,15 +155,14 @@ TEST_F(GoldenImages, OutcomesAreScriptsForAnIndexPage) {
   EXPECT_EQ(bytesOf(folder_ / "theirs.js"), "let a;");
 }
 
-// The path outside is what is wrong, and all that is said.
-TEST_F(GoldenImages, SaysOneErrorForOneMistake) {
+TEST_F(GoldenImages, ReportOneErrorForOneMistake) {
   manifest("[[test]]\nimage = '../../x.png'\n");
   const RunResult outside = golden();
   EXPECT_THAT(outside.err, StartsWith("golden.toml:3:9: error: test.image: \"../../x.png\" is neither below"));
-  EXPECT_THAT(outside.err, Not(HasSubstr("expected a scene or an image")));
+  EXPECT_THAT(outside.err, Not(HasSubstr("expected either scene or image")));
 }
 
-TEST_F(GoldenImages, FilmsAreTests) {
+TEST_F(GoldenImages, MayBeFilms) {
   save("new/spin.apng", film({10, 20, 30}));
   save("new/other.png", film({10, 20, 30}));
   manifest("[[test]]\nimage = 'new/*'\n");
@@ -181,8 +179,7 @@ TEST_F(GoldenImages, FilmsAreTests) {
   EXPECT_EQ(golden().exitCode, 0);
 }
 
-// A picture that was put beside a reference by hand is compared with nothing, and is named.
-TEST_F(GoldenImages, PicturesPutBesideAReferenceDoNotCount) {
+TEST_F(GoldenImages, AreNotComparedWithUnapprovedPictures) {
   save("new.png", flat(90));
   manifest("[[test]]\nname = 's'\nimage = 'new.png'\n");
   approve();
@@ -194,9 +191,9 @@ TEST_F(GoldenImages, PicturesPutBesideAReferenceDoNotCount) {
   EXPECT_THAT(result.out, HasSubstr("unused     s@x: lies beside s.png but was not approved"));
   EXPECT_THAT(golden({"--only", "s"}).out, HasSubstr("unused     s@x"));
   save("new.png", flat(90));
-  EXPECT_EQ(golden().exitCode, 1);  // as long as it lies there
+  EXPECT_EQ(golden().exitCode, 1);  // as long as the added picture exists
   folder_.put("ref/s@x.json", bytesOf(folder_ / "ref/s.json"));
-  EXPECT_EQ(golden().exitCode, 1);  // was not approved for x either
+  EXPECT_EQ(golden().exitCode, 1);  // variant x was not approved either
 }
 
 TEST_F(GoldenImages, HaveAReferenceForEachVariant) {
@@ -208,14 +205,14 @@ TEST_F(GoldenImages, HaveAReferenceForEachVariant) {
   approve({"--beside", "--variant", "softpipe"});
   EXPECT_TRUE(fs::exists(folder_ / "ref/s@softpipe.png"));
   EXPECT_EQ(golden({"--variant", "softpipe"}).out, "1 identical\n");
-  EXPECT_EQ(golden().exitCode, 1);  // the other driver's reference is not this one's
+  EXPECT_EQ(golden().exitCode, 1);  // the reference of the other driver does not count
   save("new.png", flat(90));
   EXPECT_EQ(golden().out, "1 identical\n");
   EXPECT_EQ(golden({"--variant", "softpipe"}).exitCode, 1);
 
   const RunResult slip = golden({"--variant", "sofpipe"});
   EXPECT_EQ(slip.exitCode, 2);
-  EXPECT_THAT(slip.err, HasSubstr("variant 'sofpipe': no reference was approved for it; there are softpipe"));
+  EXPECT_THAT(slip.err, HasSubstr("variant 'sofpipe': has no approved reference; known variants: softpipe"));
 
   save("new.png", flat(60));
   EXPECT_THAT(golden({"--update"}).out, StartsWith("ref/s@softpipe.png: removed"));
@@ -223,8 +220,7 @@ TEST_F(GoldenImages, HaveAReferenceForEachVariant) {
   EXPECT_EQ(golden().out, "1 identical\n");
 }
 
-// A machine that draws the same pictures has references of its own, too, once they were approved.
-TEST_F(GoldenImages, AVariantMayHaveTheSamePicture) {
+TEST_F(GoldenImages, AllowVariantsWithTheSamePicture) {
   save("new.png", flat(90));
   manifest("[[test]]\nname = 's'\nimage = 'new.png'\n");
   approve({"--beside", "--variant", "one"});
@@ -237,8 +233,8 @@ TEST_F(GoldenImages, AVariantMayHaveTheSamePicture) {
   EXPECT_EQ(golden({"--variant", "two", "--update", "--beside"}).out, "nothing to approve: 1 identical\n");
 }
 
-// Names that a shell or a pattern would take for something else.
-TEST_F(GoldenImages, PrintedCommandsMeanTheNamedTestsOnly) {
+// A shell or a pattern would give these names another meaning.
+TEST_F(GoldenImages, PrintCommandsThatApproveOnlyTheNamedTests) {
   for (const char* name : {"new/-dash.png", "new/a*b.png", "new/a'b.png"}) save(name, flat(90));
   manifest("[[test]]\nimage = 'new/*.png'\n");
   approve();
@@ -253,38 +249,38 @@ TEST_F(GoldenImages, PrintedCommandsMeanTheNamedTestsOnly) {
   };
   EXPECT_THAT(approved("./-dash"), StartsWith("ref/-dash.png: approved"));
   EXPECT_EQ(approved("a\\*b").find("a'b"), std::string::npos);
-  EXPECT_EQ(golden().exitCode, 1);  // a'b is not approved
+  EXPECT_EQ(golden().exitCode, 1);
   EXPECT_THAT(approved("a'b"), StartsWith("ref/a'b.png: approved"));
   EXPECT_EQ(golden().exitCode, 0);
 }
 
-TEST_F(GoldenImages, SizesAreForScenes) {
+TEST_F(GoldenImages, RejectSizesInTheManifest) {
   save("new.png", flat(90));
   manifest("[[test]]\nimage = 'new.png'\nsize = [64, 64]\n");
-  EXPECT_THAT(golden().err, HasSubstr("test: size and height are for a scene; an image has its own"));
+  EXPECT_THAT(golden().err,
+              HasSubstr("test: size and height are allowed with scene only; an image has its own size"));
   manifest("[[test]]\nimage = 'new.png'\n");
   const RunResult nowhere = golden({"--images", "nodir"});
   EXPECT_EQ(nowhere.exitCode, 4);
   EXPECT_THAT(nowhere.err, HasSubstr("--images nodir: no such folder"));
 }
 
-TEST_F(GoldenImages, TestsMayNameTheirVariant) {
+TEST_F(GoldenImages, TakeTheirVariantFromTheManifest) {
   save("new.png", flat(90));
   manifest("[[test]]\nname = 's'\nimage = 'new.png'\n");
   approve();
   save("new.png", flat(120));
   manifest("variant = 'mesa'\n[[test]]\nname = 's'\nimage = 'new.png'\n");
-  EXPECT_THAT(golden().err,
-              HasSubstr("variant 'mesa': no reference was approved for it; there are none with a variant"));
+  EXPECT_THAT(golden().err, HasSubstr("variant 'mesa': has no approved reference; no reference has a variant"));
   approve({"--beside"});
   EXPECT_TRUE(fs::exists(folder_ / "ref/s@mesa.png"));
   EXPECT_EQ(golden().exitCode, 0);
   folder_.put("s.toml", kGoodScene);
   manifest("[[test]]\nscene = 's.toml'\nvariant = 'mesa'\n");
-  EXPECT_THAT(golden().err, HasSubstr("variant is for an image"));
+  EXPECT_THAT(golden().err, HasSubstr("variant is allowed with image only"));
 }
 
-TEST_F(GoldenImages, RulesLeavePlacesOut) {
+TEST_F(GoldenImages, IgnoreTheRegionsOfARule) {
   Bytes pixels(16 * 12, 90);
   save("new.png", pngBytes({16, 12, 8, 0, {}}, pixels));
   manifest("[[test]]\nname = 's'\nimage = 'new.png'\n");
@@ -311,12 +307,12 @@ TEST_F(GoldenImages, RulesLeavePlacesOut) {
   EXPECT_THAT(with("[test.rule]\nmask = '/etc/x.png'\nreason = 'x'\n").err, HasSubstr("is neither below"));
 }
 
-TEST_F(GoldenImages, RulesHaveNamesAndLevels) {
+TEST_F(GoldenImages, FollowNamedRulesAndLevels) {
   save("new.png", flat(90));
   manifest("[[test]]\nname = 's'\nimage = 'new.png'\n");
   approve();
   Bytes pixels(16 * 12, 90);
-  for (std::size_t i = 0; i < 16 * 3; ++i) pixels[i] = 91;  // a quarter, by one level
+  for (std::size_t i = 0; i < 16 * 3; ++i) pixels[i] = 91;  // a quarter of the pixels, by one level
   save("new.png", pngBytes({16, 12, 8, 0, {}}, pixels));
   const auto with = [&](const std::string& rule) {
     manifest("[[test]]\nname = 's'\nimage = 'new.png'\n" + rule);
@@ -328,29 +324,29 @@ TEST_F(GoldenImages, RulesHaveNamesAndLevels) {
   EXPECT_EQ(with("[test.rule]\nlevel = 1\nflip_mean = '0-0.1'\nflip_max = '0-0.1'\nreason = 'x'\n").exitCode, 0);
   EXPECT_EQ(with("[test.rule]\nlike = 'other_driver'\nmax = '0-0.5'\nreason = 'x'\n").exitCode, 1);
   EXPECT_EQ(with("[test.rule]\nmax = '0-0.5'\nlike = 'other_driver'\nreason = 'x'\n").exitCode, 1);
-  EXPECT_THAT(with("rule = 'nere'\n").err, HasSubstr("there are same, near, other_driver"));
+  EXPECT_THAT(with("rule = 'nere'\n").err, HasSubstr("known rules: same, near, other_driver"));
   EXPECT_THAT(
       with("[test.rule]\nmax = '0-255'\npixels = '0-100%'\nflip_mean = '0-1'\nflip_max = '0-1'\nreason = 'x'\n")
           .err,
       HasSubstr("test.rule: the limits: every picture would pass"));
 }
 
-// a.json is now of a.png: who follows the advice must not lose it.
-TEST_F(GoldenImages, UnusedReferencesAreNamedWithTheirOwnDescriptionsOnly) {
+// a.json now describes a.png, so the advice must not remove a.json.
+TEST_F(GoldenImages, DoNotReportASharedDescriptionAsUnused) {
   save("new/a.png", flat(90));
   save("new/a.apng", film({10, 20}));
   const auto suite = [&](const char* image) { manifest("[[test]]\nimage = '" + std::string(image) + "'\n"); };
   suite("new/a.apng");
   approve();
   suite("new/a.png");
-  EXPECT_THAT(golden().out, HasSubstr("unused     a: approved, and no test makes it: remove ref/a.apng\n"));
+  EXPECT_THAT(golden().out, HasSubstr("unused     a: approved, but no test makes it; remove ref/a.apng\n"));
   EXPECT_THAT(golden({"--update"}).out, HasSubstr("remove ref/a.apng\n"));
   folder_.put("ref/b.png", bytesOf(folder_ / "ref/a.png"));
   folder_.put("ref/b.json", bytesOf(folder_ / "ref/a.json"));
   EXPECT_THAT(golden().out, HasSubstr("remove ref/b.png and ref/b.json\n"));
 }
 
-TEST_F(GoldenImages, DescriptionsWithoutAPictureAreNamed) {
+TEST_F(GoldenImages, ReportDescriptionsWithoutAPicture) {
   save("new.png", flat(90));
   manifest("[[test]]\nname = 's'\nimage = 'new.png'\n");
   approve();
@@ -359,11 +355,11 @@ TEST_F(GoldenImages, DescriptionsWithoutAPictureAreNamed) {
   const RunResult result = golden();
   EXPECT_EQ(result.exitCode, 1);
   EXPECT_EQ(result.out.substr(0, result.out.find('\n')),
-            "unused     gone: describes a picture that is not there: remove ref/gone.json");
+            "unused     gone: describes a picture that does not exist; remove ref/gone.json");
   EXPECT_THAT(result.out, Not(HasSubstr("theirs")));
 }
 
-TEST_F(GoldenImages, AFolderThatCannotBeWrittenIsOneError) {
+TEST_F(GoldenImages, ReportAnUnwritableFolderOnce) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root can become somebody else";
   save("new.png", flat(90));
   manifest("[[test]]\nname = 's'\nimage = 'new.png'\n");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `poinsot golden` after an update of poinsot or of Mesa: every report says what made the reference and what the
-// new picture. The earlier versions are written into the descriptions by hand.
+// Tests the reports of `poinsot golden` after an update of poinsot or Mesa. Every report names the makers of the
+// reference and of the new picture. The test writes the earlier versions into the descriptions.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ class GoldenOriginReport : public GoldenImagesFixture {
     folder_.put("ref/s.json", origin.dump());
   }
 
-  /// Changes one value of the reference by one level, which is near.
+  /// Changes one value of the reference by one level, which counts as near.
   void changeByOneLevel() {
     image::Image picture = image::readPng(folder_ / "ref/s.png");
     std::uint8_t& value = picture.pixels.front();
@@ -53,7 +53,7 @@ TEST_F(GoldenOriginReport, RecordsTheVersionOfMesa) {
   EXPECT_EQ(described()["software"], software_);
 }
 
-TEST_F(GoldenOriginReport, CoversNearPictures) {
+TEST_F(GoldenOriginReport, NamesTheSoftwareOfBothPicturesIfNear) {
   approve();
   const std::string driver = described()["driver"];
   describe("poinsot 0.0.9", "Mesa 1.2.3");
@@ -74,7 +74,7 @@ TEST_F(GoldenOriginReport, CoversNearPictures) {
   EXPECT_EQ(json["approved_by"]["scene_sha256"], json["drawn_by"]["scene_sha256"]);
 }
 
-TEST_F(GoldenOriginReport, CoversDifferentPictures) {
+TEST_F(GoldenOriginReport, NamesTheSoftwareOfBothPicturesIfDifferent) {
   approve();
   describe("poinsot 0.0.9", described()["driver"]);
   folder_.put("s.toml", std::string(kGoodScene) + "[style]\ntheme = 'dark'\n");
@@ -104,14 +104,13 @@ TEST_F(GoldenOriginReport, ChangesWhenAPictureIsApproved) {
 TEST_F(GoldenOriginReport, OmitsFactsThatTheDescriptionLacks) {
   approve();
   auto origin = described();
-  origin.erase("driver");  // as before it was kept
+  origin.erase("driver");
   folder_.put("ref/s.json", origin.dump());
   changeByOneLevel();
   EXPECT_EQ(golden().out, "near       s\n1 near\n");
 }
 
-// Other programs write their names into their pictures, too.
-TEST_F(GoldenOriginReport, NamesOtherProgramsByTheirPngs) {
+TEST_F(GoldenOriginReport, NamesTheSoftwareInPngsOfOtherPrograms) {
   const auto drawnBy = [&](const std::string& version, int level) {
     const std::string text = std::string("Software\0", 9) + version;
     save("new.png", pngBytes({16, 12, 8, 0, {pngChunk("tEXt", {text.begin(), text.end()})}},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `poinsot golden` and `diff --update`: where references and new pictures may lie, and that no two of a suite's
-// files are one.
+// Tests the places of references and new pictures of `poinsot golden` and `diff --update`: no two roles of a suite
+// may share one file.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,10 +16,10 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-class GoldenPlaces : public GoldenImagesFixture {};
+class GoldenPaths : public GoldenImagesFixture {};
 
-// A stranger's manifest could otherwise put any picture of the machine into the report.
-TEST_F(GoldenPlaces, RejectNamesOutsideTheReferencesThoughNoFileMatches) {
+// Otherwise a golden.toml from a stranger could put any picture of the machine into the report.
+TEST_F(GoldenPaths, RejectNamesThatLeadOutOfTheReferences) {
   const ScratchFolder elsewhere;
   saveBytes(elsewhere / "secret.png", flat(90));
   const std::string outside = fs::relative(elsewhere.path(), folder_ / "ref").native();
@@ -27,11 +27,11 @@ TEST_F(GoldenPlaces, RejectNamesOutsideTheReferencesThoughNoFileMatches) {
   const RunResult refused = golden({"--report", "r.html"});
   EXPECT_EQ(refused.exitCode, 2);
   EXPECT_THAT(refused.err, AllOf(StartsWith("golden.toml:2:1: error: test.name: "),
-                                 HasSubstr("a name must be that of a file below the references")));
+                                 HasSubstr("must be a relative path of at most 200 printable characters")));
   EXPECT_THAT(refused.out, Not(HasSubstr("secret")));
 }
 
-TEST_F(GoldenPlaces, RejectLinksAmongTheFoldersOfReferences) {
+TEST_F(GoldenPaths, RejectLinksAmongTheFoldersOfReferences) {
   const ScratchFolder elsewhere;
   saveBytes(elsewhere / "a.png", flat(90));
   save("new/a.png", flat(90));
@@ -39,24 +39,25 @@ TEST_F(GoldenPlaces, RejectLinksAmongTheFoldersOfReferences) {
   fs::create_directory_symlink(elsewhere.path(), folder_ / "ref/sub");
   for (const char* image : {"new/*.png", "nothing/*.png"}) {
     manifest("[[test]]\nimage = '" + std::string(image) + "'\nname = 'sub/*'\n");
-    EXPECT_THAT(golden().out, Not(HasSubstr("unused"))) << image;  // a.png lies elsewhere
+    EXPECT_THAT(golden().out, Not(HasSubstr("unused"))) << image;  // a.png lies outside the suite
   }
   manifest("[[test]]\nimage = 'new/*.png'\nname = 'sub/*'\n");
   for (const RunResult& refused : {golden(), golden({"--update"})}) {
     EXPECT_EQ(refused.exitCode, 1);
-    EXPECT_THAT(refused.out, StartsWith("error      sub/a: ref/sub: is a link; references lie in real folders "));
+    EXPECT_THAT(refused.out,
+                StartsWith("error      sub/a: ref/sub: is a symbolic link; references must be in real folders "));
   }
   EXPECT_FALSE(fs::exists(elsewhere / "a.json"));
 
   save("mine/sub/new.png", flat(30));
   const RunResult pairs = poinsot({"diff", "ref", "mine", "--update", "*"});
   EXPECT_EQ(pairs.exitCode, 4);
-  EXPECT_THAT(pairs.err, HasSubstr("ref/sub: is a link; references lie in real folders below ref"));
+  EXPECT_THAT(pairs.err, HasSubstr("ref/sub: is a symbolic link; references must be in real folders below ref"));
   EXPECT_FALSE(fs::exists(elsewhere / "new.png"));
 }
 
-// The folder of references may be a link itself: the user made it.
-TEST_F(GoldenPlaces, AllowALinkToTheFolderOfReferences) {
+// The folder of references itself may be a link, because the user made it.
+TEST_F(GoldenPaths, AllowALinkToTheFolderOfReferences) {
   save("new/a.png", flat(90));
   fs::create_directory(folder_ / "kept");
   fs::create_directory_symlink("kept", folder_ / "ref");
@@ -66,7 +67,7 @@ TEST_F(GoldenPlaces, AllowALinkToTheFolderOfReferences) {
   EXPECT_EQ(golden().out, "1 identical\n");
 }
 
-TEST_F(GoldenPlaces, RejectImagesThatAreTheirOwnReference) {
+TEST_F(GoldenPaths, RejectImagesThatAreTheirOwnReference) {
   save("ref/a.png", flat(90));
   manifest("[[test]]\nimage = 'ref/*.png'\n");
   const RunResult refused = golden();
@@ -76,9 +77,9 @@ TEST_F(GoldenPlaces, RejectImagesThatAreTheirOwnReference) {
   EXPECT_FALSE(fs::exists(folder_ / "ref/a.json"));
 }
 
-// Drawing ref/x and x would else write over the approved picture of x.
-// Only an output that would lie on a reference is refused: folders may contain each other.
-TEST_F(GoldenPlaces, RejectOutputsThatWouldReplaceReferences) {
+// Drawing the tests ref/x and x would overwrite the approved picture of x. Folders may contain each other; only an
+// output with the path of a reference is refused.
+TEST_F(GoldenPaths, RejectOutputsThatWouldReplaceReferences) {
   folder_.put("s.toml", kGoodScene);
   folder_.put("golden.toml",
               "references = 'o/ref'\nsize = [64, 36]\n[[test]]\nname = 'x'\nscene = 's.toml'\n"
@@ -98,7 +99,7 @@ TEST_F(GoldenPlaces, RejectOutputsThatWouldReplaceReferences) {
   for (const char* output : {".", "o/new", "o/ref/out"}) EXPECT_EQ(golden({"-o", output}).exitCode, 0) << output;
 }
 
-TEST_F(GoldenPlaces, RejectCasesThatWriteOneFile) {
+TEST_F(GoldenPaths, RejectTestsThatWriteTheSameFile) {
   folder_.put("s.toml", kGoodScene);
   const auto errorOf = [&](const std::string& first, const std::string& second) {
     manifest("[[test]]\nscene = 's.toml'\n" + first + (second.empty() ? "" : "[[test]]\nscene = 's.toml'\n") +
@@ -120,15 +121,15 @@ TEST_F(GoldenPlaces, RejectCasesThatWriteOneFile) {
       StartsWith("golden.toml:2:1: error: test.times: ref/a_t0.png would be the reference of test 'a' (line 2) at "
                  "two times; give each time once"));
   EXPECT_THAT(errorOf("name = 'a'\n", "name = 'a.flip'\n"),
-              HasSubstr("test.name: out/golden/a.flip.png would be FLIP's map of test 'a' (line 2) and the new "
+              HasSubstr("test.name: out/golden/a.flip.png would be the FLIP map of test 'a' (line 2) and the new "
                         "picture of test 'a.flip' (line 5); choose"));
   EXPECT_THAT(errorOf("name = 'a.difference'\n", "name = 'a'\n"), HasSubstr("a.difference.png would be"));
   EXPECT_THAT(errorOf("name = 'a//b'\n", "name = 'a/b'\n"),
-              HasSubstr("a/b is the name of another test, that of line 2"));
+              HasSubstr("a/b is already the name of the test in line 2"));
 }
 
-// Images of these names lie elsewhere than maps do, unless -o says so.
-TEST_F(GoldenPlaces, KeepMapsOffImages) {
+// Maps have these names only if -o names the folder of the images.
+TEST_F(GoldenPaths, DoNotWriteMapsOverImages) {
   for (const char* name : {"new/a.png", "new/a.flip.png"}) save(name, flat(90));
   manifest("[[test]]\nimage = 'new/*.png'\n");
   approve();
@@ -136,13 +137,13 @@ TEST_F(GoldenPlaces, KeepMapsOffImages) {
   EXPECT_THAT(
       golden({"-o", "new"}).err,
       HasSubstr(
-          "-o new: new/a.flip.png would be FLIP's map of test 'a' (line 2: new/a.png) and is the image of test "
+          "-o new: new/a.flip.png would be the FLIP map of test 'a' (line 2: new/a.png) and is the image of test "
           "'a.flip' (line 2: new/a.flip.png); choose another folder"));
   EXPECT_TRUE(fs::exists(folder_ / "new/a.flip.png"));
 }
 
-// A file that a run writes among the images of a pattern would be a test of the next run.
-TEST_F(GoldenPlaces, KeepWhatARunWritesOffPatterns) {
+// A file written among the images of a pattern would be a test of the next run.
+TEST_F(GoldenPaths, RejectOutputsThatMatchAPattern) {
   folder_.put("s.toml", kGoodScene);
   save("img/b.png", flat(90));
   const std::string scene = "size = [64, 36]\n[[test]]\nname = 'a'\nscene = 's.toml'\n";
@@ -155,8 +156,8 @@ TEST_F(GoldenPlaces, KeepWhatARunWritesOffPatterns) {
     return refused.err;
   };
   const auto taken = [](const std::string& file, const std::string& pattern) {
-    return HasSubstr(file + " would be a file that test.image '" + pattern +
-                     "' (line 6) matches, so the next run would take it up; choose another name or folder");
+    return HasSubstr(file + " would match test.image '" + pattern +
+                     "' (line 6), so the next run would read it; choose another name or folder");
   };
   fs::create_directory_symlink("img", folder_ / "link");
   for (const char* output : {"img", "./img", "link", "img/../img"})
@@ -175,20 +176,19 @@ TEST_F(GoldenPlaces, KeepWhatARunWritesOffPatterns) {
   EXPECT_EQ(golden({"-o", "img/deeper", "--junit", "img/j.xml"}).exitCode, 1);
 }
 
-TEST_F(GoldenPlaces, NameTheFilesOfPatternsThatClash) {
+TEST_F(GoldenPaths, AreNamedInErrorsIfPatternsClash) {
   folder_.put("s.toml", kGoodScene);
   for (const char* name : {"img/a.png", "new/a.png"}) save(name, flat(90));
   manifest("[[test]]\nname = 'a'\nscene = 's.toml'\n[[test]]\nimage = 'img/*.png'\n");
-  EXPECT_THAT(golden().err, HasSubstr("test.name: a of img/a.png is the name of another test, that of line 2;"));
+  EXPECT_THAT(golden().err, HasSubstr("test.name: a of img/a.png is already the name of the test in line 2;"));
   manifest("[[test]]\nimage = 'img/*.png'\n[[test]]\nimage = 'new/*.png'\n");
-  EXPECT_THAT(golden().err,
-              HasSubstr("a of new/a.png is the name of another test, that of line 2, of img/a.png;"));
+  EXPECT_THAT(golden().err, HasSubstr("a of new/a.png is already the name of the test in line 2, of img/a.png;"));
   save("img/a.flip.png", flat(90));
   manifest("[[test]]\nimage = 'img/*.png'\n");
   EXPECT_THAT(golden({"-o", "img"}).err, HasSubstr("is the image of test 'a.flip' (line 2: img/a.flip.png);"));
 }
 
-TEST_F(GoldenPlaces, KeepNewPicturesOffImagesAndMasks) {
+TEST_F(GoldenPaths, DoNotWriteNewPicturesOverImagesOrMasks) {
   folder_.put("s.toml", kGoodScene);
   save("out/golden/a.png", flat(90));
   const std::string scene = "[[test]]\nname = 'a'\nscene = 's.toml'\n";
@@ -202,7 +202,7 @@ TEST_F(GoldenPlaces, KeepNewPicturesOffImagesAndMasks) {
   EXPECT_EQ(bytesOf(folder_ / "out/golden/a.png").size(), flat(90).size());
 }
 
-TEST_F(GoldenPlaces, KeepReferencesOffImagesAndMasks) {
+TEST_F(GoldenPaths, DoNotWriteReferencesOverImagesOrMasks) {
   folder_.put("s.toml", kGoodScene);
   save("ref/a.png", flat(90));
   const std::string scene = "[[test]]\nname = 'a'\nscene = 's.toml'\n";
@@ -218,8 +218,8 @@ TEST_F(GoldenPlaces, KeepReferencesOffImagesAndMasks) {
   }
 }
 
-// A place that cannot be written is an error before anything is drawn or compared.
-TEST_F(GoldenPlaces, AreCheckedBeforeTheWork) {
+// A place without write permission is an error before anything is drawn or compared.
+TEST_F(GoldenPaths, AreCheckedBeforeDrawing) {
   folder_.put("s.toml", kGoodScene);
   const auto suite = [&] {
     save("new/a.png", flat(90));
@@ -245,8 +245,7 @@ TEST_F(GoldenPlaces, AreCheckedBeforeTheWork) {
               HasSubstr("link.png: is a symbolic link"));
 }
 
-// A picture in error stops the others: all that a run approves belongs together.
-TEST_F(GoldenPlaces, ApproveAllOrNothing) {
+TEST_F(GoldenPaths, AreApprovedAllOrNotAtAll) {
   for (const char* name : {"new/a.png", "new/b.png"}) save(name, flat(90));
   manifest("[[test]]\nimage = 'new/a.png'\n[[test]]\nimage = 'new/b.png'\n");
   approve();
@@ -255,27 +254,26 @@ TEST_F(GoldenPlaces, ApproveAllOrNothing) {
   folder_.put("new/b.png", "no picture");
   const RunResult refused = golden({"--update"});
   EXPECT_EQ(refused.exitCode, 1);
-  EXPECT_THAT(refused.out,
-              AllOf(StartsWith("error      b: new/b.png: "),
-                    HasSubstr("nothing was approved: mend what is in error, or choose the other tests")));
+  EXPECT_THAT(refused.out, AllOf(StartsWith("error      b: new/b.png: "),
+                                 HasSubstr("nothing was approved: fix the errors, or choose the other tests")));
   EXPECT_EQ(bytesOf(folder_ / "ref/a.png"), before);
   EXPECT_EQ(golden({"--update", "--only", "a"}).exitCode, 0);
   EXPECT_NE(bytesOf(folder_ / "ref/a.png"), before);
 }
 
-// `new` stands twice in the path; only the folder before the last part is fixed.
-TEST_F(GoldenPlaces, RejectImagesOutsideThoughThePathRepeatsAName) {
+// `new` occurs twice in the path; only the folder before the last part is fixed.
+TEST_F(GoldenPaths, RejectImagesAboveTheFolderOfTheManifest) {
   manifest("[[test]]\nimage = 'new/../../new'\n");
   EXPECT_THAT(golden().err, StartsWith("golden.toml:3:9: error: test.image: \"new/../../new\" is neither below"));
 }
 
-TEST_F(GoldenPlaces, NameLinksThatStandForReferences) {
+TEST_F(GoldenPaths, ReportLinksAmongReferences) {
   save("new/a.png", flat(90));
   manifest("[[test]]\nimage = 'new/*.png'\n");
   approve();
   fs::rename(folder_ / "ref/a.png", folder_ / "mine.png");
   fs::create_symlink("../mine.png", folder_ / "ref/a.png");
-  EXPECT_THAT(golden().out, HasSubstr("unused     a: ref/a.png is a link; links are no references"));
+  EXPECT_THAT(golden().out, HasSubstr("unused     a: ref/a.png is a link, which cannot be a reference"));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every example that a command's help prints, run as a user pastes it, in a folder with the files that it names.
+// Runs every example in the help of a command as a user pastes it, in a folder with the files that it needs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// A command that replaces an example, and the reason. If `instead` is empty, nothing is run.
+/// Replacement for an example, with the reason. If `instead` is empty, the example is not run.
 struct Exception {
   std::string example, instead, why;
 };
@@ -30,8 +30,8 @@ const std::vector<Exception> kExceptions{
      "poinsot submit scenes/football.toml -o out/football.mp4 > football.sh && bash -n football.sh",
      "the script needs a cluster with Slurm; submission_test runs it with stand-ins"}};
 
-/// Runs a line in bash, where `poinsot` is the program under test. CI is emptied, as on a user's machine: with it,
-/// no example could approve a picture.
+/// Runs a line in bash, where `poinsot` is the program under test. CI is empty, because with CI no example could
+/// approve a picture.
 ShellResult runIn(const ScratchFolder& folder, const std::string& line) {
   return runShell(folder.path(), "set -o pipefail; poinsot() { " POINSOT_PROGRAM " \"$@\"; }\n" + line,
                   {"POINSOT_SCENES=" + (folder / "scenes").string(), "CI="});
@@ -54,7 +54,7 @@ Lines examplesIn(const std::string& help) {
   return examples;
 }
 
-/// Returns the names of the subcommands that the help lists, and "" for the program itself.
+/// Returns the names of the subcommands in the help, and "" for the program itself.
 Lines commands() {
   const ScratchFolder folder;
   Lines names{""};
@@ -75,7 +75,7 @@ std::string scene(int frames) {
 }
 
 /// Writes the files that the examples of a command read. --frames 0-59 and --time 1.25 need 72 frames; at 4k, two
-/// take long enough.
+/// frames take long enough.
 void prepare(const std::string& command, const ScratchFolder& folder) {
   for (const char* name : {"scenes", "lectures", "out", "tests", "approved", "new"})
     std::filesystem::create_directory(folder / name);
@@ -98,7 +98,7 @@ void prepare(const std::string& command, const ScratchFolder& folder) {
   EXPECT_EQ(made.exitCode, 0) << found->second << made.out;
 }
 
-/// Runs the examples of a command in their order: assemble joins the segments of the two before it.
+/// Runs the examples of a command in order, because `assemble` joins the segments of the two examples before it.
 void runExamples(const std::string& command) {
   const ScratchFolder folder;
   prepare(command, folder);
@@ -118,7 +118,7 @@ TEST(HelpExamples, RunAsPrinted) {
   for (const std::string& command : all) runExamples(command);
 }
 
-TEST(HelpExamples, ExceptionsAreExamples) {
+TEST(HelpExamples, ContainEveryExampleThatIsNotRun) {
   const ScratchFolder folder;
   std::set<std::string> all;
   for (const std::string& command : commands())

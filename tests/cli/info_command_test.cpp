@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers that `info` prints against values worked out beforehand to 50 digits, or by hand.
+// Compares the numbers of `info` with values computed beforehand to 50 digits or by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,6 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 class InfoCommand : public testing::Test {
  protected:
-  /// Of a body with these moments and start, and more lines of its scene.
   nlohmann::json info(const std::string& moments, const std::string& omega, const std::string& more = "") const {
     folder_.put("s.toml",
                 "[body]\nprincipal_moments = " + moments + "\n[motion]\nomega_body = " + omega + "\n" + more);
@@ -45,7 +44,7 @@ std::string listed(const Eigen::Vector3d& v) {
   return list.dump();
 }
 
-TEST_F(InfoCommand, DevelopmentExamples) {
+TEST_F(InfoCommand, MatchesTheDevelopmentExamples) {
   const std::map<physics::PolhodeRegime, std::string> words{
       {physics::PolhodeRegime::kAboutLargest, "about_largest"},
       {physics::PolhodeRegime::kAboutSmallest, "about_smallest"},
@@ -57,7 +56,7 @@ TEST_F(InfoCommand, DevelopmentExamples) {
     expectNear(json, "L", e.L);
     expectNear(json, "plane_height", e.planeHeight);
     expectNear(json, "polhode_period", e.polhodePeriod);
-    const bool symmetric = e.I[0] == e.I[1] || e.I[1] == e.I[2];  // no middle axis, and a circle in space
+    const bool symmetric = e.I[0] == e.I[1] || e.I[1] == e.I[2];  // no middle axis; the herpolhode is a circle
     EXPECT_EQ(json.contains("flip_interval"), !symmetric);
     EXPECT_EQ(json.contains("angle_per_radial_period"), !symmetric);
     if (!symmetric) {
@@ -69,7 +68,7 @@ TEST_F(InfoCommand, DevelopmentExamples) {
   }
 }
 
-TEST_F(InfoCommand, TheEllipsoidAndTheTensor) {
+TEST_F(InfoCommand, ReportsEllipsoidAndInertiaTensor) {
   const auto json = info("[2, 3, 4]", "[0.5, 0.25, 1]");
   const double expected[] = {1.530931089239486, 1.25, 1.082531754730548};  // sqrt(4.6875/I_i)
   for (std::size_t i = 0; i < 3; ++i)
@@ -80,7 +79,7 @@ TEST_F(InfoCommand, TheEllipsoidAndTheTensor) {
   EXPECT_EQ(json.at("from").at("plane_height"), "eq 40");
 }
 
-TEST_F(InfoCommand, HerpolhodesThatClose) {
+TEST_F(InfoCommand, DetectsClosedHerpolhodes) {
   const auto about3 = info("[1.25, 2, 2.75]", "[1.577034598253537625, 0, 1.5]");
   EXPECT_EQ(about3.at("herpolhode_closes"), true);
   EXPECT_EQ(about3.at("closure_radial_periods"), 5);
@@ -92,7 +91,7 @@ TEST_F(InfoCommand, HerpolhodesThatClose) {
   EXPECT_EQ(info("[2, 3, 4]", "[0.5, 0.25, 1]").at("herpolhode_closes"), false);
 }
 
-TEST_F(InfoCommand, PrecessionOfAProlateTop) {
+TEST_F(InfoCommand, ReportsPrecessionOfAProlateTop) {
   // I1 = 1.5, I3 = 0.9, L = 2, theta = 25 deg: omega_1 = L sin theta/I1, omega_3 = L cos theta/I3 to 15 digits.
   const auto json = info("[1.5, 1.5, 0.9]", "[0.563491015654266, 0, 2.01401730452589]");
   expectNear(json, "tilt", 25 * kDegree, 5e-15);
@@ -105,27 +104,27 @@ TEST_F(InfoCommand, PrecessionOfAProlateTop) {
   EXPECT_FALSE(json.contains("chandler_period_solar_days"));
 }
 
-TEST_F(InfoCommand, ChandlersPeriod) {
-  // (I3/I1 - 1) = 0.0033: 1/0.0033 sidereal days of 86164.0905 s; omega_3 = 2 pi/86164.0905 s.
+TEST_F(InfoCommand, ReportsChandlersPeriod) {
+  // I3/I1 - 1 = 0.0033 gives 1/0.0033 sidereal days of 86164.0905 s; omega_3 = 2 pi/86164.0905 s.
   const auto json = info("[1, 1, 1.0033]", listed({1e-10, 0, 2 * std::numbers::pi / 86164.0905}));
   expectNear(json, "chandler_period_sidereal_days", 303.030303, 1e-8);
   expectNear(json, "chandler_period_solar_days", 302.2028988, 1e-8);
 }
 
-TEST_F(InfoCommand, FlipsOfATHandle) {
+TEST_F(InfoCommand, ReportsFlipIntervalOfATHandle) {
   const std::pair<const char*, double> cases[] = {
       {"0.1", 3.31061953}, {"0.01", 4.69446708}, {"0.001", 6.07814236}, {"0.0001", 7.46181502}};
   for (const auto& [disturbance, interval_s] : cases) {
     const auto json = info("[0.279722222222222, 0.513333333333333, 0.773055555555556]",
                            std::string("[") + disturbance + ", \"1 rev/s\", 0]");
-    expectNear(json, "flip_interval", interval_s, 5e-9);  // as many digits as given
+    expectNear(json, "flip_interval", interval_s, 5e-9);  // the source gives as many digits
     EXPECT_EQ(json.at("axis_2_stability"), "unstable");
     EXPECT_NEAR(json.at("axis_2_rate").get<double>(), 3.3282, 1e-3);
     EXPECT_EQ(json.at("axis_1_stability"), "stable");
   }
 }
 
-TEST_F(InfoCommand, TheHeavyTop) {
+TEST_F(InfoCommand, ReportsPrecessionAndNutationOfAHeavyTop) {
   // Released with spin only at 30 deg from the vertical: q = (cos 15 deg, sin 15 deg, 0, 0).
   const auto json = info("[1.40625, 1.40625, 0.65625]", "[0, 0, 9.15625]",
                          "orientation = [0.9659258262890683, 0.25881904510252074, 0, "
@@ -140,34 +139,34 @@ TEST_F(InfoCommand, TheHeavyTop) {
   EXPECT_LE(json.at("estimated_attitude_error").get<double>(), 1e-12);  // the default tolerance
   EXPECT_LE(json.at("energy_drift").get<double>(), 1e-11);
   EXPECT_EQ(json.at("order"), 6);
-  EXPECT_FALSE(json.contains("polhode_period"));  // of free motion
+  EXPECT_FALSE(json.contains("polhode_period"));  // only free motion has a polhode
 }
 
-TEST_F(InfoCommand, WhereExplorer1Ends) {
-  // By hand: 750 rpm I3/Ip and T0 I3/Ip; the start's omega across too small to count.
+TEST_F(InfoCommand, ReportsFinalSpinOfExplorer1) {
+  // Computed by hand: 750 rpm I3/Ip and T0 I3/Ip; omega across the axis is negligible.
   const auto json = info("[4.81758709666667, 4.81758709666667, 0.04034536]", "[1e-9, 0, \"750 rpm\"]",
                          "[motion.dissipation]\nalpha = 0.0014\n");
-  expectNear(json, "final_spin_rpm", 6.28094923721, 1e-11);  // as many digits as given
+  expectNear(json, "final_spin_rpm", 6.28094923721, 1e-11);  // the source gives as many digits
   expectNear(json, "final_T_part", 0.00837459898295, 1e-11);
   EXPECT_FALSE(info("[1, 2, 3]", "[0, 0, 1]", "[motion.dissipation]\nalpha = 0.1\n").contains("final_T"));
 }
 
-TEST_F(InfoCommand, TimesOfDrag) {
+TEST_F(InfoCommand, ReportsDragTimes) {
   const auto json = info("[1, 2, 3]", "[0, 0, 1]", "[motion.drag]\nrate = [0.5, 0.25, 0]\n");
   EXPECT_EQ(json.at("drag_times"), nlohmann::json::parse("[2, 4, null]"));
 }
 
-TEST_F(InfoCommand, MeaningfulDigitsFallWithTime) {
+TEST_F(InfoCommand, ReportsFewerMeaningfulDigitsForLongerTimes) {
   const auto turns = [&](const char* speed) {
     return info("[2, 3, 4]", "[0.5, 0.25, 1]", std::string("[time]\nduration = 10\nspeed = ") + speed + "\n");
   };
   const auto brief = turns("1"), lengthy = turns("1e5");
-  // |omega| = sqrt(1.3125) rad/s: turns in 1e6 s by hand.
+  // |omega| = sqrt(1.3125) rad/s gives the turns in 1e6 s.
   expectNear(lengthy, "turns", std::sqrt(1.3125) * 1e6 / (2 * std::numbers::pi), 1e-14);
   EXPECT_NEAR(brief.at("meaningful_digits").get<double>() - lengthy.at("meaningful_digits").get<double>(), 5, 0.5);
 }
 
-TEST_F(InfoCommand, ATableForPeople) {
+TEST_F(InfoCommand, PrintsATable) {
   folder_.put("a.toml", kGoodScene);
   const auto result = run(folder_, {"info", "a.toml"});
   EXPECT_EQ(result.exitCode, 0);
@@ -178,7 +177,7 @@ TEST_F(InfoCommand, ATableForPeople) {
   EXPECT_THAT(result.out, HasSubstr("spin about e2"));
 }
 
-TEST_F(InfoCommand, ASphereAndASteadySpin) {
+TEST_F(InfoCommand, ReportsASphereAsSteady) {
   const auto sphere = info("[2, 2, 2]", "[0, 0, 3]");
   EXPECT_EQ(sphere.at("regime"), "steady");
   EXPECT_EQ(sphere.at("hand_finch_spin"), 0);  // eq 21: the strange spin of a sphere
@@ -193,7 +192,7 @@ double largestOf(const nlohmann::json& value) {
   return largest;
 }
 
-/// Numbers agree to `tolerance`; all else is equal.
+/// Expects numbers to agree to `tolerance` and all other values to be equal.
 void expectSame(const nlohmann::json& expected, const nlohmann::json& got, double tolerance,
                 const std::string& key) {
   if (expected.is_number()) {
@@ -206,9 +205,9 @@ void expectSame(const nlohmann::json& expected, const nlohmann::json& got, doubl
   }
 }
 
-// A cylinder of 2 kg, 0.5 m in radius and 1.5 m high, given as a shape and by its mass and moments, M r²/2 = 0.25
-// and M (3 r² + h²)/12 = 0.5 kg m²: hung in a lean under gravity, thrown, and left alone.
-TEST_F(InfoCommand, AMassWithMomentsIsTheSolidThatHasThem) {
+// A cylinder of 2 kg, 0.5 m in radius and 1.5 m high, given as a shape and by its mass and moments: M r²/2 = 0.25
+// and M (3 r² + h²)/12 = 0.5 kg m². It hangs inclined under gravity, is thrown, and moves freely.
+TEST_F(InfoCommand, ReportsTheSameForASolidAndForItsMassAndMoments) {
   const std::string motions[] = {
       "pivot = [0, 0, -1]\n[motion]\nomega_body = [0.5, 0, 20]\norientation = [0.9, 0.4, 0, 0]\n"
       "[motion.gravity]\ng = 8\n",
@@ -228,9 +227,9 @@ TEST_F(InfoCommand, AMassWithMomentsIsTheSolidThatHasThem) {
   }
 }
 
-// By hand, of 16642 kg at 1 m/s: P = 16642 kg m/s, M V²/2 = 8321 J, the weight M g = 16642 · 9.80665 N. The
-// tensor's T = ω·I·ω/2 in deg²/s², 76.6885 J in SI units.
-TEST_F(InfoCommand, AFlightOfAMeasuredTensorHasItsMomentum) {
+// Computed by hand for 16642 kg at 1 m/s: P = 16642 kg m/s, M V²/2 = 8321 J, the weight M g = 16642 · 9.80665 N. T
+// = ω·I·ω/2 of the tensor is in deg²/s², or 76.6885 J in SI units.
+TEST_F(InfoCommand, ReportsMomentumAndEnergyOfAFlight) {
   folder_.put(
       "s.toml",
       "[body]\nmass = 16642\ninertia = [[36502.7, 27.1, -233.2], [27.1, 38372.4, -1152.4], [-233.2, -1152.4, "
@@ -251,22 +250,22 @@ TEST_F(InfoCommand, AFlightOfAMeasuredTensorHasItsMomentum) {
 
 // A toy gyroscope given by mass, moments and arm: M = 0.17 kg, I3 = 2.5e-4, I1 = 1.25e-4 kg m² about its centre,
 // arm 0.1 m, level, 280 rad/s. Slow precession M g l/(I3 omega_3) = 0.17 · 9.8 · 0.1/0.07 = 2.38 rad/s, by hand.
-TEST_F(InfoCommand, AGyroscopeOfMassMomentsAndArm) {
+TEST_F(InfoCommand, ReportsPrecessionOfAGyroscope) {
   folder_.put("s.toml",
               "[body]\nprincipal_moments = [1.25e-4, 1.25e-4, 2.5e-4]\nmass = '170 g'\npivot = [0, 0, '-10 cm']\n"
               "[motion]\nomega_body = [0, 0, 280]\norientation = [1, 1, 0, 0]\n[motion.gravity]\ng = 9.8\n");
   const auto json = nlohmann::json::parse(run(folder_, {"info", "s.toml", "--json"}).out);
   expectNear(json, "weight_moment", 0.1666, 1e-14);
   expectNear(json, "slow_precession_rate", 2.38, 1e-14);
-  // Mean, nodding included: slower by the share that the nods take, less than 1 %.
+  // The mean precession includes the nutation, which slows it by less than 1 %.
   expectNear(json, "precession_period", 2 * std::numbers::pi / 2.38, 0.01);
   const double film_s = json.at("motion_to");
   expectNear(json, "precession_turns", film_s / json.at("precession_period").get<double>(), 1e-14);
-  expectNear(json, "precession_turns", 5 / (2 * std::numbers::pi), 1e-12);  // half a radian to each of 10 s
+  expectNear(json, "precession_turns", 5 / (2 * std::numbers::pi), 1e-12);  // half a radian in each of 10 s
   EXPECT_EQ(json.at("from").at("pace"), "chosen: time.speed is not given");
 }
 
-TEST_F(InfoCommand, LostOutputIs4) {
+TEST_F(InfoCommand, ExitsWith4IfOutputIsLost) {
   folder_.put("a.toml", kGoodScene);
   EXPECT_EQ(run(folder_, {"info", "a.toml"}, Stdout::kFull).exitCode, 4);
   EXPECT_EQ(run(folder_, {"info", "no.toml"}).exitCode, 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene that `new` writes is good as it stands, and with each of the lines that it offers in place.
+// A scene that `new` writes is valid, and remains valid with each line that it offers as an alternative.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ using ::testing::StartsWith;
 
 const std::string kScenes = std::string("POINSOT_SCENES=") + POINSOT_SOURCE_DIR "/scenes";
 
-class New : public testing::Test {
+class NewCommand : public testing::Test {
  protected:
   RunResult run(const std::vector<std::string>& words) const {
     return poinsot::run(folder_, words, Stdout::kFile, {kScenes});
@@ -36,7 +36,7 @@ class New : public testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(New, SceneIsGoodAndSaysWhatToDoNext) {
+TEST_F(NewCommand, WritesAValidSceneAndPrintsTheNextCommand) {
   const auto made = run({"new", "my_book"});
   EXPECT_EQ(made.exitCode, 0) << made.err;
   EXPECT_THAT(made.out, HasSubstr("\n  poinsot render my_book.toml\n"));
@@ -47,8 +47,9 @@ TEST_F(New, SceneIsGoodAndSaysWhatToDoNext) {
   EXPECT_EQ(bytesOf(folder_ / "poinsot.schema.json"), run({"schema"}).out);
 }
 
-// A line "# key = value" by itself; where "in place of" stands above it, without the keys above that.
-TEST_F(New, EachLineThatIsOfferedWorks) {
+// Uncomments one line "# key = value" at a time. Below "# instead of", the test removes the lines above in the
+// table.
+TEST_F(NewCommand, OffersOnlyValidAlternatives) {
   run({"new", "a"});
   const auto lines = linesOf("a.toml");
   const std::regex offer("# ([a-z_]+ = .*)");
@@ -61,7 +62,7 @@ TEST_F(New, EachLineThatIsOfferedWorks) {
     own[i] = found[1];
     bool alternative = false;
     for (std::size_t j = i; --j > 0 && !lines[j].starts_with('[');) {
-      alternative |= lines[j].starts_with("# in place of");
+      alternative |= lines[j].starts_with("# instead of");
       if (alternative) own[j].clear();
     }
     write("b.toml", own);
@@ -71,7 +72,7 @@ TEST_F(New, EachLineThatIsOfferedWorks) {
   EXPECT_GE(offers, 10);
 }
 
-TEST_F(New, EverySceneOfTheGalleryCanBeBegunWith) {
+TEST_F(NewCommand, StartsFromEverySceneOfTheGallery) {
   int scenes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(POINSOT_SOURCE_DIR "/scenes")) {
     if (entry.path().extension() != ".toml") continue;
@@ -85,18 +86,18 @@ TEST_F(New, EverySceneOfTheGalleryCanBeBegunWith) {
   EXPECT_GE(scenes, 20);
 }
 
-TEST_F(New, NothingIsLost) {
+TEST_F(NewCommand, ReplacesAFileOnlyWithForce) {
   std::ofstream(folder_ / "a.toml") << "mine";
   const auto refused = run({"new", "a.toml"});
   EXPECT_EQ(refused.exitCode, 4);
-  EXPECT_EQ(refused.err, "poinsot: error: a.toml: is there already; --force replaces it\n");
+  EXPECT_EQ(refused.err, "poinsot: error: a.toml: already exists; --force replaces it\n");
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml"));
   EXPECT_EQ(bytesOf(folder_ / "a.toml"), "mine");
   EXPECT_EQ(run({"new", "a.toml", "--force"}).exitCode, 0);
   EXPECT_EQ(run({"check", "a.toml"}).exitCode, 0);
 }
 
-TEST_F(New, MistakesAreNamed) {
+TEST_F(NewCommand, ReportsUnknownScenesAndMissingFolders) {
   EXPECT_THAT(run({"new", "a", "--from", "footbal"}).err,
               HasSubstr("has no scene 'footbal'; did you mean 'football'?"));
   EXPECT_EQ(run({"new", "a", "--from", "footbal"}).exitCode, 2);
@@ -107,8 +108,8 @@ TEST_F(New, MistakesAreNamed) {
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre());
 }
 
-// The name stands in a comment and in a title, which has commands and mathematics.
-TEST_F(New, AnyNameMakesAGoodScene) {
+// The name appears in a comment and in a title, which may contain commands and mathematics.
+TEST_F(NewCommand, WritesAValidSceneForAnyName) {
   for (const char* name :
        {"-x", "a b", "$\\alpha", "\"q\"", "a\nb", "\x1b[2J", "\u202e", "%", "@TITLE@", "Ünal"}) {
     const auto made = run({"new", "--force", "--", name});

@@ -6,7 +6,7 @@
 namespace poinsot {
 namespace {
 
-TEST(NewSceneText, AKeyFindsItsPlace) {
+TEST(NewSceneText, GetsAKeyInsertedIntoItsTable) {
   constexpr const char* kText = "[show]\ntitle = \"x\"\n# plane = false   # off\n\n[show.body]\nscale = 2\n";
   EXPECT_EQ(cli::withKey(kText, {"show.plane", "true"}),
             "[show]\ntitle = \"x\"\nplane = true\n\n[show.body]\nscale = 2\n");

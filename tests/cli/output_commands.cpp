@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes, pictures and films have the names that WhoseFiles (run_files_test.cpp) gives them.
+// Scenes, pictures and films have the names that OutputFiles (run_files_test.cpp) gives them.
 #include "cli/output_commands.h"
 
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tiny renders through the whole program: bytes, targets, streams, signals.
+// Tests tiny renders through the whole program: bytes, targets, streams, signals.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -30,7 +30,6 @@ class RenderCommand : public ::testing::Test {
  protected:
   void SetUp() override { folder_.put("a.toml", kGoodScene); }
 
-  /// Runs it and expects success.
   RunResult good(const std::vector<std::string>& words) {
     auto result = run(folder_, words);
     EXPECT_EQ(result.exitCode, 0) << result.err;
@@ -43,18 +42,18 @@ class RenderCommand : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(RenderCommand, WorkersDoNotChangeAByte) {
+TEST_F(RenderCommand, WritesTheSameBytesWithAnyNumberOfWorkers) {
   good({"render", "a.toml", "-o", "one.mp4", "-j", "1"});
   good({"render", "a.toml", "-o", "two.mp4", "-j", "2"});
-  good({"render", "a.toml", "-o", "seven.mp4", "-j", "7"});  // more than there are segments
+  good({"render", "a.toml", "-o", "seven.mp4", "-j", "7"});  // more workers than segments
   EXPECT_GT(bytes("one.mp4").size(), 10000u);
   EXPECT_TRUE(bytes("one.mp4") == bytes("two.mp4"));
   EXPECT_TRUE(bytes("one.mp4") == bytes("seven.mp4"));
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml", "one.mp4", "seven.mp4", "two.mp4"));
 }
 
-// A name is bytes: what is written of it as text is UTF-8 all the same.
-TEST_F(RenderCommand, NamesNeedNotBeUtf8) {
+// File names are bytes that need not be UTF-8; text that contains a name is UTF-8 all the same.
+TEST_F(RenderCommand, AcceptsFileNamesThatAreNotUtf8) {
   folder_.put("\xe9\xff.toml", kGoodScene);
   good({"render", "\xe9\xff.toml", "--frames", "0-1", "-o", "\xff.mp4", "--manifest", "m.json"});
   good({"render", "\xe9\xff.toml", "--frames", "0-1", "-o", "\xff_{frame}.png"});
@@ -63,21 +62,21 @@ TEST_F(RenderCommand, NamesNeedNotBeUtf8) {
   EXPECT_EQ(image::textsOfWholePng(folder_ / "\xfe.png").value().at(1).value, "\\xe9\\xff");
 }
 
-TEST_F(RenderCommand, StillIsTheFrameOfASequence) {
+TEST_F(RenderCommand, StillEqualsTheFrameAtItsTime) {
   good({"render", "a.toml", "-o", "frames/a_{frame:04}.png", "--frames", "58-61", "-j", "2"});
   EXPECT_THAT(namesIn(folder_ / "frames"), ElementsAre("a_0058.png", "a_0059.png", "a_0060.png", "a_0061.png"));
   good({"render", "a.toml", "--frames", "60", "-o", "frame.png"});
-  // Without labels, which may fade in a film and not in a still; 2 s at 30 fps is frame 60.
+  // Labels are hidden, because they may fade in a film and not in a still. 2 s at 30 fps is frame 60.
   good({"still", "a.toml", "--time", "2", "-D", "show.labels=false", "-o", "still.png"});
   good({"render", "a.toml", "--frames", "60", "-D", "show.labels=false", "-o", "bare_frame.png"});
   EXPECT_TRUE(bytes("still.png") == bytes("bare_frame.png"));
-  // The one picture also says what it shows.
+  // Compares pixels only, because a single picture has a description.
   const auto picture = [&](const char* name) { return image::readPng(folder_ / name); };
   EXPECT_TRUE(picture("frame.png") == picture("frames/a_0060.png"));
   EXPECT_FALSE(picture("frame.png") == picture("frames/a_0061.png"));
 }
 
-TEST_F(RenderCommand, StillBetweenTwoFramesIsNeither) {
+TEST_F(RenderCommand, StillBetweenTwoFramesDiffersFromBoth) {
   good({"still", "a.toml", "--time", "1.0", "-o", "before.png"});
   good({"still", "a.toml", "--time", "1.016", "-o", "between.png"});
   good({"still", "a.toml", "--time", "1.0333333333333333", "-o", "after.png"});
@@ -85,8 +84,8 @@ TEST_F(RenderCommand, StillBetweenTwoFramesIsNeither) {
   EXPECT_FALSE(bytes("between.png") == bytes("after.png"));
 }
 
-TEST_F(RenderCommand, PicturesHaveSixteenBitsWhereAskedFor) {
-  // Of what ffprobe says; as big-endian as a PNG is.
+TEST_F(RenderCommand, WritesSixteenBitsIfRequested) {
+  // Returns the pixel format that ffprobe reports; PNG is big-endian.
   const auto kind = [&](const std::string& name) {
     return runShell(folder_.path(), "ffprobe -v error -show_entries stream=pix_fmt -of csv=p=0 " + name).out;
   };
@@ -102,14 +101,14 @@ TEST_F(RenderCommand, PicturesHaveSixteenBitsWhereAskedFor) {
     good({"still", "a.toml", "--time", "2", "--bits", "16", "--backend", backEnd, "-o", "by.png", "--force"});
     EXPECT_TRUE(bytes("by.png") == bytes("deep.png")) << backEnd;
   }
-  // Rounded to 8 bits it is the picture of 8.
+  // Rounded to 8 bits, the picture equals the picture of 8 bits.
   const image::Image deep = image::readPng(folder_ / "deep.png"), eight = image::readPng(folder_ / "eight.png");
   ASSERT_EQ(deep.size, eight.size);
   ASSERT_EQ(deep.channels, 3);
   for (std::size_t i = 0; i < deep.pixels.size(); ++i) ASSERT_NEAR(deep.pixels[i], eight.pixels[i], 1) << i;
 }
 
-TEST_F(RenderCommand, ASequenceOfSixteenBitsIsTheSameHoweverItIsMade) {
+TEST_F(RenderCommand, WritesTheSame16BitSequenceWithWorkersAndResume) {
   const std::vector<std::string> names{"0058.png", "0059.png", "0060.png", "0061.png"};
   const auto render = [&](const std::string& folder, std::vector<std::string> more) {
     std::vector<std::string> words{"render", "a.toml", "--frames", "58-61", "-o", folder + "/{frame:04}.png"};
@@ -122,14 +121,14 @@ TEST_F(RenderCommand, ASequenceOfSixteenBitsIsTheSameHoweverItIsMade) {
   render("one", {"--bits", "16", "-j", "1"});
   render("two", {"--bits", "16", "-j", "2"});
   expectSame("one", "two");
-  // What is there is kept; a file that is gone is made again, as it was.
+  // Existing frames are kept; a missing frame is rendered again with the same bytes.
   std::filesystem::remove(folder_ / "two/0059.png");
-  EXPECT_THAT(render("two", {"--bits", "16", "--resume"}).err, HasSubstr("3 of them were there already"));
+  EXPECT_THAT(render("two", {"--bits", "16", "--resume"}).err, HasSubstr("3 of them already existed"));
   expectSame("one", "two");
-  // Frames of 8 bits are others, either way.
-  EXPECT_THAT(render("two", {"--resume"}).err, Not(HasSubstr("there already")));
+  // Frames of 8 bits are not reused for 16 bits, nor the reverse.
+  EXPECT_THAT(render("two", {"--resume"}).err, Not(HasSubstr("already existed")));
   EXPECT_FALSE(bytes("one/0060.png") == bytes("two/0060.png"));
-  EXPECT_THAT(render("two", {"--bits", "16", "--resume"}).err, Not(HasSubstr("there already")));
+  EXPECT_THAT(render("two", {"--bits", "16", "--resume"}).err, Not(HasSubstr("already existed")));
   expectSame("one", "two");
 }
 
@@ -140,29 +139,29 @@ TEST_F(RenderCommand, BackEndsDrawTheSameBytes) {
   EXPECT_TRUE(bytes("osmesa.png") == bytes("egl.png"));
 }
 
-TEST_F(RenderCommand, SizeMayBeOddForPictures) {
+TEST_F(RenderCommand, AcceptsOddSizesForPictures) {
   good({"still", "a.toml", "--size", "161x91", "-o", "odd.png"});
   const auto picture = image::readPng(folder_ / "odd.png");
   EXPECT_EQ(picture.size, (image::PixelSize{161, 91}));
 }
 
-TEST_F(RenderCommand, QualityWinsOverTheFile) {
+TEST_F(RenderCommand, QualityOptionOverridesTheScene) {
   good({"still", "a.toml", "-q", "preview", "-o", "preview.png"});
   EXPECT_EQ(image::readPng(folder_ / "preview.png").size, (image::PixelSize{640, 360}));
 }
 
-TEST_F(RenderCommand, TheFolderOfResultsIsMadeWhereItIsNamed) {
+TEST_F(RenderCommand, CreatesTheFolderOutIfNeeded) {
   good({"render", "a.toml", "--frames", "0", "-o", "out/x.png"});
   EXPECT_GT(bytes("out/x.png").size(), 500u);
 }
 
-TEST_F(RenderCommand, DefaultOutputIsInOut) {
+TEST_F(RenderCommand, WritesToTheFolderOutByDefault) {
   good({"still", "a.toml"});
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml", "out"));
   EXPECT_THAT(namesIn(folder_ / "out"), ElementsAre("a.png"));
 }
 
-TEST_F(RenderCommand, EarlierOutputIsReplacedAForeignFileIsNot) {
+TEST_F(RenderCommand, ReplacesItsOwnOutputButNoForeignFile) {
   good({"still", "a.toml", "-o", "a.png"});
   good({"still", "a.toml", "-o", "a.png", "--time", "1"});
   good({"render", "a.toml", "-o", "a.mp4", "--frames", "0-3"});
@@ -178,17 +177,17 @@ TEST_F(RenderCommand, EarlierOutputIsReplacedAForeignFileIsNot) {
   }
 }
 
-TEST_F(RenderCommand, AFilmThatRepeatsSaysWhatItChanged) {
+TEST_F(RenderCommand, ReportsWhatALoopChanges) {
   const auto result = run(folder_, {"render", "a.toml", "--loop", "--dry-run"});
   EXPECT_EQ(result.exitCode, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("the film repeats after "));
   EXPECT_THAT(result.err, HasSubstr("omega at the start changed by "));
   EXPECT_EQ(run(folder_, {"render", "a.toml", "--loop", "--dry-run", "--quiet"}).err, "");
   EXPECT_THAT(run(folder_, {"render", "a.toml", "--loop", "-D", "motion.drag.rate=0.1", "--dry-run"}).err,
-              HasSubstr("--loop: error: time.loop: what acts on the body"));
+              HasSubstr("--loop: error: time.loop: something acts on the body"));
 }
 
-TEST_F(RenderCommand, APaceThatWasChosenIsTold) {
+TEST_F(RenderCommand, ReportsTheChosenPace) {
   const auto said = [&](const std::vector<std::string>& more) {
     std::vector<std::string> words{"render", "top.toml", "--dry-run"};
     words.insert(words.end(), more.begin(), more.end());
@@ -197,23 +196,23 @@ TEST_F(RenderCommand, APaceThatWasChosenIsTold) {
   folder_.put("top.toml",
               "[body]\nprincipal_moments = [1, 1, 2]\n[motion]\nomega_body = [0, 0, 100]\n"
               "orientation = [0.966, 0.259, 0, 0]\ngravity.mgr_body = [0, 0, 5]\n");
-  // A fast top goes round with the rate M g l/(I3 omega_3) and nods with I3 omega_3/I1 (Landau & Lifshitz, section
-  // 35, problem 3): 0.025 rad/s, half a radian to 20 s of film; 2 pi/200 s, 1.57 ms of it.
-  EXPECT_EQ(
-      said({}),
-      "poinsot: a second of film is 20 s of the motion, the whole film 200 s; a nutation takes 0.00157 s of film; "
-      "time.speed = 1 is as fast as it is\n");
+  // A fast top precesses at M g l/(I3 omega_3) and nutates at I3 omega_3/I1 (Landau & Lifshitz, section 35,
+  // problem 3). The precession is 0.025 rad/s, half a radian in 20 s of film. The nutation takes 2 pi/200 s, 1.57
+  // ms of film.
+  EXPECT_EQ(said({}),
+            "poinsot: a second of film is 20 s of the motion, the whole film 200 s; a nutation takes 0.00157 s of "
+            "film; time.speed = 1 shows the motion in real time\n");
   EXPECT_EQ(said({"-D", "time.speed=5"}), "");
   EXPECT_EQ(
       said({"-D", "time.speed=0.02"}),
       "-D time.speed=0.02: note: time.speed: the film shows 0.0008 of a turn of the top's precession, which goes "
       "round once in 251 s; time.speed = 25.1 shows a whole turn in these 10 s of film\n");
   EXPECT_EQ(said({"-D", "motion.gravity.mgr_body=[1, 0, 5]"}),
-            "poinsot: a second of film is 20 s of the motion, the whole film 200 s; time.speed = 1 is as fast as "
-            "it is\n");
+            "poinsot: a second of film is 20 s of the motion, the whole film 200 s; time.speed = 1 shows the "
+            "motion in real time\n");
 }
 
-TEST_F(RenderCommand, ForeignFileInASequenceStopsAllOfIt) {
+TEST_F(RenderCommand, RejectsASequenceThatWouldReplaceAForeignFile) {
   good({"render", "a.toml", "--frames", "0-1", "-o", "s_{frame}.png"});
   const auto earlier = bytes("s_0.png");
   folder_.put("s_2.png", "mine");
@@ -223,7 +222,7 @@ TEST_F(RenderCommand, ForeignFileInASequenceStopsAllOfIt) {
   EXPECT_EQ(bytes("s_2.png"), "mine");
 }
 
-TEST_F(RenderCommand, PlacesThatCannotHoldAnOutputAre4) {
+TEST_F(RenderCommand, ExitsWith4ForPathsThatCannotBeWritten) {
   std::filesystem::create_directory(folder_ / "d.mp4");
   for (const char* target : {"no/such/a.mp4", "d.mp4", "a.toml/a.mp4"}) {
     const auto result = run(folder_, {"render", "a.toml", "-o", target});
@@ -232,18 +231,18 @@ TEST_F(RenderCommand, PlacesThatCannotHoldAnOutputAre4) {
   }
 }
 
-TEST_F(RenderCommand, DryRunMakesNothing) {
+TEST_F(RenderCommand, WritesNothingInADryRun) {
   const auto dry = run(folder_, {"render", "a.toml", "--dry-run", "--frames", "30-119"});
   EXPECT_EQ(dry.exitCode, 0) << dry.err;
   EXPECT_EQ(dry.out, "out/a.mp4: 90 frames (30-119), 160x90, 30/1 frames/s, 3 segments\n");
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml"));
 }
 
-TEST_F(RenderCommand, QuietSaysNothing) {
+TEST_F(RenderCommand, QuietPrintsNothing) {
   EXPECT_THAT(good({"render", "a.toml", "--quiet", "--frames", "0-3", "-o", "a.mp4"}).err, IsEmpty());
 }
 
-TEST_F(RenderCommand, ProgressAsJsonIsOneObjectALine) {
+TEST_F(RenderCommand, PrintsOneJsonObjectPerLineOfProgress) {
   std::istringstream lines(good({"render", "a.toml", "--progress=json", "-o", "a.mp4"}).err);
   nlohmann::json last;
   for (std::string line; std::getline(lines, line);) last = nlohmann::json::parse(line);
@@ -252,7 +251,7 @@ TEST_F(RenderCommand, ProgressAsJsonIsOneObjectALine) {
   EXPECT_EQ(last.at("total"), 120);
 }
 
-TEST_F(RenderCommand, StatsAreToldPerStep) {
+TEST_F(RenderCommand, PrintsStatsPerStep) {
   const auto result = good({"render", "a.toml", "--stats", "--frames", "0-9", "-o", "a.mp4"});
   for (const char* said : {"10 frames in", "simulate", "compose", "draw", "resolve", "read", "text", "convert",
                            "encode", "write", "peak memory"})
@@ -262,10 +261,10 @@ TEST_F(RenderCommand, StatsAreToldPerStep) {
 struct TracedSpan {
   double begin_us, end_us;
   std::string name;
-  int frame;  // -1 of none
+  int frame;  // -1 if the span has no frame
 };
 
-/// Those of one row of one process, in order; what lies around others before them.
+/// Spans by process and row, in order of time; an enclosing span precedes the spans inside it.
 using TracedRows = std::map<std::pair<int, int>, std::vector<TracedSpan>>;
 
 TracedRows rowsOf(const nlohmann::json& trace) {
@@ -283,7 +282,7 @@ TracedRows rowsOf(const nlohmann::json& trace) {
   return rows;
 }
 
-/// Adds up what lies in no other span, and expects the others to lie within.
+/// Returns the sum of the outermost spans, and expects all other spans to lie inside one of them.
 double outermost_us(const std::vector<TracedSpan>& row) {
   constexpr double kRounding_us = 1e-3;
   double sum_us = 0, end_us = 0;
@@ -327,7 +326,7 @@ TEST_F(RenderCommand, TracesEveryFrameOfEveryWorker) {
   EXPECT_TRUE(rows.contains({1, 2}) && rows.contains({2, 2}));
 }
 
-TEST_F(RenderCommand, ATraceThatCannotBeIsRefusedFirst) {
+TEST_F(RenderCommand, RejectsAnUnwritableTraceBeforeRendering) {
   folder_.put("mine.json", "{}");
   const auto refused = [&](const std::string& trace, int exitCode, const std::string& said) {
     const auto result = run(folder_, {"render", "a.toml", "-o", "a.mp4", "--trace", trace});
@@ -340,7 +339,7 @@ TEST_F(RenderCommand, ATraceThatCannotBeIsRefusedFirst) {
   refused("./a.mp4", 2, "--trace");
 }
 
-TEST_F(RenderCommand, AnEditedSceneDoesNotMix) {
+TEST_F(RenderCommand, IgnoresEditsOfTheSceneWhileItRuns) {
   good({"render", "a.toml", "-o", "calm.mp4", "-j", "2"});
   ProgramRun running(folder_, {"render", "a.toml", "-o", "edited.mp4", "-j", "2", "--progress=json"});
   while (running.errSoFar().empty()) usleep(2000);
@@ -353,9 +352,9 @@ double seconds(std::chrono::steady_clock::duration time) { return std::chrono::d
 
 class Signals : public RenderCommand, public ::testing::WithParamInterface<std::pair<int, int>> {};
 
-TEST_P(Signals, LeaveNothingBehind) {
+TEST_P(Signals, EndARenderWithoutLeavingFiles) {
   const auto [signal, exitCode] = GetParam();
-  // Far more frames than can be done before the signal.
+  // The film has far more frames than can be rendered before the signal.
   ProgramRun running(
       folder_, {"render", "a.toml", "-D", "time.duration=1000", "-o", "long.mp4", "-j", "2", "--progress=json"});
   while (running.errSoFar().empty()) usleep(2000);
@@ -371,8 +370,8 @@ INSTANTIATE_TEST_SUITE_P(Each, Signals,
                          ::testing::Values(std::pair{SIGINT, 130}, std::pair{SIGTERM, 143},
                                            std::pair{SIGHUP, 129}));
 
-// As `timeout -s INT` does: to the program, then at once to its whole group, of which the program is a part.
-TEST_F(RenderCommand, OneWishToEndSentTwiceLeavesNothingBehind) {
+// `timeout -s INT` sends the signal to the program and at once to its process group, which includes the program.
+TEST_F(RenderCommand, EndsCleanlyIfASignalArrivesTwice) {
   ProgramRun running(
       folder_, {"render", "a.toml", "-D", "time.duration=1000", "-o", "long.mp4", "-j", "2", "--progress=json"});
   while (running.errSoFar().empty()) usleep(2000);
@@ -382,7 +381,6 @@ TEST_F(RenderCommand, OneWishToEndSentTwiceLeavesNothingBehind) {
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml"));
 }
 
-/// Processes whose parent is `parent`.
 std::vector<pid_t> childrenOf(pid_t parent) {
   std::vector<pid_t> children;
   std::istringstream list(
@@ -391,7 +389,7 @@ std::vector<pid_t> childrenOf(pid_t parent) {
   return children;
 }
 
-/// Whether the process runs; one that ended and waits for its parent to notice does not.
+/// Returns whether the process runs. A zombie does not.
 bool alive(pid_t pid) {
   std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
   std::string text;
@@ -399,8 +397,8 @@ bool alive(pid_t pid) {
   return file && text.at(text.rfind(')') + 2) != 'Z';
 }
 
-TEST_F(RenderCommand, DeadWorkerIsAnErrorThatNamesItsFrames) {
-  // No segment is done before the worker dies, or it would be kept.
+TEST_F(RenderCommand, ReportsTheFramesOfADeadWorker) {
+  // No segment is complete before the worker dies; a complete segment would be kept.
   ProgramRun running(folder_, {"render", "a.toml", "-D", "time.duration=1000", "-o", "long.mp4", "-j", "2",
                                "--segment", "1000", "--progress=json"});
   while (running.errSoFar().empty()) usleep(2000);
@@ -431,7 +429,7 @@ TEST_F(RenderCommand, WorkersEndWithTheirParentAndTheNextRunTakesOver) {
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.mp4", "a.toml"));
 }
 
-TEST_F(RenderCommand, OneRenderOfATargetAtATime) {
+TEST_F(RenderCommand, RejectsASecondRenderOfTheSameOutput) {
   ProgramRun first(folder_, {"render", "a.toml", "-D", "time.duration=1000", "-o", "a.mp4", "--progress=json"});
   while (first.errSoFar().empty()) usleep(2000);
   const auto second =

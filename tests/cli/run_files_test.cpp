@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whose files they are: every command and option that names an output, read from the help. Nothing that poinsot
-// did not write is replaced without --force, and no output of a run replaces another one or an input of it.
+// Tests every command and option that names an output, as listed in the help. Without --force, nothing that
+// poinsot did not write is replaced. No output of a run replaces another output or an input of the run.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -20,20 +20,20 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using Command = OutputCommand;
 
-/// What --outcome begins with. It also tells why a run was refused, so it is written where no file is lost by
-/// that.
+/// Beginning of an --outcome file. The file also reports why a run was refused, so it is written if no file is
+/// lost by that.
 constexpr const char* kTelling = "poinsotOutcome(";
 
-/// Options and operands that name what is read.
+/// Options and operands that name inputs.
 const std::set<std::string> kInputs{"--asset-root", "--images", "--mask", "SCENE", "REFERENCE",
                                     "TEST",         "MANIFEST", "OUTPUT", "THEIRS"};
-/// Words that stand for what is no file. NAME is one only as the operand of `new`.
+/// Placeholders in the help that do not stand for a file. NAME stands for a file only as the operand of `new`.
 const std::set<std::string> kNoFiles{"NAME",      "N",   "NAME=VALUE", "KEY=VALUE", "WxH",   "A-B",  "RATE",
                                      "STYLE",     "T",   "LENGTH",     "k/n",       "TEX",   "M",    "S",
                                      "T1,T2,...", "HZ",  "SIZE",       "0-N",       "ANGLE", "TEXT", "X,Y,W,H",
                                      "COMMAND",   "INT", "Excludes",   "Print"};
 
-// Two frames; a style of its own, so that the scene names a file.
+// Scene of two frames; it names a file, because it has its own style.
 const char* const kText =
     "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0.1, 2, 0.1]\n"
     "[time]\nduration = 0.2\nfps = 10\n[style]\nfile = \"look.toml\"\n[output]\nsize = [64, 36]\n"
@@ -41,14 +41,14 @@ const char* const kText =
     "false\n"
     "L = false\nomega = false\nprincipal_axes = false\n[[timeline]]\nat = 0\ncaption = 'x'\n";
 
-/// How a file's path can be spelled besides, from the folder of the run.
+/// Returns other spellings of a file's path, relative to the folder of the run.
 std::vector<std::string> spellings(const ScratchFolder& folder, const std::string& file) {
   return {file, "./" + file, (folder / file).string(), "folder/../" + file, "link/" + file};
 }
 
-class WhoseFiles : public testing::TestWithParam<Command> {
+class OutputFiles : public testing::TestWithParam<Command> {
  protected:
-  /// Made once: two pictures, two films and a mask.
+  /// Makes two pictures, two films and a mask once for all tests.
   static void SetUpTestSuite() {
     made_ = std::make_unique<ScratchFolder>();
     putScenes(*made_);
@@ -78,7 +78,7 @@ class WhoseFiles : public testing::TestWithParam<Command> {
       fs::copy(*made_ / name, folder_ / name);
     fs::copy(*made_ / "a.png", folder_ / "folder/a.png");
     fs::copy(*made_ / "b.png", folder_ / "other/a.png");
-    fs::copy(*made_ / "b.png", folder_ / "golden/s.png");  // not what the scene draws
+    fs::copy(*made_ / "b.png", folder_ / "golden/s.png");  // differs from the picture that the scene draws
     folder_.put("scenes/football.toml", kText);
     folder_.put("golden.toml", "[[test]]\nname = \"s\"\nscene = \"s.toml\"\n");
     if (command().before.empty()) return;
@@ -87,7 +87,7 @@ class WhoseFiles : public testing::TestWithParam<Command> {
 
   static const Command& command() { return GetParam(); }
 
-  /// Runs the command with all of its outputs; some values are others.
+  /// Runs the command with all of its outputs; `others` overrides values of options.
   RunResult run(const std::map<std::string, std::string>& others = {}, bool force = false) const {
     Words words{command().name};
     words.insert(words.end(), command().words.begin(), command().words.end());
@@ -101,7 +101,7 @@ class WhoseFiles : public testing::TestWithParam<Command> {
     return poinsot::run(folder_, words, Stdout::kFile, {"POINSOT_SCENES=" + (folder_ / "scenes").string(), "CI="});
   }
 
-  /// Every file below the folder, with its bytes; but for reports that tell why a run was refused.
+  /// Returns every file below the folder with its bytes, except outcomes that report why a run was refused.
   std::map<std::string, std::string> files() const {
     std::map<std::string, std::string> all;
     for (const auto& entry : fs::recursive_directory_iterator(folder_.path()))
@@ -111,7 +111,6 @@ class WhoseFiles : public testing::TestWithParam<Command> {
     return all;
   }
 
-  /// Refused for being two files of the run, with nothing changed.
   void expectClash(const std::map<std::string, std::string>& others, const std::string& where) const {
     const auto before = files();
     const RunResult told = run(others, true);
@@ -128,7 +127,7 @@ class WhoseFiles : public testing::TestWithParam<Command> {
   static inline std::unique_ptr<ScratchFolder> made_;
 };
 
-TEST_P(WhoseFiles, AreReplacedOnlyByForceAndThenKnown) {
+TEST_P(OutputFiles, AreReplacedOnlyWithForceOrIfWrittenByPoinsot) {
   for (const Output& output : command().outputs) {
     if (output.isAddedTo) continue;
     folder_.put(output.file, "mine\n");
@@ -142,20 +141,20 @@ TEST_P(WhoseFiles, AreReplacedOnlyByForceAndThenKnown) {
   }
   for (const Output& output : command().outputs) folder_.put(output.file, "mine\n");
   for (const bool force : {true, false}) {
-    if (!force)  // what no earlier run can be known by is made anew
+    if (!force)  // the program cannot recognise these outputs as its own, so they must be new
       for (const Output& output : command().outputs)
         if (!output.isKnown) fs::remove(folder_ / output.file);
     const RunResult told = run({}, force);
     EXPECT_EQ(told.exitCode, command().exitCode) << told.err;
     for (const Output& output : command().outputs) {
-      if (command().name == "submit") continue;  // it prints a script
+      if (command().name == "submit") continue;  // submit prints a script
       EXPECT_TRUE(fs::exists(folder_ / output.file)) << output.file;
       EXPECT_EQ(bytesOf(folder_ / output.file).starts_with("mine\n"), output.isAddedTo) << output.file;
     }
   }
 }
 
-TEST_P(WhoseFiles, AreNoOutputsWhereTheyAreInputs) {
+TEST_P(OutputFiles, MustNotBeInputsOfTheRun) {
   std::size_t turn = 0;
   for (const Output& output : command().outputs)
     for (const std::string& input : command().inputs) {
@@ -169,7 +168,7 @@ TEST_P(WhoseFiles, AreNoOutputsWhereTheyAreInputs) {
     }
 }
 
-TEST_P(WhoseFiles, AreNoTwoOutputs) {
+TEST_P(OutputFiles, MustNotBeTheSameAsAnotherOutput) {
   std::size_t turn = 0;
   const std::vector<Output>& outputs = command().outputs;
   for (std::size_t i = 0; i < outputs.size(); ++i)
@@ -188,10 +187,9 @@ TEST_P(WhoseFiles, AreNoTwoOutputs) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, WhoseFiles, testing::ValuesIn(outputCommands()),
+INSTANTIATE_TEST_SUITE_P(Each, OutputFiles, testing::ValuesIn(outputCommands()),
                          [](const auto& one) { return one.param.name + one.param.unlike; });
 
-/// An option or operand of a command's help.
 struct Word {
   std::string name, type;
 };
@@ -203,13 +201,14 @@ std::string helpOf(const std::string& command) {
   return run(folder, words).out;
 }
 
-/// CLI11 writes "  -o,--output FILE", and since 2.5 "  -o,     --output FILE" and "          --output FILE".
+/// Removes the columns of options. CLI11 writes "  -o,--output FILE", and since 2.5 "  -o,     --output FILE" and
+/// "          --output FILE".
 std::string withoutColumns(const std::string& line) {
   static const std::regex columns("^  (?:(-.,) +|        )--");
   return std::regex_replace(line, columns, "  $1--");
 }
 
-/// Lines such as "  -o,--output FILE  what it is" and "  SCENE TEXT REQUIRED  what it is".
+/// Returns the words of lines such as "  -o,--output FILE  what it is" and "  SCENE TEXT REQUIRED  what it is".
 std::vector<Word> wordsOf(const std::string& help) {
   std::vector<Word> words;
   std::istringstream lines(help);
@@ -235,12 +234,12 @@ std::set<std::string> commandNames() {
   for (std::string line; std::getline(lines, line);)
     if (line.starts_with("  ") && line.size() > 2 && std::islower(line[2]))
       names.insert(line.substr(2, line.find(' ', 2) - 2));
-  names.erase("poinsot");  // the first word of an example
+  names.erase("poinsot");  // first word of an example
   return names;
 }
 
-// A new option that names a file needs a line above: as an output, or as an input.
-TEST(WhoseFilesAllOf, TheHelpAreTried) {
+// A new option that names a file must be listed as an output (output_commands.cpp) or as an input (above).
+TEST(OutputFilesInTheHelp, AreAllTested) {
   std::set<std::pair<std::string, std::string>> tried, found;
   for (const Command& command : outputCommands())
     for (const Output& output : command.outputs)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures for notes through the whole program: sizes on paper, what files say, what may be replaced.
+// Tests figures for notes through the whole program: sizes on paper, metadata of files, and replaced files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +28,6 @@ class StillCommand : public ::testing::Test {
     words.insert(words.begin(), {"still", "a.toml"});
     return run(folder_, words);
   }
-  /// Small, and quick to draw.
   void good(const std::string& name, std::vector<std::string> words = {}) {
     words.insert(words.begin(), {"-o", name, "--width", "50mm", "--dpi", "100"});
     const auto result = still(words);
@@ -39,7 +38,6 @@ class StillCommand : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-/// The content of a PNG's first chunk of that type.
 std::string chunk(const std::string& png, const std::string& type) {
   const auto number = [&](std::size_t at) {
     std::uint32_t n = 0;
@@ -51,24 +49,24 @@ std::string chunk(const std::string& png, const std::string& type) {
   return "";
 }
 
-TEST_F(StillCommand, APngHasItsSizeOnPaperAndItsWords) {
+TEST_F(StillCommand, WritesPaperSizeAndTitleIntoAPng) {
   const auto result = still({"-o", "a.png", "--width", "86mm", "--dpi", "300"});
   EXPECT_EQ(result.exitCode, 0) << result.err;
   const std::string png = bytes("a.png");
   EXPECT_EQ(image::readPng(folder_ / "a.png").size,
             (image::PixelSize{1016, 572}));  // 86 / 25.4 * 300; 9 / 16 of it
-  // 300 / 0.0254 = 11811 = 0x2e23 to the metre, both ways.
+  // 300 / 0.0254 = 11811 = 0x2e23 pixels per metre, both ways.
   EXPECT_EQ(chunk(png, "pHYs"), std::string("\0\0\x2e\x23\0\0\x2e\x23\1", 9));
   EXPECT_THAT(chunk(png, "iTXt"), StartsWith(std::string("Title\0\0\0\0\0Eine Größe ω", 24)));
 }
 
-TEST_F(StillCommand, WithoutAWidthAPngIsForAScreen) {
+TEST_F(StillCommand, WritesNoPaperSizeWithoutWidth) {
   EXPECT_EQ(still({"-o", "a.png"}).exitCode, 0);
   EXPECT_EQ(chunk(bytes("a.png"), "pHYs"), "");
   EXPECT_EQ(image::readPng(folder_ / "a.png").size, (image::PixelSize{160, 90}));
 }
 
-TEST_F(StillCommand, EveryMediumIsWritten) {
+TEST_F(StillCommand, WritesPngPdfSvgAndTex) {
   for (const char* name : {"a.png", "a.pdf", "a.svg", "a.tex"}) good(name);
   EXPECT_THAT(namesIn(folder_.path()),
               ElementsAre("a-unlabelled.png", "a.pdf", "a.png", "a.svg", "a.tex", "a.toml"));
@@ -80,19 +78,19 @@ TEST_F(StillCommand, EveryMediumIsWritten) {
   EXPECT_EQ(image::readPng(folder_ / "a-unlabelled.png").size, (image::PixelSize{197, 111}));
 }
 
-// What is only drawn need not be a body: it has no volume, and so no centre of mass.
-TEST_F(StillCommand, AMeshThatEnclosesNothingIsDrawn) {
+// A shape that is only drawn needs neither volume nor centre of mass.
+TEST_F(StillCommand, DrawsAMeshWithoutVolume) {
   folder_.put("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   folder_.put("wound.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nf 1 2 3\nf 1 3 2\nf 1 2 4\n");
   for (const char* file : {"flat.obj", "wound.obj"})
     good("mesh.png", {"-D", "show.body.shape=mesh", "-D", std::string("show.body.file=") + file});
 }
 
-TEST_F(StillCommand, ADryRunSaysTheSizeAndWritesNothing) {
+TEST_F(StillCommand, DryRunPrintsTheSizeAndWritesNothing) {
   const auto plain = still({"-o", "a.pdf", "--dry-run"});
   EXPECT_EQ(plain.exitCode, 0) << plain.err;
   EXPECT_EQ(plain.out, "a.pdf: 86 x 48.36 mm at 600 dpi, 2031x1142 pixels\n");
-  // 86 mm in the other units; TeX has 72.27 points to the inch.
+  // 86 mm in the other units; TeX has 72.27 points per inch.
   for (const char* width : {"8.6cm", "8.6 cm", "3.385826771653543in", "244.6936pt"})
     EXPECT_EQ(still({"-o", "a.pdf", "--dry-run", "--width", width}).out, plain.out) << width;
   EXPECT_EQ(still({"-o", "a.pdf", "--dry-run", "--size", "400x300", "--width", "60mm", "--dpi", "254"}).out,
@@ -100,19 +98,19 @@ TEST_F(StillCommand, ADryRunSaysTheSizeAndWritesNothing) {
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml"));
 }
 
-TEST_F(StillCommand, TypeThatIsTooSmallOnPaperIsToldOf) {
+TEST_F(StillCommand, WarnsOfTextThatIsTooSmallOnPaper) {
   folder_.put("a.toml",
               std::string(kGoodScene) + "[[view]]\n[[plot]]\nquantities = ['L_1', 'L_2']\nat = [1, 0]\n");
   const auto said = [&](const std::string& width) {
     return still({"-o", "a.pdf", "--dry-run", "--width", width}).err;
   };
   EXPECT_THAT(said("35mm"),
-              MatchesRegex("poinsot: the smallest type is [34]\\.[0-9] pt high, which is hard to read on "
+              MatchesRegex("poinsot: the smallest text is [34]\\.[0-9] pt high, which is hard to read on "
                            "paper; a larger --width or fewer panels make it larger\n"));
   EXPECT_EQ(said("86mm"), "");
 }
 
-TEST_F(StillCommand, TransparentPaperIsNotThere) {
+TEST_F(StillCommand, OmitsTheBackgroundWithOptionTransparent) {
   good("a.png", {"--transparent"});
   const auto clear = image::readPng(folder_ / "a.png");
   ASSERT_EQ(clear.channels, 4);
@@ -131,7 +129,7 @@ TEST_F(StillCommand, TheSameCommandGivesTheSameBytes) {
   }
 }
 
-TEST_F(StillCommand, FilesOfOthersAreKept) {
+TEST_F(StillCommand, ReplacesForeignFilesOnlyWithForce) {
   for (const std::string name : {"b.pdf", "b.svg", "b.tex", "b-unlabelled.png"}) {
     folder_.put(name, "mine");
     const std::string target = name == "b-unlabelled.png" ? "b.tex" : name;
@@ -144,7 +142,7 @@ TEST_F(StillCommand, FilesOfOthersAreKept) {
   }
 }
 
-TEST_F(StillCommand, WhatWasEditedIsKept) {
+TEST_F(StillCommand, DoesNotReplaceAnEditedFigure) {
   good("a.tex");
   const std::string edited = bytes("a.tex") + "% moved a label\n";
   folder_.put("a.tex", edited);
@@ -157,8 +155,8 @@ struct BadStill {
   std::string says;
 };
 
-TEST_F(StillCommand, MistakesExitWith2AndSayWhatWasMeant) {
-  const std::string width = "a width on paper is a number above 0 and mm, cm, in or pt, such as 86mm";
+TEST_F(StillCommand, RejectsInvalidArgumentsWithAnExplanation) {
+  const std::string width = "must be a number above 0 with the unit mm, cm, in or pt, such as 86mm";
   const BadStill cases[] = {
       {{"-o", "a.gif"}, "output 'a.gif': a still is one NAME.png, NAME.pdf, NAME.svg or NAME.tex"},
       {{"-o", "a_{frame}.png"}, "a still is one NAME.png, NAME.pdf"},
@@ -172,14 +170,14 @@ TEST_F(StillCommand, MistakesExitWith2AndSayWhatWasMeant) {
       {{"--width", "infmm"}, width},
       {{"--width", ""}, "--width: is empty"},
       {{"--width", "400mm"},
-       "400 mm at 600 dpi are 9449x5315 pixels: sides are from 16 to 8192 pixels; --dpi 520 "
-       "would do"},
+       "400 mm at 600 dpi are 9449x5315 pixels; sides must be from 16 to 8192 pixels; use --dpi 520"},
       {{"--width", "15mm", "--dpi", "20"}, "15 mm at 20 dpi are 12x7 pixels"},
       {{"--width", "5mm"},
-       "--width '5mm': must be at least 15 mm, because type does not shrink below its size in points"},
-      {{"--width", "1e300mm"}, "sides are from 16 to 8192 pixels"},
+       "--width '5mm': must be at least 15 mm, because text does not shrink below its size in points"},
+      {{"--width", "1e300mm"}, "sides must be from 16 to 8192 pixels"},
       {{"--dpi", "300"}, "--dpi needs --width"},
-      {{"--width", "86mm", "-q", "4k"}, "-q: how many pixels a picture on paper has, --width and --dpi say"},
+      {{"--width", "86mm", "-q", "4k"},
+       "-q: not possible for a picture on paper; set its pixels with --width and --dpi"},
       {{"--width", "86mm", "--dpi", "0"}, "not in range"},
       {{"--width", "86mm", "--dpi", "many"}, "--dpi"},
       {{"-o", "50%.tex"}, "50%-unlabelled.png: LaTeX cannot load a picture whose name has one of"},
@@ -191,12 +189,12 @@ TEST_F(StillCommand, MistakesExitWith2AndSayWhatWasMeant) {
   }
   const auto film = run(folder_, {"render", "a.toml", "-o", "a.pdf"});
   EXPECT_EQ(film.exitCode, 2);
-  EXPECT_THAT(film.err, HasSubstr("a figure is made by `poinsot still`"));
+  EXPECT_THAT(film.err, HasSubstr("`poinsot still` writes figures"));
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml"));
 }
 
-// What was chosen in place of the user, and what he can hardly have wanted, is said beside the picture.
-TEST_F(StillCommand, SaysWhatWouldSurprise) {
+// A note reports automatic choices, and settings that are probably a mistake.
+TEST_F(StillCommand, NotesAutomaticChoicesAndLikelyMistakes) {
   const auto said = [&](std::vector<std::string> words) {
     words.insert(words.end(), {"-o", "a.png", "--force", "--size", "64x48"});
     const auto result = still(words);
@@ -204,17 +202,17 @@ TEST_F(StillCommand, SaysWhatWouldSurprise) {
     return result.err;
   };
   const std::string throwIt = "motion.flight.velocity=[300,0,5]";
-  EXPECT_THAT(said({"-D", throwIt}), HasSubstr("beside the body the path of its flight is drawn "));
-  EXPECT_THAT(said({"-D", throwIt, "-D", "show.flight.scale=1"}), Not(HasSubstr("path of its flight")));
+  EXPECT_THAT(said({"-D", throwIt}), HasSubstr("the flight path is drawn "));
+  EXPECT_THAT(said({"-D", throwIt, "-D", "show.flight.scale=1"}), Not(HasSubstr("flight path")));
   EXPECT_THAT(said({"-D", "style.colors.paper=#000000"}),
               HasSubstr("titles hardly stand out from the paper (contrast"));
   EXPECT_THAT(said({"-D", "style.colors.paper=#000000", "-D", "style.theme=dark"}), Not(HasSubstr("stand out")));
   EXPECT_THAT(said({"-D", "style.colors.paper=#000000", "--quiet"}), testing::IsEmpty());
   EXPECT_THAT(said({"-D", "show.torque=true"}),
-              HasSubstr("show.torque asks for a torque, and nothing acts on the body"));
-  EXPECT_THAT(said({"-D", "camera.azimuth=1"}), HasSubstr("camera.azimuth: 1 is in radians, 57.3 deg"));
+              HasSubstr("show.torque has no effect, because no torque acts on the body"));
+  EXPECT_THAT(said({"-D", "camera.azimuth=1"}), HasSubstr("camera.azimuth: 1 is in radians (57.3 deg)"));
   EXPECT_THAT(said({"-D", "show.torque=true", "-D", "motion.torque.body=[0,0,0.1]"}),
-              Not(HasSubstr("nothing acts")));
+              Not(HasSubstr("has no effect")));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scripts of submit, run with stand-ins for Slurm and for the program. What real ones do is in tests/faults.
+// Tests the scripts of submit with stand-ins for Slurm and for the program. tests/faults runs the real ones.
 #include <gmock/gmock.h>
 
 #include "cli/submit_fixture.h"
@@ -12,16 +12,16 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-/// With stand-ins for the program and for Slurm.
-class SubmitWords : public Submit {
+class SubmitScript : public Submit {
  protected:
-  SubmitWords() {
-    // Says what it was told, each word in a line, control characters as bash has them. All shards have work left.
+  SubmitScript() {
+    // Stand-in for the program: records its arguments, one per line, with control characters as bash quotes them.
+    // All shards have work left.
     executable("poinsot",
                "[[ $* == *' --shards-left '* ]] && { echo \"1-${@: -1}\"; exit 1; }\n"
                "for word; do printf '%q\\n' \"$word\"; done >>\"${0%/*}/words\"\n");
-    // Runs its script at once, for each number of an array, and gives it a number. The variables of the shell are
-    // not handed on, as with --export=NONE.
+    // Stand-in for sbatch: runs its script at once for each number of an array, and returns a job number.
+    // Variables of the shell are not passed on, as with --export=NONE.
     executable("sbatch",
                "here=${0%/*}\n"
                "printf '%q\\n' \"$@\" >>\"$here/asked\"\n"
@@ -34,7 +34,7 @@ class SubmitWords : public Submit {
   }
 };
 
-TEST_F(SubmitWords, EachTaskIsToldAllThatRenderWouldBe) {
+TEST_F(SubmitScript, PassesAllArgumentsToEachTask) {
   const ShellResult printed =
       shell(std::string(kPrint) +
             "-o $'a \\'$x\\n.mp4' -D 'time.duration=2 s' -D 'show.title=\"it'\\''s\"' "
@@ -53,11 +53,11 @@ TEST_F(SubmitWords, EachTaskIsToldAllThatRenderWouldBe) {
   const std::string asked = left("asked");
   EXPECT_THAT(asked, HasSubstr("--array=1-2\n"));
   EXPECT_THAT(asked, HasSubstr("--dependency=afterok:7\n"));
-  EXPECT_THAT(asked, HasSubstr("--job-name=poinsot_a_\\'\\$x_.mp4\n"));  // sacct reads its lists by blanks
+  EXPECT_THAT(asked, HasSubstr("--job-name=poinsot_a_\\'\\$x_.mp4\n"));  // sacct splits its lists at blanks
   EXPECT_TRUE(std::filesystem::is_directory(home() / "a '$x\n.mp4.tasks"));
 }
 
-/// Runs attempts at one task of a printed script with a program that ends as told.
+/// Fixture that runs attempts at one task of a printed script with a given program.
 class SubmitTask : public Submit {
  protected:
   SubmitTask() {
@@ -66,11 +66,11 @@ class SubmitTask : public Submit {
     EXPECT_EQ(shell(std::string(kPrint) + "-o f.mp4 --retries 2 >../script && bash ../script 1").exitCode, 0);
   }
 
-  /// @param program  its script; told --dry-run it prints the frames that are there
-  /// @param restarts  how often Slurm has put the task into the queue, whatever for
+  /// @param program  script of the program; with --dry-run, the stand-in prints the number of existing frames
+  /// @param restarts  how often Slurm has requeued the task, for any reason
   ShellResult attempt(const std::string& program, int restarts, int framesThere = 0) {
     executable("poinsot", "[[ $* == *' --dry-run' ]] && { echo 'f.mp4, shard 1/1: " + std::to_string(framesThere) +
-                              " frames are there already'; exit; }\n" + program);
+                              " frames already exist'; exit; }\n" + program);
     return shell("export SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=1 SLURM_JOB_ID=9 SLURM_RESTART_COUNT=" +
                  std::to_string(restarts) + "\nbash ../job");
   }
@@ -87,7 +87,7 @@ class SubmitTask : public Submit {
   }
 };
 
-TEST_F(SubmitTask, ThatFailsGoesBackIntoTheQueueSoManyTimes) {
+TEST_F(SubmitTask, IsRequeuedAsOftenAsRetriesAllows) {
   for (int restarts = 0; restarts < 2; ++restarts) {
     attempt("exit 3\n", restarts);
     EXPECT_TRUE(isRequeued()) << restarts;
@@ -95,8 +95,8 @@ TEST_F(SubmitTask, ThatFailsGoesBackIntoTheQueueSoManyTimes) {
   expectFailsForGood(attempt("exit 3\n", 2), 3);
 }
 
-// SLURM_RESTART_COUNT has them, too: a task that was preempted again and again has not failed once.
-TEST_F(SubmitTask, ThatWasPreemptedHasAllItsRetriesLeft) {
+// SLURM_RESTART_COUNT includes preemptions. A task that was only preempted has not failed once.
+TEST_F(SubmitTask, KeepsItsRetriesAfterPreemption) {
   constexpr int kPreempted = 20;
   for (int failures = 0; failures < 2; ++failures) {
     attempt("exit 3\n", kPreempted + failures);
@@ -105,7 +105,7 @@ TEST_F(SubmitTask, ThatWasPreemptedHasAllItsRetriesLeft) {
   expectFailsForGood(attempt("exit 3\n", kPreempted + 2), 3);
 }
 
-TEST_F(SubmitTask, ThatGotOnByASegmentHasAllItsRetriesAgain) {
+TEST_F(SubmitTask, RegainsItsRetriesAfterAFinishedSegment) {
   for (int k = 0; k < 10; ++k) {
     attempt("exit 3\n", k, 30 * (k / 2));  // two failures at each segment
     EXPECT_TRUE(isRequeued()) << k;
@@ -113,19 +113,19 @@ TEST_F(SubmitTask, ThatGotOnByASegmentHasAllItsRetriesAgain) {
   expectFailsForGood(attempt("exit 3\n", 10, 30 * 4), 3);
 }
 
-TEST_F(SubmitTask, WhoseFailuresCannotBeCountedFailsForGood) {
+TEST_F(SubmitTask, IsNotRequeuedIfItsFailuresCannotBeCounted) {
   std::filesystem::remove_all(home() / "f.mp4.tasks");
   expectFailsForGood(attempt("exit 3\n", 0), 3);
 }
 
-TEST_F(SubmitTask, ThatIsDoneOrWouldFailAgainOrWasStoppedDoesNot) {
+TEST_F(SubmitTask, IsNotRequeuedAfterSuccessUsageErrorOrSignal) {
   for (const int code : {0, 2, 129, 130, 143})
     expectFailsForGood(attempt("exit " + std::to_string(code) + "\n", 0), code);
 }
 
-// What Slurm sends a minute before the end: the program is told to stop, has the time to, and the task comes back.
-// It is sent as early as can be here, when the task has hardly gone on from starting the program.
-TEST_F(SubmitTask, WhoseTimeIsOverStopsAndComesBack) {
+// Slurm sends the signal a minute before the time limit. The script stops the program, gives it time to end, and
+// requeues the task. The test sends the signal as early as possible, when the task has just started the program.
+TEST_F(SubmitTask, StopsAndIsRequeuedBeforeItsTimeLimit) {
   attempt(
       "trap 'sleep 0.2; echo stopped >\"${0%/*}/stopped\"; exit 143' TERM\n"
       "kill -USR1 $PPID\n"
@@ -135,7 +135,7 @@ TEST_F(SubmitTask, WhoseTimeIsOverStopsAndComesBack) {
   EXPECT_TRUE(isRequeued());
 }
 
-TEST_F(Submit, TheSameWordsPrintTheSameScript) {
+TEST_F(Submit, PrintsTheSameScriptForTheSameArguments) {
   for (const std::string engine : {"slurm", "parallel"}) {
     const std::string command = std::string(kPrint) + "-o f.mp4 --engine " + engine;
     const ShellResult once = shell(command);
@@ -145,7 +145,7 @@ TEST_F(Submit, TheSameWordsPrintTheSameScript) {
   }
 }
 
-TEST(SubmitHandsOn, HowManyBitsThePicturesHave) {
+TEST(SubmitCommand, PassesOptionBitsToTheTasks) {
   const ScratchFolder folder;
   folder.put("a.toml", kGoodScene);
   const RunResult deep =
@@ -154,7 +154,7 @@ TEST(SubmitHandsOn, HowManyBitsThePicturesHave) {
   EXPECT_THAT(deep.out, HasSubstr(" --transparent --bits 16 "));
 }
 
-TEST(SubmitHandsOn, ASweepToTheCommandThatMakesIt) {
+TEST(SubmitCommand, SubmitsASweepAsTheCommandSweep) {
   const ScratchFolder folder;
   folder.put("a.toml", kGoodScene);
   const RunResult grid =
@@ -165,7 +165,7 @@ TEST(SubmitHandsOn, ASweepToTheCommandThatMakesIt) {
                                   "--label '$\\omega_1$' "));
 }
 
-TEST(SubmitHandsOn, TheViewThatIsAskedFor) {
+TEST(SubmitCommand, PassesTheViewToTheTasks) {
   const ScratchFolder folder;
   folder.put("a.toml", kGoodScene);
   const RunResult one = run(folder, {"submit", "a.toml", "-o", "a.mp4", "--view", "1"});
@@ -176,7 +176,7 @@ TEST(SubmitHandsOn, TheViewThatIsAskedFor) {
   EXPECT_THAT(none.err, HasSubstr("--view 2: the scene has 1 view; give 1"));
 }
 
-TEST(SubmitRefuses, WhatCannotBeMadeThere) {
+TEST(SubmitCommand, RejectsInvalidRequests) {
   const ScratchFolder folder;
   folder.put("a.toml", kGoodScene);
   folder.put("bad.toml", std::string(kGoodScene) + "[show]\nelipsoid = true\n");
@@ -197,13 +197,15 @@ TEST(SubmitRefuses, WhatCannotBeMadeThere) {
       {{"a.toml", "-o", "a.mp4", "--frame-seconds", "-1"}, 2, "--frame-seconds"},
       {{"a.toml", "-o", "theirs.mp4"}, 4, "theirs.mp4"},
       {{"a.toml", "-o", "missing/a.mp4"}, 4, "missing"},
-      {{"a.toml", "-o", "a.mp4", "--columns", "2"}, 2, "--columns and --label are for a grid: -D with a range"},
+      {{"a.toml", "-o", "a.mp4", "--columns", "2"},
+       2,
+       "--columns and --label: need a grid, that is, -D with a range"},
       {{"a.toml", "-o", "a.mp4", "-D", "motion.omega_body=[1..2:2, 0, 0]", "--loop"},
        2,
-       "--loop changes one motion, and a sweep has several"},
+       "--loop: not possible in a sweep, because each of its motions would change"},
       {{"a.toml", "-o", "a.mp4", "-D", "time.duration=1..2:3"},
        2,
-       "a sweep of time.duration: its cells would differ"},
+       "a sweep cannot vary time.duration: all cells are in one film"},
   };
   for (const Case& each : cases) {
     std::vector<std::string> words{"submit"};

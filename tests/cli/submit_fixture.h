@@ -10,10 +10,11 @@ namespace poinsot {
 
 inline constexpr const char* kHostile = "a film's $HOME `id` {} #1 \"100%A\"\n!";
 
-/// The words that print a script for the scene of the folder below.
+/// Command that prints a script for the scene in the folder of Submit.
 inline constexpr const char* kPrint = POINSOT_PROGRAM " submit ./-it\\'s.toml ";
 
-/// A folder with a bad name, a scene in it, and room beside it for stand-ins of Slurm and of the program.
+/// Fixture with a folder that has a difficult name, a scene in it, and stand-ins for Slurm and for the program
+/// beside it.
 class Submit : public testing::Test {
  protected:
   Submit() {
@@ -28,17 +29,18 @@ class Submit : public testing::Test {
     std::filesystem::permissions(scratch_ / name, std::filesystem::perms::owner_all);
   }
 
-  /// Runs commands in the folder; the stand-ins are found first. @param environment  above this process's own
+  /// Runs commands in the folder; the stand-ins are first on the PATH.
+  /// @param environment  added to the environment of this process
   ShellResult shell(const std::string& script, const std::vector<std::string>& environment) const {
     return runShell(home(), "PATH=" + scratch_.path().string() + ":$PATH\n" + script, environment);
   }
 
-  /// The same with the stand-in for the program.
+  /// Runs commands with the stand-in for the program.
   ShellResult shell(const std::string& script) const {
     return shell(script, {"POINSOT=" + (scratch_ / "poinsot").string()});
   }
 
-  /// The lines that a stand-in has left; empty if it was not called.
+  /// Returns the lines that a stand-in has left; empty if it was not called.
   std::string left(const std::string& name) const {
     if (!std::filesystem::exists(scratch_ / name)) return "";
     const std::string text = bytesOf(scratch_ / name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scripts of submit that are run again: Slurm is a stand-in, the program is the real one.
+// Runs scripts of submit again, with a stand-in for Slurm and the real program.
 #include <gmock/gmock.h>
 
 #include "cli/submit_fixture.h"
@@ -12,11 +12,11 @@ using testing::HasSubstr;
 
 constexpr int kShards = 3;
 
-/// A film of six segments, made by three shards.
 class SubmitAgain : public Submit {
  protected:
   SubmitAgain() {
-    // Writes down which tasks are asked for, or that the joining is, and whether that waits for them.
+    // Stand-in for sbatch: records the requested tasks, or the joining, and whether the joining waits for the
+    // tasks.
     executable(
         "sbatch",
         "for word; do\n"
@@ -33,7 +33,7 @@ class SubmitAgain : public Submit {
     EXPECT_EQ(printed.exitCode, 0) << printed.out;
   }
 
-  /// Without POINSOT, and with no poinsot on the PATH.
+  /// Runs commands without POINSOT and with no poinsot on the PATH.
   ShellResult real(const std::string& script) const { return shell(script, {"POINSOT="}); }
 
   void makeAllShards() const {
@@ -44,7 +44,7 @@ class SubmitAgain : public Submit {
     }
   }
 
-  /// Files of all segments of a shard: the i-th segment belongs to shard i modulo 3.
+  /// Returns the files of a shard's segments: segment i belongs to shard i modulo 3.
   std::vector<fs::path> segmentsOf(int shard) const {
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(work())) {
@@ -55,7 +55,7 @@ class SubmitAgain : public Submit {
     return files;
   }
 
-  /// Runs the script. @returns what it submitted
+  /// Runs the script. @returns the submitted jobs
   std::string submitted(int exitCode = 0) const {
     const ShellResult run = real("cd / && bash \"$OLDPWD/../script\"");
     EXPECT_EQ(run.exitCode, exitCode) << run.out;
@@ -68,9 +68,10 @@ class SubmitAgain : public Submit {
   const std::string kFilm = "-o f.mp4 --frames 0-5 --segment 1 --size 64x36 ";
 };
 
-// Each set of shards that are done, from none to all. The set is written out here as Slurm takes it.
-TEST_F(SubmitAgain, SubmitsWhatIsLeftAndTheJoiningAsLongAsThereIsNoFilm) {
-  const char* const kLeft[] = {"1-3", "2-3", "1,3", "3", "1-2", "2", "1", ""};  // by bits of those that are done
+// Tries each set of finished shards, from none to all. kLeft has the other shards as Slurm takes them in --array;
+// the bits of its index are the finished shards.
+TEST_F(SubmitAgain, SubmitsUnfinishedShardsAndTheJoinJob) {
+  const char* const kLeft[] = {"1-3", "2-3", "1,3", "3", "1-2", "2", "1", ""};
   EXPECT_EQ(submitted(), "tasks 1-3\njoined after\n") << "no task ever began";
   makeAllShards();
   fs::rename(work(), scratch_ / "whole");
@@ -89,7 +90,7 @@ TEST_F(SubmitAgain, SubmitsWhatIsLeftAndTheJoiningAsLongAsThereIsNoFilm) {
   EXPECT_EQ(submitted(), "tasks 2\njoined after\n") << "a segment is damaged";
 }
 
-TEST_F(SubmitAgain, SubmitsNothingForAReadyFilmAndAllForOneOfAnotherScene) {
+TEST_F(SubmitAgain, SubmitsNothingForAFinishedFilmOfTheSameScene) {
   ASSERT_EQ(real(POINSOT_PROGRAM " render ./-it\\'s.toml " + kFilm + "--reproducible").exitCode, 0);
   const ShellResult ready = real("bash ../script");
   EXPECT_EQ(ready.exitCode, 0);
@@ -99,7 +100,7 @@ TEST_F(SubmitAgain, SubmitsNothingForAReadyFilmAndAllForOneOfAnotherScene) {
   EXPECT_EQ(submitted(), "tasks 1-3\njoined after\n");
 }
 
-TEST_F(SubmitAgain, SubmitsNothingAndFailsIfTheSceneIsWrongOrTheProgramIsGone) {
+TEST_F(SubmitAgain, FailsIfTheSceneIsInvalidOrTheProgramIsMissing) {
   std::ofstream(home() / "-it's.toml", std::ios::app) << "labls = false\n";
   EXPECT_EQ(submitted(2), "");
   const ShellResult gone = shell("bash ../script", {"POINSOT=/nowhere/poinsot"});
@@ -108,7 +109,7 @@ TEST_F(SubmitAgain, SubmitsNothingAndFailsIfTheSceneIsWrongOrTheProgramIsGone) {
   EXPECT_EQ(left("asked"), "");
 }
 
-TEST_F(SubmitAgain, SubmitsTheTasksThatAreNamedWithoutAskingTheProgram) {
+TEST_F(SubmitAgain, SubmitsNamedTasksWithoutRunningTheProgram) {
   for (const std::string tasks : {"2", "1,3", "1-3%1"}) {
     EXPECT_EQ(shell("bash ../script " + tasks, {"POINSOT=/nowhere/poinsot"}).exitCode, 0);
     EXPECT_EQ(left("asked"), "tasks " + tasks + "\njoined after\n");
@@ -117,7 +118,7 @@ TEST_F(SubmitAgain, SubmitsTheTasksThatAreNamedWithoutAskingTheProgram) {
   EXPECT_EQ(left("asked"), "tasks 1-3\njoined after\n");
 }
 
-TEST_F(SubmitAgain, FailsIfSlurmRefusesAJobAndSubmitsNoJoiningWithoutItsTasks) {
+TEST_F(SubmitAgain, SubmitsNoJoinJobIfSlurmRejectsTheTasks) {
   executable("sbatch", "cat >/dev/null; echo >>\"${0%/*}/asked\"; exit 1\n");
   EXPECT_EQ(submitted(1), "\n");
 }

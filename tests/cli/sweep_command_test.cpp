@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grids and maps through the whole program: the same bytes however they are made, what is refused, what files say.
+// Tests grids and maps through the whole program: equal bytes in every way of rendering, refusals, metadata.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ class SweepCommand : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(SweepCommand, AFilmIsTheSameHoweverItIsMade) {
+TEST_F(SweepCommand, MakesTheSameFilmWithWorkersSandboxAndResume) {
   const auto film = [&](const std::string& name, std::vector<std::string> more) {
     std::vector<std::string> words{"-D", kRange, "--frames", "0-11", "--segment", "4", "-o", name};
     words.insert(words.end(), more.begin(), more.end());
@@ -54,24 +54,23 @@ TEST_F(SweepCommand, AFilmIsTheSameHoweverItIsMade) {
     film("three.mp4", {"--untrusted"});
     EXPECT_TRUE(bytes("one.mp4") == bytes("three.mp4"));
   }
-  // A segment that is gone is made again, as it was.
+  // A missing segment is rendered again with the same bytes.
   std::filesystem::remove(folder_ / "two.mp4");
   std::filesystem::remove(folder_ / ".two.mp4.poinsot/segment-000000004-000000007.mp4");
-  EXPECT_THAT(film("two.mp4", {"--resume", "--keep"}).err, HasSubstr("8 of them were there already"));
+  EXPECT_THAT(film("two.mp4", {"--resume", "--keep"}).err, HasSubstr("8 of them already existed"));
   EXPECT_TRUE(bytes("one.mp4") == bytes("two.mp4"));
-  // Another grid has other frames.
-  EXPECT_THAT(film("two.mp4", {"--resume", "--columns", "1"}).err, Not(HasSubstr("there already")));
+  EXPECT_THAT(film("two.mp4", {"--resume", "--columns", "1"}).err, Not(HasSubstr("already existed")));
   EXPECT_FALSE(bytes("one.mp4") == bytes("two.mp4"));
 }
 
-TEST_F(SweepCommand, ASheetIsAFrameOfTheFilm) {
-  good({"-D", kRange, "--time", "0.1", "-o", "sheet.png"});  // at 30 fps frame 3
+TEST_F(SweepCommand, DrawsASheetLikeTheFrameOfTheFilm) {
+  good({"-D", kRange, "--time", "0.1", "-o", "sheet.png"});  // frame 3 at 30 fps
   good({"-D", kRange, "--frames", "2-3", "-o", "f/{frame}.png"});
   EXPECT_TRUE(image::readPng(folder_ / "sheet.png") == image::readPng(folder_ / "f/3.png"));
   EXPECT_FALSE(image::readPng(folder_ / "sheet.png") == image::readPng(folder_ / "f/2.png"));
 }
 
-TEST_F(SweepCommand, WithoutANameAPictureIsMadeOfTheScenes) {
+TEST_F(SweepCommand, NamesPicturesAfterTheSceneByDefault) {
   good({"-D", kRange, "-D", "time.start=0..1 s:2"});
   good({"--map"});
   EXPECT_THAT(namesIn(folder_ / "out"), ElementsAre("a_map.png", "a_sweep.png"));
@@ -87,15 +86,15 @@ TEST_F(SweepCommand, WithoutANameAPictureIsMadeOfTheScenes) {
   EXPECT_THAT(description("out/a_map.png"), StartsWith("A map of how long the body takes from flip to flip"));
 }
 
-TEST_F(SweepCommand, SaysWhereTypeIsTooSmallToRead) {
+TEST_F(SweepCommand, WarnsOfTextThatIsTooSmallToRead) {
   const auto said = [&](const std::string& size) {
     return good({"-D", kRange, "-o", "a.png", "--size", size, "--force", "--dry-run"}).err;
   };
-  EXPECT_THAT(said("240x135"), HasSubstr("px high, which nobody can read; a larger --size"));
-  EXPECT_THAT(said("1280x720"), Not(HasSubstr("nobody can read")));
+  EXPECT_THAT(said("240x135"), HasSubstr("px high, which is too small to read; a larger --size"));
+  EXPECT_THAT(said("1280x720"), Not(HasSubstr("too small to read")));
 }
 
-TEST_F(SweepCommand, FiguresOnPaper) {
+TEST_F(SweepCommand, WritesFiguresForPaper) {
   good({"-D", kRange, "-o", "sheet.pdf", "--dpi", "100"});
   good({"--map", "-o", "map.svg", "--dpi", "100"});
   good({"--map", "-o", "map.tex", "--dpi", "100"});
@@ -103,16 +102,16 @@ TEST_F(SweepCommand, FiguresOnPaper) {
   EXPECT_THAT(bytes("map.svg"), HasSubstr("A map of how long the body takes from flip to flip"));
 }
 
-TEST_F(SweepCommand, WhatDoesNotFitTogetherIsRefused) {
+TEST_F(SweepCommand, RejectsInvalidCombinations) {
   refused({}, "a sweep has one range or two");
   refused({"-D", "time.speed=1..2"}, "a range is FROM..TO:COUNT");
   refused({"-D", "time.speed=1..2:1"}, "a range has from 2 to 100 values, got 1");
   refused({"-D", "time.sped=1..2:2"}, "time.sped: unknown key; did you mean time.speed?");
-  refused({"-D", "time.duration=1..2:2"}, "differ in length, rate, size or paper");
+  refused({"-D", "time.duration=1..2:2"}, "agree in length, rate, size and paper");
   refused({"-D", kRange, "--label", "$\\omgea$"}, "--label");
-  refused({"-D", kRange, "-D", "time.loop=true", "-o", "a.mp4"}, "a sweep does not repeat");
-  refused({"-D", kRange, "--map"}, "--map is of one body");
-  refused({"--map", "-o", "a.mp4"}, "--map: a map stands still");
+  refused({"-D", kRange, "-D", "time.loop=true", "-o", "a.mp4"}, "a sweep cannot repeat");
+  refused({"-D", kRange, "--map"}, "--map shows one body");
+  refused({"--map", "-o", "a.mp4"}, "--map: a map is one picture, not a film");
   refused({"--map", "--columns", "2"}, "--columns and --label are for a grid");
   refused({"-D", kRange, "--frames", "0-3", "-o", "a.png"}, "are for films");
   refused({"-D", kRange, "--time", "1", "-o", "a.mp4"}, "for one picture");
@@ -120,7 +119,7 @@ TEST_F(SweepCommand, WhatDoesNotFitTogetherIsRefused) {
   EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml"));
 }
 
-// What a scene may have of triangles is what all cells may have together.
+// All cells together have the limit of triangles of one scene.
 TEST_F(SweepCommand, CellsShareTheLimitsOfAScene) {
   folder_.put("t.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   folder_.put(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever a scene, a manifest, a file's name or the command line holds, no byte that a terminal obeys is printed
+// Prints no byte that a terminal obeys, for any content of a scene, a golden.toml, a file name or the command line
 // (row X1 of the promises in SECURITY.md).
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -12,7 +12,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// What terminals obey: ECMA-48, xterm's OSC, Unicode's annex 9.
+/// Returns the sequences that terminals obey: ECMA-48, xterm's OSC, Unicode's annex 9.
 Texts obeyed() {
   Texts texts;
   for (int c = 1; c < 0x20; ++c)
@@ -27,7 +27,7 @@ Texts obeyed() {
   return texts;
 }
 
-/// Words with several of them each; the last has what is not UTF-8, which is refused before all else.
+/// Returns words with twelve such sequences each. The last word is not UTF-8, which is refused first.
 Texts evilWords() {
   constexpr std::size_t kTogether = 12;
   Texts words;
@@ -42,8 +42,8 @@ Texts evilWords() {
   return words;
 }
 
-/// The first place where a stream is not what may be printed; empty if it is all right. Told on its own, not with
-/// the program's own functions.
+/// Returns the first place that must not be printed, or "" if there is none. Does not use the program's own
+/// functions.
 std::string wrongIn(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
@@ -63,7 +63,7 @@ std::string wrongIn(const std::string& text) {
   return "";
 }
 
-/// As TOML writes it: also what may not stand there bare. Bytes that are not UTF-8 are put in as they are.
+/// Returns a TOML string of the text, with control characters escaped. Bytes that are not UTF-8 are kept.
 std::string inToml(const std::string& text) {
   std::string written = "\"";
   for (const char c : text) {
@@ -89,12 +89,12 @@ class Terminal : public testing::TestWithParam<std::size_t> {
   std::string printed_;
 };
 
-TEST_P(Terminal, IsNotObeyed) {
+TEST_P(Terminal, ReceivesNoControlSequences) {
   const Texts words = evilWords();
   for (std::size_t i = GetParam(); i < words.size(); i += 2) {
     const std::string &evil = words[i], quoted = inToml(evil);
-    // Of scenes: keys, words of a choice, units, labels, files, a name; each in a scene of its own, as the first
-    // problem may hide others.
+    // Errors in scenes: keys, words of a choice, units, labels, files, a name. Each has its own scene, because the
+    // first problem may hide others.
     int number = 0;
     for (const std::string& scene :
          {quoted + " = 1\n", "[" + quoted + "]\n", "[body]\nshape = " + quoted + "\n",
@@ -109,7 +109,7 @@ TEST_P(Terminal, IsNotObeyed) {
     folder_.put("golden.toml",
                 "[[test]]\nname = " + quoted + "\nscene = " + quoted + "\nreason = " + quoted + "\n");
     expectSafe({"golden"});
-    // Of names and words.
+    // Errors in file names and arguments.
     folder_.put(evil + ".toml", kGoodScene);
     folder_.put(evil + ".stl", "solid " + evil + "\n facet\n");
     folder_.put("mesh.toml", "[body]\nshape = 'mesh'\nfile = 'a.stl'\n");
@@ -133,12 +133,12 @@ TEST_P(Terminal, IsNotObeyed) {
                                  {"trajectory", evil + ".toml", "--at", evil}})
       expectSafe(command);
   }
-  for (const std::string& evil : words) EXPECT_NE(wrongIn(evil), "");  // the control
-  // They were there to be printed.
+  for (const std::string& evil : words) EXPECT_NE(wrongIn(evil), "");  // control: wrongIn() finds them
+  // The messages did contain the escaped bytes.
   EXPECT_NE(printed_.find("\\x"), std::string::npos);
 }
 
-INSTANTIATE_TEST_SUITE_P(Half, Terminal, testing::Range(std::size_t{0}, std::size_t{2}));
+INSTANTIATE_TEST_SUITE_P(Halves, Terminal, testing::Range(std::size_t{0}, std::size_t{2}));
 
 }  // namespace
 }  // namespace poinsot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A film with a timeline through the whole program: its bytes, and the captions beside it.
+// Tests a film with a timeline through the whole program: its bytes, and the captions beside it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ class TimelineFilm : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(TimelineFilm, WorkersDoNotChangeAByte) {
+TEST_F(TimelineFilm, HasTheSameBytesWithAnyNumberOfWorkers) {
   EXPECT_EQ(render("one.mp4", {"-j", "1"}).exitCode, 0);
   EXPECT_EQ(render("two.mp4", {"-j", "2"}).exitCode, 0);
   EXPECT_GT(bytesOf(folder_ / "one.mp4").size(), 5000u);
@@ -41,7 +41,7 @@ TEST_F(TimelineFilm, WorkersDoNotChangeAByte) {
               ElementsAre("a.toml", "one.mp4", "one.srt", "one.vtt", "two.mp4", "two.srt", "two.vtt"));
 }
 
-TEST_F(TimelineFilm, HasItsCaptionsBesideIt) {
+TEST_F(TimelineFilm, WritesCaptionsNextToTheFilm) {
   EXPECT_EQ(render("a.mp4", {"--frames", "0-104"}).exitCode, 0);
   EXPECT_EQ(bytesOf(folder_ / "a.srt"),
             "1\n00:00:00,500 --> 00:00:03,000\nThe ellipsoid 2T rolls\n\n"
@@ -51,7 +51,7 @@ TEST_F(TimelineFilm, HasItsCaptionsBesideIt) {
                                                    "00:00:03.000 --> 00:00:03.500\nIt stands\n\n"));
 }
 
-TEST_F(TimelineFilm, LeavesOthersCaptionsAlone) {
+TEST_F(TimelineFilm, DoesNotReplaceForeignCaptions) {
   folder_.put("a.srt", "mine");
   const RunResult refused = render("a.mp4", {"--frames", "0-20"});
   EXPECT_EQ(refused.exitCode, 4);
@@ -62,7 +62,7 @@ TEST_F(TimelineFilm, LeavesOthersCaptionsAlone) {
 }
 
 const std::vector<std::string> kFilms{"a.mp4", "a.mov", "a.webm", "a.gif", "a.apng"};
-const std::string kSequence = "a_{frame}.png";  // has no subtitles, and leaves those of a film alone
+const std::string kSequence = "a_{frame}.png";  // has no subtitles, and keeps those of a film
 const std::string kCaptioned =
     "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0.1, 3, 0]\n"
     "[time]\nduration = 0.2\nfps = 10\n[output]\nsize = [16, 16]\n"
@@ -74,7 +74,7 @@ RunResult renderTo(const ScratchFolder& folder, const std::string& output, std::
   return run(folder, more);
 }
 
-class FilmsOfOneName : public ::testing::Test {
+class FilmsWithTheSameName : public ::testing::Test {
  protected:
   void SetUp() override { folder_.put("a.toml", kCaptioned); }
   RunResult render(const std::string& output, const std::vector<std::string>& more = {}) const {
@@ -83,7 +83,7 @@ class FilmsOfOneName : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-/// Renders the first output, and beside a copy of it each of the others.
+/// Renders the first output, then each of the others beside a copy of it.
 void expectSharedSubtitles(const std::string& first, const std::vector<std::string>& seconds) {
   const ScratchFolder before;
   before.put("a.toml", kCaptioned);
@@ -100,13 +100,13 @@ void expectSharedSubtitles(const std::string& first, const std::vector<std::stri
   }
 }
 
-TEST(FilmsOfOneNameInPairs, ShareTheirSubtitles) {
+TEST(PairsOfFilms, ShareSubtitlesIfTheyHaveTheSameName) {
   std::vector<std::string> outputs = kFilms;
   outputs.push_back(kSequence);
   for (const std::string& first : outputs) expectSharedSubtitles(first, outputs);
 }
 
-TEST_F(FilmsOfOneName, KeepSubtitlesOfTheUser) {
+TEST_F(FilmsWithTheSameName, KeepSubtitlesOfTheUser) {
   for (const std::string& film : kFilms) EXPECT_EQ(render(film).exitCode, 0) << film;
   for (const std::string name : {"a.srt", "a.vtt"}) {
     folder_.put(name, "mine");
@@ -122,18 +122,18 @@ TEST_F(FilmsOfOneName, KeepSubtitlesOfTheUser) {
   }
 }
 
-// A player finds the captions of the last film.
-TEST_F(FilmsOfOneName, SayWhereTheirCaptionsDiffer) {
+// A player shows the captions of the last film.
+TEST_F(FilmsWithTheSameName, NoteThatTheirCaptionsDiffer) {
   EXPECT_EQ(render("a.mp4").exitCode, 0);
   const RunResult shorter = render("a.gif", {"--frames", "0-0"});
   EXPECT_EQ(shorter.exitCode, 0);
   EXPECT_THAT(shorter.err,
-              HasSubstr("note: a.srt and a.vtt get the captions of a.gif, which differ from those that they have; "
-                        "if these belong to a.mp4, give one of the two films another name"));
+              HasSubstr("note: a.srt and a.vtt are replaced by the captions of a.gif, which differ; if the old "
+                        "captions belong to a.mp4, give one of the two films another name"));
   EXPECT_EQ(bytesOf(folder_ / "a.srt"), "1\n00:00:00,000 --> 00:00:00,100\nA 2T\n\n");
 }
 
-TEST_F(FilmsOfOneName, KeepSubtitlesOfTheUserWhenTheyAreAssembled) {
+TEST_F(FilmsWithTheSameName, KeepSubtitlesOfTheUserWhenTheyAreAssembled) {
   EXPECT_EQ(render("a.mp4", {"--shard", "1/1"}).exitCode, 0);
   folder_.put("a.srt", "mine");
   const RunResult refused = run(folder_, {"assemble", "a.mp4"});

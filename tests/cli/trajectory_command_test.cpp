@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What other programs read: columns, order, digits, exit codes.
+// Tests the interface for other programs: columns, order, digits, exit codes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ using ::testing::IsEmpty;
 const std::string kHeader =
     "t,q_w,q_x,q_y,q_z,omega_B_x,omega_B_y,omega_B_z,omega_W_x,omega_W_y,omega_W_z,L_W_x,L_W_y,L_W_z,T";
 
-/// Rows as text, without the header; fails the test where the file is not rectangular.
+/// Returns the rows as text, without the header. Fails the test if rows differ in length.
 std::vector<std::vector<std::string>> rowsOf(const std::string& csv) {
   std::istringstream lines(csv);
   std::string line;
@@ -55,8 +55,8 @@ std::string sceneOf(const physics::Example& e) {
          "\norientation = " + listed(q) + "\n";
 }
 
-/// Angle between two unit quaternions, rad, of either sign, in extended precision: 2 atan2(|vector|, |scalar|) of
-/// conj(a) b.
+/// Returns the angle between two unit quaternions of either sign, rad, in extended precision: 2 atan2(|vector|,
+/// |scalar|) of conj(a) b.
 double angle(const std::vector<std::string>& row, const Eigen::Quaterniond& expected) {
   using Q = Eigen::Quaternion<long double>;
   const Q a(std::stod(row[1]), std::stod(row[2]), std::stod(row[3]), std::stod(row[4]));
@@ -64,7 +64,7 @@ double angle(const std::vector<std::string>& row, const Eigen::Quaterniond& expe
   return static_cast<double>(2 * std::atan2(d.vec().norm(), std::abs(d.w())));
 }
 
-TEST(TrajectoryCommand, DevelopmentExamples) {
+TEST(TrajectoryCommand, MatchesTheDevelopmentExamples) {
   const ScratchFolder folder;
   for (const physics::Example& e : physics::kExamples) {
     folder.put("e.toml", sceneOf(e));
@@ -83,7 +83,7 @@ TEST(TrajectoryCommand, DevelopmentExamples) {
   }
 }
 
-TEST(TrajectoryCommand, OneRowPerTimeInTheOrderAsked) {
+TEST(TrajectoryCommand, WritesOneRowPerTimeInTheOrderGiven) {
   const ScratchFolder folder;
   folder.put("a.toml", kGoodScene);
   EXPECT_EQ(timesOf(run(folder, {"trajectory", "a.toml", "--at", "-3.5,2"}).out),
@@ -100,8 +100,8 @@ TEST(TrajectoryCommand, OneRowPerTimeInTheOrderAsked) {
             std::vector<std::string>{"0.1"});
 }
 
-TEST(TrajectoryCommand, NegativeTimesGoBackwards) {
-  // From the state at -3.5 as the start, 3.5 s later is the start of the scene.
+TEST(TrajectoryCommand, ComputesBackwardsForNegativeTimes) {
+  // If the state at -3.5 s is the start, the state 3.5 s later is the start of the scene.
   const ScratchFolder folder;
   folder.put("a.toml", kGoodScene);
   const auto before = rowsOf(run(folder, {"trajectory", "a.toml", "--at", "-3.5,0"}).out);
@@ -113,10 +113,10 @@ TEST(TrajectoryCommand, NegativeTimesGoBackwards) {
                  .out);
   for (std::size_t i = 1; i < 15; ++i)
     EXPECT_NEAR(std::stod(after[0][i]), std::stod(before[1][i]), 1e-12)
-        << i;  // 35 rad of turning; measured 2e-14, of 20
+        << i;  // the body turns by 35 rad; measured 2e-14 for values up to 20
 }
 
-TEST(TrajectoryCommand, ARateCoversTheFilmInMotionTime) {
+TEST(TrajectoryCommand, CoversTheWholeFilmWithOptionRate) {
   const ScratchFolder folder;
   folder.put("a.toml", kGoodScene);  // 4 s of film
   const auto out =
@@ -125,7 +125,7 @@ TEST(TrajectoryCommand, ARateCoversTheFilmInMotionTime) {
             (std::vector<std::string>{"-1", "-0.75", "-0.5", "-0.25", "0", "0.25", "0.5", "0.75", "1"}));
 }
 
-TEST(TrajectoryCommand, FilesAreWhatStdoutIs) {
+TEST(TrajectoryCommand, WritesTheSameToFilesAndStandardOutput) {
   const ScratchFolder folder;
   folder.put("a.toml", kGoodScene);
   const auto out = run(folder, {"trajectory", "a.toml", "--at", "0,1", "-o", "-"});
@@ -134,11 +134,11 @@ TEST(TrajectoryCommand, FilesAreWhatStdoutIs) {
   EXPECT_EQ(file.exitCode, 0);
   EXPECT_THAT(file.out, IsEmpty());
   EXPECT_EQ(bytesOf(folder / "a.csv"), out.out);
-  EXPECT_EQ(run(folder, {"trajectory", "a.toml", "--at", "0", "-o", "a.csv"}).exitCode, 0);  // its own is replaced
+  EXPECT_EQ(run(folder, {"trajectory", "a.toml", "--at", "0", "-o", "a.csv"}).exitCode, 0);  // replaces its own
   EXPECT_EQ(namesIn(folder.path()), (std::vector<std::string>{"a.csv", "a.toml"}));
 }
 
-TEST(TrajectoryCommand, JsonHoldsTheSameNumbers) {
+TEST(TrajectoryCommand, WritesTheSameNumbersToJson) {
   const ScratchFolder folder;
   folder.put("a.toml", kGoodScene);
   const auto rows = rowsOf(run(folder, {"trajectory", "a.toml", "--at", "0.3,-7"}).out);
@@ -158,7 +158,7 @@ TEST(TrajectoryCommand, JsonHoldsTheSameNumbers) {
       EXPECT_EQ(json.at("rows")[i][j].get<double>(), std::stod(rows[i][j])) << i << " " << j;
 }
 
-TEST(TrajectoryCommand, AppendsTheRateOfTurningOfADissipatingBodyOnly) {
+TEST(TrajectoryCommand, AppendsTheRotationRateForADissipatingBodyOnly) {
   const ScratchFolder folder;
   folder.put("a.toml", kGoodScene);
   const auto lossy =
@@ -168,8 +168,8 @@ TEST(TrajectoryCommand, AppendsTheRateOfTurningOfADissipatingBodyOnly) {
   EXPECT_EQ(none, run(folder, {"trajectory", "a.toml", "--at", "0"}).out);
 }
 
-TEST(TrajectoryCommand, NotesTimesAtWhichRoundedInputDecidesTheAttitude) {
-  // 3 omega_3^2 = omega_1^2 puts L on the separatrix, up to rounding; info counts the digits that are left.
+TEST(TrajectoryCommand, NotesTimesWithAnUncertainAttitude) {
+  // 3 omega_3^2 = omega_1^2 puts L on the separatrix, up to rounding. `info` counts the remaining digits.
   const ScratchFolder folder;
   folder.put("s.toml",
              "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [1.7320508075688772, 2, 1]\n");
@@ -182,7 +182,7 @@ TEST(TrajectoryCommand, NotesTimesAtWhichRoundedInputDecidesTheAttitude) {
 
 // omega (1, 1, 1) is far from the separatrix: L² - 2 T I2 = D = 2, and L² = 14. By run_condition.h, with dD/D = 13
 // and a polhode period of 6.4227 s, the uncertainty is 2^-52 (sqrt(3) + 13 · 2/6.4227) t = 0.064 rad.
-TEST(TrajectoryCommand, BlamesTheSeparatrixOnlyWhenClose) {
+TEST(TrajectoryCommand, NamesTheSeparatrixAsTheCauseOnlyIfClose) {
   const ScratchFolder folder;
   folder.put("s.toml", "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [1, 1, 1]\n");
   EXPECT_THAT(run(folder, {"trajectory", "s.toml", "--at", "5e13"}).err,
@@ -190,8 +190,9 @@ TEST(TrajectoryCommand, BlamesTheSeparatrixOnlyWhenClose) {
                              HasSubstr("the run amplifies the rounding")));
 }
 
-// omega = 2 rad/s, so the phase is 2 t. 2^-52 of it, the rounding of omega, is a radian at 4.5e15 rad.
-TEST(TrajectoryCommand, NotesPhasesThatAreNotExactOrMeaningless) {
+// omega = 2 rad/s, so the phase is 2 t. The rounding error of omega, 2^-52 of the phase, is a radian at 4.5e15
+// rad.
+TEST(TrajectoryCommand, NotesTurnsTooLargeForAnExactAttitude) {
   const ScratchFolder folder;
   folder.put("s.toml", "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0, 0, 2]\n");
   const auto noteAt = [&](const char* t) { return run(folder, {"trajectory", "s.toml", "--at", t}).err; };
@@ -208,23 +209,23 @@ struct BadRequest {
   std::string says;
 };
 
-TEST(TrajectoryCommand, Mistakes) {
+TEST(TrajectoryCommand, RejectsInvalidTimesRatesAndOutputs) {
   const ScratchFolder folder;
   folder.put("a.toml", kGoodScene);
   folder.put("theirs.csv", "precious\n");
   const BadRequest cases[] = {
       {{}, 2, "--at T1,T2,... or --rate HZ"},
-      {{"--at", "1", "--rate", "2"}, 2, "one of them"},
+      {{"--at", "1", "--rate", "2"}, 2, "give either --at"},
       {{"--at", "1,,2"}, 2, "--at '': expected a time"},
       {{"--at", "soon"}, 2, "--at 'soon'"},
-      {{"--at", "nan"}, 2, "no motion time: nan"},
-      {{"--at", "1e400"}, 2, "no motion time: inf"},
+      {{"--at", "nan"}, 2, "nan is not a motion time"},
+      {{"--at", "1e400"}, 2, "inf is not a motion time"},
       {{"--at", "1e308"}, 2, "t = 1e+308 s: so far from the start"},
       {{"--at", "0,-1e300"}, 2, "t = -1e+300 s: so far from the start"},
       {{"--at", ""}, 2, "--at: is empty"},
       {{"--rate", "0"}, 2, "--rate '0'"},
       {{"--rate", "-5"}, 2, "--rate '-5'"},
-      {{"--at", "1", "-o", "a.txt"}, 2, "output 'a.txt': works: NAME.csv, NAME.json, -"},
+      {{"--at", "1", "-o", "a.txt"}, 2, "output 'a.txt': must be NAME.csv, NAME.json or -"},
       {{"--at", "1", "-o", "no/a.csv"}, 4, "no such folder"},
       {{"--at", "1", "-o", "theirs.csv"}, 4, "exists and was not written by poinsot"},
       {{"--at", "1", "-D", "body.principal_moments=[1,2,9]"}, 2, "I3 must not exceed I1 + I2"},
@@ -241,7 +242,7 @@ TEST(TrajectoryCommand, Mistakes) {
   EXPECT_EQ(namesIn(folder.path()), (std::vector<std::string>{"a.toml", "theirs.csv"}));
 }
 
-TEST(TrajectoryCommand, LostBytesAreAnError) {
+TEST(TrajectoryCommand, ReportsOutputThatCannotBeWritten) {
   const ScratchFolder folder;
   folder.put("a.toml", kGoodScene);
   const std::vector<std::string> words{"trajectory", "a.toml", "--rate", "1000"};  // more than a pipe holds

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures without paper, made by the whole program: pixels of alpha 0 have no colour. Films, decoded by libav,
-// are compared with a PNG sequence of the same frames.
+// Tests pictures without paper, made by the whole program: pixels of alpha 0 have no colour. libav decodes the
+// films, which are compared with a PNG sequence of the same frames.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ const std::string kScene =
     "[output]\nsize = [160, 90]\n";
 constexpr int kFrames = 5;
 
-/// Pixels of alpha 0 that have a colour. `empty`: how many pixels have alpha 0.
+/// Numbers of pixels with alpha 0 (`empty`), and of those that have a colour (`colored`).
 struct Hidden {
   int colored = 0, empty = 0;
 };
@@ -73,7 +73,7 @@ class Transparent : public testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(Transparent, PicturesHideNoColors) {
+TEST_F(Transparent, PicturesHaveNoColourInEmptyPixels) {
   const std::string range = "motion.omega_body=[0.1..0.4:2, 3, 0]";
   make({"still", "a.toml", "-o", "still.png"});
   make({"still", "a.toml", "-o", "deep.png", "--bits", "16"});
@@ -85,8 +85,8 @@ TEST_F(Transparent, PicturesHideNoColors) {
   for (const image::Image& picture : sequence()) expectNothingHidden(picture, "sequence");
 }
 
-// "Every pixel as it was drawn" (docs/films.md).
-TEST_F(Transparent, FramesOfAnApngAreThoseOfASequence) {
+// docs/films.md promises "Every pixel as it was drawn".
+TEST_F(Transparent, ApngHasTheFramesOfTheSequence) {
   const auto expected = sequence();
   const auto frames = film("a.apng");
   ASSERT_EQ(frames.size(), expected.size());
@@ -94,7 +94,7 @@ TEST_F(Transparent, FramesOfAnApngAreThoseOfASequence) {
     EXPECT_TRUE(std::get<image::Image>(frames[k]) == expected[k]) << "frame " << k;
 }
 
-/// Returns by how much of 255 a pixel changes the paper under it.
+/// Returns how much a pixel changes the paper under it, in steps of 255.
 double seen(double color, double alpha, double paper) { return std::abs(alpha * (255 * color - paper)); }
 
 /// Returns the largest change of white or black paper by pixels that have alpha 0 in the sequence.
@@ -115,9 +115,9 @@ double mostSeen(const std::vector<image::AnyImage>& frames, const std::vector<im
   return most;
 }
 
-// Alpha of VP9 is as lossy as its colours, so that next to an edge it is not quite 0. Measured: 11 of 255 at
-// crf = 18; 0 where VP9 is lossless, and in ProRes.
-TEST_F(Transparent, EmptyPixelsOfFilmsAreNotSeen) {
+// VP9 compresses alpha with losses, as it does colours, so alpha next to an edge is not quite 0. Measured: 11 of
+// 255 at crf = 18; 0 if VP9 is lossless, and in ProRes.
+TEST_F(Transparent, FilmsHaveInvisibleEmptyPixels) {
   const auto expected = sequence();
   EXPECT_LE(mostSeen(film("a.webm"), expected), 16);
   EXPECT_EQ(mostSeen(film("b.webm", {"-D", "output.crf=0"}), expected), 0);

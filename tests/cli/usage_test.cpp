@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the command line itself says: help, versions, usage errors, streams. No rendering.
+// Tests the command line itself: help, versions, usage errors, streams. Nothing is rendered.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ const std::vector<std::string> kCommands{"doctor",  "preview", "new",    "render
                                          "gallery", "submit",  "info",   "trajectory", "grade", "check",
                                          "explain", "schema",  "status", "assemble",   "diff",  "golden"};
 
-TEST(Usage, HelpListsTheCommandsThatPeopleType) {
+TEST(Usage, HelpListsAllPublicCommands) {
   const ScratchFolder folder;
   const auto help = run(folder, {"--help"});
   EXPECT_EQ(help.exitCode, 0);
@@ -71,11 +71,11 @@ TEST(Usage, ExplainsKeysOnLinesThatFitATerminal) {
   EXPECT_THAT(bad.err, HasSubstr("did you mean fov?"));
 }
 
-TEST(Usage, NoPreviewOfWhatIsNotTrusted) {
+TEST(Usage, RejectsPreviewWithUntrusted) {
   const ScratchFolder folder;
   const auto result = run(folder, {"preview", "a.toml", "--untrusted"});
   EXPECT_EQ(result.exitCode, 2);
-  EXPECT_THAT(result.err, HasSubstr("a preview cannot be held to it"));
+  EXPECT_THAT(result.err, HasSubstr("not possible with preview, which needs the network"));
 }
 
 TEST(Usage, SchemaIsJson) {
@@ -92,7 +92,7 @@ struct BadUsage {
   std::string says;
 };
 
-TEST(Usage, MistakesExitWith2AndSayWhatWasMeant) {
+TEST(Usage, RejectsInvalidArgumentsWithAnExplanation) {
   const ScratchFolder folder;
   folder.put("a.toml", kGoodScene);
   const BadUsage cases[] = {
@@ -102,17 +102,17 @@ TEST(Usage, MistakesExitWith2AndSayWhatWasMeant) {
       {{"render"}, "SCENE is required"},
       {{"render", "a.toml", "--forse"}, "unexpected '--forse'; did you mean '--force'?"},
       {{"render", "a.toml", "b.toml"}, "unexpected 'b.toml'"},
-      {{"render", "a.toml", "-o", "a.avi"}, "output 'a.avi': this kind of file is not written; works: NAME.mp4"},
+      {{"render", "a.toml", "-o", "a.avi"}, "output 'a.avi': unsupported file type; possible names: NAME.mp4"},
       {{"render", "a.toml", "-o", "a_{n}.png"}, "not a frame number: {n}"},
       {{"render", "a.toml", "-o", "a.png"},
        "a.png takes one frame, and 120 are selected: choose one with --frames 0"},
       {{"render", "a.toml", "--frames", "9-3"}, "--frames '9-3': the first frame, 9, comes after the last, 3"},
       {{"render", "a.toml", "--frames", "100-120"}, "--frames 100-120: the film has frames 0 to 119"},
-      {{"render", "a.toml", "--size", "160"}, "--size '160': a size is WIDTHxHEIGHT"},
+      {{"render", "a.toml", "--size", "160"}, "--size '160': must be WIDTHxHEIGHT"},
       {{"render", "a.toml", "--size", "161x91"},
        "a film of 161x91 pixels: width and height must be even (chroma has half of each); the nearest is 160x90"},
-      {{"render", "a.toml", "--size", "8x8"}, "sides are from 16 to 8192 pixels"},
-      {{"render", "a.toml", "--size", "8193x90"}, "sides are from 16 to 8192 pixels"},
+      {{"render", "a.toml", "--size", "8x8"}, "sides must be from 16 to 8192 pixels"},
+      {{"render", "a.toml", "--size", "8193x90"}, "sides must be from 16 to 8192 pixels"},
       {{"render", "a.toml", "-j", "0"}, "not in range"},
       {{"render", "a.toml", "--backend", "metal"}, "metal not in {auto,osmesa,egl}"},
       {{"render", "a.toml", "--fps", "zero"}, "--fps zero: error: time.fps: "},
@@ -155,12 +155,13 @@ TEST(Usage, RefusesAStackThatIsTooSmall) {
   const ScratchFolder folder;
   const auto result = runShell(folder.path(), "ulimit -s 64; " POINSOT_PROGRAM " --version");
   EXPECT_EQ(result.exitCode, 3);
-  EXPECT_EQ(result.out, "poinsot: error: the stack may take 64 KiB, poinsot needs 1024: ulimit -s 1024\n");
+  EXPECT_EQ(result.out,
+            "poinsot: error: the stack limit is 64 KiB, but poinsot needs 1024 KiB; run: ulimit -s 1024\n");
 }
 
-TEST(Usage, TimesMayHaveAUnit) {
+TEST(Usage, AcceptsTimesWithAUnit) {
   const ScratchFolder folder;
-  folder.put("a.toml", kGoodScene);  // lasts 4 s
+  folder.put("a.toml", kGoodScene);  // 4 s of film
   for (const char* time : {"4", "4 s", "4000ms", "0.05 min"}) {
     const auto result = run(folder, {"still", "a.toml", "--time", time, "--dry-run"});
     EXPECT_EQ(result.exitCode, 0) << time << "\n" << result.err;
@@ -185,7 +186,7 @@ TEST(Usage, MessagesCarryNoControlCharacters) {
   }
 }
 
-TEST(Streams, ReaderGoneIs141) {
+TEST(Program, ExitsWith141IfTheReaderIsGone) {
   const ScratchFolder folder;
   for (const auto& words : {std::vector<std::string>{"--help"}, {"--version"}, {"schema"}}) {
     const auto result = run(folder, words, Stdout::kBrokenPipe);
@@ -194,7 +195,7 @@ TEST(Streams, ReaderGoneIs141) {
   }
 }
 
-TEST(Streams, LostOutputIs4) {
+TEST(Program, ExitsWith4IfOutputIsLost) {
   const ScratchFolder folder;
   EXPECT_EQ(run(folder, {"schema"}, Stdout::kClosed).exitCode, 4);
   const auto full = run(folder, {"schema"}, Stdout::kFull);

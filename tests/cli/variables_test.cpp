@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of environment variables is what the sources read, and what the page says.
+// Compares the table of environment variables with the sources and with the page.
 #include "cli/variables.h"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Arguments like ("HOME") in the files that call getenv(), in themselves or in a function of theirs.
+/// Returns arguments such as ("HOME") in the files that call getenv(), directly or through a function of their
+/// own.
 std::set<std::string> namesInSources() {
   static const std::regex kCall(R"re(\("([A-Z][A-Z_]+)"\))re");
   std::set<std::string> names;
@@ -31,21 +32,21 @@ std::set<std::string> namesInSources() {
   return names;
 }
 
-TEST(Variables, AreThoseThatTheSourcesRead) {
+TEST(EnvironmentVariables, MatchTheVariablesThatTheSourcesRead) {
   std::set<std::string> names;
   for (const Variable& variable : variables()) names.insert(variable.name);
-  names.erase("TZ");  // the C library's, for localtime()
+  names.erase("TZ");  // read by the C library, for localtime()
   EXPECT_EQ(names, namesInSources());
 }
 
-TEST(Variables, AreTheRowsOfThePage) {
+TEST(EnvironmentVariables, MatchTheTableInTheDocs) {
   std::string rows;
   for (const Variable& variable : variables())
     rows += std::string("| `") + variable.name + "` | " + variable.help + " |\n";
   EXPECT_THAT(textOf(POINSOT_SOURCE_DIR "/docs/defaults.md"), testing::HasSubstr("| --- | --- |\n" + rows + "\n"));
 }
 
-TEST(Variables, AreAllThatIsLeft) {
+TEST(EnvironmentVariables, AreClearedExceptThoseThatPoinsotUses) {
   for (const char* name :
        {"LP_NO_RAST", "FREETYPE_PROPERTIES", "LC_ALL", "glsl_zero_init", "HOMES", "POINSOT_NEW"})
     setenv(name, "1", 1);

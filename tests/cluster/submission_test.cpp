@@ -23,7 +23,7 @@ Division divided(const DivisionRequest& request, std::int64_t frames, image::Pix
                     request::workerMemory_bytes(size, output::FilmFormat()));
 }
 
-TEST(Division, IsIntoTasksOfTheTimeAsked) {
+TEST(Division, MakesTasksOfTheRequestedTime) {
   // 3600 frames of 1 s on a CPU are an hour.
   EXPECT_EQ(divided({.task_s = 600, .frame_s = 1}, 3600).shards, 6);
   EXPECT_EQ(divided({.cpus = 2, .task_s = 600, .frame_s = 1}, 3600).shards, 3);
@@ -38,18 +38,18 @@ TEST(Division, HasNoTaskWithoutWork) {
   EXPECT_EQ(divided({.frame_s = 1e-3}, 60).shards, 1);
 }
 
-TEST(Division, StaysBelowWhatSlurmNumbersUnlessAskedTo) {
+TEST(Division, StaysWithinTheArrayLimitOfSlurmByDefault) {
   EXPECT_EQ(divided({.frame_s = 1000}, 300'000).shards, 1000);
   EXPECT_EQ(divided({.shards = 5000}, 300'000).shards, 5000);
 }
 
-// The longest task counts: of three segments on two tasks, one has two.
-TEST(Division, ReckonsWithTheLongestTask) {
+// The longest task counts: if two tasks share three segments, one of them has two.
+TEST(Division, ReportsTheTimeOfTheLongestTask) {
   EXPECT_DOUBLE_EQ(divided({.shards = 2, .frame_s = 1}, 90).task_s, 60);
   EXPECT_DOUBLE_EQ(divided({.shards = 2, .frame_s = 1}, 65).task_s, 35);
 }
 
-TEST(Division, ALargePictureTakesLongerAndMore) {
+TEST(Division, ALargePictureTakesMoreTimeAndMemory) {
   const Division small = divided({}, 300, {640, 360}), large = divided({}, 300, {3840, 2160});
   EXPECT_GT(large.frame_s, 5 * small.frame_s);
   EXPECT_GT(large.memory, small.memory);
@@ -70,7 +70,7 @@ Submission tiny() {
   return submission;
 }
 
-TEST(Scripts, AreOfTheirLanguageWhateverTheNames) {
+TEST(Scripts, AreValidBashWithAnyNames) {
   for (const std::string& word : kHostileWords) {
     Submission submission = tiny();
     submission.folder = "/work/" + word;
@@ -87,7 +87,7 @@ TEST(Scripts, AreOfTheirLanguageWhateverTheNames) {
   }
 }
 
-TEST(Scripts, SlurmIsToldWhatATaskNeeds) {
+TEST(Scripts, RequestCpusMemoryAndTimeFromSlurm) {
   const std::string script = slurmScript(tiny());
   EXPECT_THAT(script, AllOf(HasSubstr(" --shards-left 3) && exit "), HasSubstr("--cpus-per-task=2 "),
                             HasSubstr("--requeue"), HasSubstr("--mem-per-cpu=768M --time=11 ")));
@@ -95,7 +95,7 @@ TEST(Scripts, SlurmIsToldWhatATaskNeeds) {
                             HasSubstr("--shard \"$SLURM_ARRAY_TASK_ID/3\"")));
 }
 
-TEST(Scripts, MakeRefusesWhatItCannotHold) {
+TEST(Scripts, RejectNamesThatMakeCannotHandle) {
   for (const std::string name : {"a%b.toml", "a;b.toml", "a|b.toml", "a\\b.toml", "a\nb.toml"}) {
     Submission submission = tiny();
     submission.inputs.push_back(name);
@@ -104,12 +104,12 @@ TEST(Scripts, MakeRefusesWhatItCannotHold) {
       ADD_FAILURE() << name;
     } catch (const core::Error& error) {
       EXPECT_EQ(error.kind(), core::ErrorKind::kUsage);
-      EXPECT_THAT(error.what(), HasSubstr("make cannot hold the '"));
+      EXPECT_THAT(error.what(), HasSubstr("make cannot handle the '"));
     }
   }
 }
 
-TEST(Filled, ReplacesNamesOfValuesAndNoOtherAt) {
+TEST(FilledTemplate, ReplacesOnlyKnownNamesBetweenAtSigns) {
   EXPECT_EQ(filled("run @a@ \"$@\" ${x[@]}@b@ --signal=USR1@60 @a", {{"a", "@b@"}, {"b", "2"}}),
             "run @b@ \"$@\" ${x[@]}2 --signal=USR1@60 @a");
   EXPECT_EQ(filled("@a@", {{"a", ""}}), "");

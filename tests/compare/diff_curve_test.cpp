@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The curve of two films as a picture, read back from its SVG.
+// Curves of two compared films, read back from their SVG.
 #include "compare/diff_curve.h"
 
 #include <gmock/gmock.h>
@@ -9,7 +9,7 @@
 namespace poinsot::compare {
 namespace {
 
-/// So many identical frames at 10 a second, but for those.
+/// Returns a comparison of films with 10 frames a second, in which all frames are identical except `differing`.
 FilmDiff film(std::size_t frames, const std::vector<std::size_t>& differing) {
   FilmDiff diff{"", {10, 1}, FilmTimes(0), std::vector<PictureDiff>(frames)};
   for (std::size_t k = 0; k < frames; ++k) diff.times.add({{}, static_cast<double>(k) / 10, 0.1});
@@ -29,7 +29,7 @@ struct Point {
   double x, y;
 };
 
-/// The corners of the two curves: lines in blue.
+/// Returns the corners of the two curves, which are blue lines.
 std::vector<std::vector<Point>> curvesOf(const std::string& svg) {
   std::vector<std::vector<Point>> curves;
   const std::string start = "<path d=\"M", blue = "\" fill=\"none\" stroke=\"#0f62ad\"";
@@ -51,7 +51,7 @@ std::vector<double> rowsOf(const std::vector<Point>& curve) {
   return rows;
 }
 
-TEST(DiffCurve, StandsAtTheFiguresOfEachFrame) {
+TEST(DiffCurve, ShowsTheFiguresOfEachFrame) {
   FilmDiff diff = film(5, {3});
   diff.frames[1].figures.flip.max = 0.5;
   const auto curves = curvesOf(curveSvg(diff, {}));
@@ -69,7 +69,7 @@ TEST(DiffCurve, StandsAtTheFiguresOfEachFrame) {
                 0.006);
 }
 
-// One frame of 10 000 differs: it is seen, in both curves and in the strip of verdicts.
+// One frame of 10 000 differs, and must show in both curves and in the strip of verdicts.
 TEST(DiffCurve, LosesNoPeakOfALongFilm) {
   const std::string svg = curveSvg(film(10'000, {4321}), {});
   const auto curves = curvesOf(svg);
@@ -88,8 +88,7 @@ TEST(DiffCurve, LosesNoPeakOfALongFilm) {
   EXPECT_GE(std::stod(strip[2]), 1);
 }
 
-// Nothing is not 0: a frame without figures leaves a gap.
-TEST(DiffCurve, HasNoPointWhereThereIsNoFigure) {
+TEST(DiffCurve, LeavesAGapAtFramesWithoutFigures) {
   FilmDiff diff = film(5, {1});
   diff.frames[2].verdict = Verdict::kDifferent;
   diff.frames[2].mismatch = "the size is 4x4, not 8x8";
@@ -98,11 +97,11 @@ TEST(DiffCurve, HasNoPointWhereThereIsNoFigure) {
   const auto curves = curvesOf(svg);
   ASSERT_EQ(curves.size(), 2u);
   EXPECT_EQ(curves[0].size(), 4u);
-  EXPECT_THAT(svg, testing::ContainsRegex("<path d=\"M[^M\"]*M[^M\"]*\" fill=\"none\""));  // lifted once
+  EXPECT_THAT(svg, testing::ContainsRegex("<path d=\"M[^M\"]*M[^M\"]*\" fill=\"none\""));  // one gap
   EXPECT_THAT(curveCsv(diff), testing::HasSubstr("\n2,0.2,different,,,,,,,,\n3,"));
 }
 
-TEST(DiffCurve, HasALineForALimitWithinIt) {
+TEST(DiffCurve, DrawsALineForALimitWithinTheAxis) {
   const auto lines = [](const FilmDiff& diff, double limit) {
     NearRule rule;
     rule.flipMax = limit;
@@ -115,16 +114,15 @@ TEST(DiffCurve, HasALineForALimitWithinIt) {
   EXPECT_FALSE(lines(film(5, {3}), 2));
 }
 
-// A frame that passes is not the worst, however much of it differs.
-TEST(FilmDiff, ItsWorstFrameIsOfTheWorstVerdict) {
+// A frame that passes is not the worst, even if its error is the largest.
+TEST(FilmDiff, FindsTheWorstFrameAmongTheWorstVerdict) {
   FilmDiff diff = film(5, {3});
   diff.frames[1].verdict = Verdict::kNear;
   diff.frames[1].figures.flip.mean = 0.9;
   EXPECT_EQ(diff.worst(), 3u);
 }
 
-// Whatever the number of frames, and where a film says no rate.
-TEST(DiffCurve, OfOneFrameAndOfIdenticalOnes) {
+TEST(DiffCurve, WorksForOneFrameAndForIdenticalFrames) {
   for (const std::size_t frames : {1u, 2u}) {
     FilmDiff diff = film(frames, {});
     diff.fps = {0, 1};

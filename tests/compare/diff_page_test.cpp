@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page shows is tested in a browser: tests/golden/page_test.py.
+// The page itself is tested in a browser: tests/golden/page_test.py.
 #include "compare/diff_page.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ DiffPageEntry entryOf(std::size_t bytes) {
   return entry;
 }
 
-/// How many rows of that size are embedded.
+/// Returns how many rows with pictures of that size are embedded.
 int admitted(std::size_t bytes) {
   EmbedBudget budget;
   for (int rows = 0; rows < 200; ++rows) {
@@ -56,9 +56,9 @@ TEST(WorstFirst, PutsRowsWithoutFiguresBeforeThoseThatDifferMost) {
   EXPECT_EQ(worstFirst(entries), expected);
 }
 
-// Names come from file systems, and the data stands in a script element: no "<" may be left in it, and marks of
-// the template in a name are text like any other.
-TEST(DiffPage, KeepsHostileNamesAsData) {
+// Names come from file systems, and the data stands in a script element, so that no "<" may be left in the data.
+// Placeholders of the template in a name are text like any other.
+TEST(DiffPage, EscapesHostileFileNames) {
   DiffPage page{"</script><script>alert(1)</script>", "different"};
   page.file = "page.html";
   page.entries.push_back(entryOf(0));

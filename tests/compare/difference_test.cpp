@@ -21,7 +21,7 @@ image::Image flat(image::PixelSize size, int channels, std::uint8_t value) {
   return picture;
 }
 
-/// Mid-tones only, so that steps of a few levels stay in range.
+/// Returns noise of mid-tones, so that steps of a few levels stay in range.
 image::Image noise(image::PixelSize size, unsigned seed) {
   image::Image picture(size, 3);
   std::mt19937 random(seed);
@@ -29,7 +29,7 @@ image::Image noise(image::PixelSize size, unsigned seed) {
   return picture;
 }
 
-TEST(Difference, OfEqualPicturesIsNothing) {
+TEST(Difference, IsZeroForEqualPictures) {
   const image::Image a = noise({9, 7}, 1);
   const ImageDifference d = compare(a, a).difference;
   EXPECT_EQ(d.differingPixels, 0);
@@ -43,7 +43,8 @@ TEST(Difference, OfEqualPicturesIsNothing) {
   EXPECT_EQ(verdict(d), Verdict::kIdentical);
 }
 
-// Worked by hand: 10 x 10 RGB = 300 values; two pixels differ, by 10 in one channel and by 4 and 3 in another two.
+// Worked out by hand: 10 x 10 RGB pixels are 300 values. Two pixels differ, one by 10 in one channel, the other by
+// 4 and 3 in two channels.
 TEST(Difference, CountsAndFindsTheWorstPixel) {
   const image::Image a = flat({10, 10}, 3, 100);
   image::Image b = a;
@@ -65,7 +66,7 @@ TEST(Difference, CountsAndFindsTheWorstPixel) {
   EXPECT_EQ(verdict(d), Verdict::kDifferent);
 }
 
-TEST(Difference, SeesAlpha) {
+TEST(Difference, CountsAlpha) {
   const image::Image a = flat({4, 4}, 4, 200);
   image::Image b = a;
   b.at(1, 1)[3] = 199;
@@ -73,7 +74,7 @@ TEST(Difference, SeesAlpha) {
   EXPECT_DOUBLE_EQ(compare(a, b).difference.meanAbs, 1.0 / 64);
 }
 
-TEST(Difference, RefusesOtherShapes) {
+TEST(Difference, RejectsPicturesOfDifferentShape) {
   const image::Image a = flat({4, 4}, 3, 0);
   for (const image::Image& b : {flat({4, 5}, 3, 0), flat({4, 4}, 4, 0)}) {
     EXPECT_THROW(compare(a, b), core::Error);
@@ -85,16 +86,16 @@ Verdict verdictOf(const image::Image& a, const image::Image& b, const NearRule& 
   return verdict(compare(a, b).difference, rule);
 }
 
-// What a comparer must accept and reject: each limit of the rule alone decides at least one case.
 TEST(Difference, EndsWhenItsCallerIsInterrupted) {
   const image::Image a = noise({4000, 2000}, 1), b = noise({4000, 2000}, 2);
   const core::InterruptionCheck check([] { throw std::runtime_error("stop"); });
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_THROW(compare(a, b), std::runtime_error);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(500));  // 60; all takes 3 s
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(500));  // measured 60; whole: 3 s
 }
 
-TEST(Verdict, NeedsEveryLimit) {
+// Each limit of the rule alone decides at least one case that a comparison must accept or reject.
+TEST(Verdict, DependsOnEveryLimit) {
   const image::Image a = noise({200, 100}, 2);  // 20 000 pixels: 0.5 % are 100
   image::Image wobble = a, tooMany = a, tooMuch = a;
   for (int i = 0; i < 100; ++i) wobble.at(2 * i, i)[i % 3] += 1;
@@ -111,16 +112,16 @@ TEST(Verdict, NeedsEveryLimit) {
   EXPECT_EQ(toString(Verdict::kNear), "near");
 }
 
-// One level brighter everywhere stays below the maximum, and must not pass.
-TEST(Verdict, SeesAWholePictureOneLevelOff) {
+// A picture that is one level brighter everywhere stays below the maximum, and must not pass.
+TEST(Verdict, RejectsAUniformShiftOfOneLevel) {
   const image::Image a = noise({64, 64}, 3);
   image::Image b = a;
   for (auto& v : b.pixels) ++v;
   EXPECT_EQ(verdictOf(a, b), Verdict::kDifferent);
 }
 
-// A count in place of the share: 0-20 of a picture is that many pixels, whatever its size.
-TEST(Verdict, CountsPixelsWhereToldTo) {
+// A limit may be a count instead of a share; the count does not depend on the size of the picture.
+TEST(Verdict, CountsPixelsIfTheRuleHasACount) {
   const image::Image a = flat({10, 10}, 3, 100);
   image::Image b = a;
   for (int x = 0; x < 3; ++x) b.at(x, 5)[0] = 101;
@@ -132,8 +133,9 @@ TEST(Verdict, CountsPixelsWhereToldTo) {
             std::vector<std::string>{"differing pixels 3 (limit 2)"});
 }
 
-// 16 bits are compared in their own steps: one of 65535 is 255/65535 of a level. Eight bits count as v * 257.
-TEST(Difference, OfSixteenBits) {
+// 16-bit pictures are compared in their own steps: one of 65535 is 255/65535 of a level. Eight bits count as v *
+// 257.
+TEST(Difference, ComparesSixteenBitsWithoutRounding) {
   image::DeepImage a({8, 8}, 3);
   a.pixels.assign(a.pixels.size(), 257 * 90);
   image::DeepImage b = a;
@@ -146,8 +148,8 @@ TEST(Difference, OfSixteenBits) {
   EXPECT_EQ(compare(image::AnyImage(a), image::AnyImage(flat({8, 8}, 3, 90))).difference.differingPixels, 0);
 }
 
-// Ten are told, the largest first, of equal ones from the top left.
-TEST(Difference, TellsTheTenWorst) {
+// Ten pixels are reported, the largest difference first; equal differences are listed from the top left.
+TEST(Difference, ReportsTheTenWorstPixels) {
   const image::Image a = flat({20, 2}, 3, 50);
   image::Image b = a;
   for (int x = 0; x < 12; ++x) b.at(x, 1)[2] = 52;
@@ -158,17 +160,17 @@ TEST(Difference, TellsTheTenWorst) {
   for (int i = 1; i < 10; ++i) EXPECT_EQ(worst[static_cast<std::size_t>(i)].x, i - 1);
 }
 
-TEST(Difference, AmplifiesAndCuts) {
+TEST(Difference, CanBeDrawnAmplifiedAndClamped) {
   image::Image a = flat({2, 1}, 4, 10), b = a;
   b.at(0, 0)[0] = 13;
   b.at(1, 0)[2] = 200;
-  b.at(1, 0)[3] = 5;  // 5 x 16 in all three
+  b.at(1, 0)[3] = 5;  // alpha: 5 x 16 in all three
   const image::Image shown = amplifiedDifference(a, b, nullptr, 16);
   EXPECT_EQ(shown.channels, 3);
   EXPECT_EQ(shown.pixels, (std::vector<std::uint8_t>{48, 0, 0, 80, 80, 255}));
 }
 
-// By hand: 10 x 10 pixels of which 3 rows are ignored leave 70; two of three differing pixels lie in the others.
+// Expected by hand: 10 x 10 pixels less 3 ignored rows are 70. Two of the three differing pixels are among them.
 TEST(Difference, LeavesOutIgnoredPixels) {
   const image::Image a = flat({10, 10}, 3, 100);
   image::Image b = a;
@@ -188,7 +190,7 @@ TEST(Difference, LeavesOutIgnoredPixels) {
   EXPECT_EQ(amplifiedDifference(a, b, &ignored).at(4, 1)[0], 0);
   EXPECT_EQ(amplifiedDifference(a, b, &ignored).at(4, 5)[0], 7 * 16);
 
-  // Errors do not reach into ignored pixels, so that the mean is no more than the largest.
+  // Errors do not reach into ignored pixels, so that the mean is at most the largest error.
   image::Image large = flat({64, 64}, 3, 100);
   const image::Image before = large;
   large.at(40, 40)[0] = 200;
@@ -202,13 +204,13 @@ TEST(Difference, LeavesOutIgnoredPixels) {
   EXPECT_LE(few.difference.flip.mean, few.difference.flip.max);
   EXPECT_EQ(std::ranges::count_if(few.flip.error, [](double e) { return e > 0; }), 3);
   ASSERT_TRUE(few.difference.ssim);
-  EXPECT_LT(few.difference.ssim->mean, 0.9);  // of three windows, all of which see the change
+  EXPECT_LT(few.difference.ssim->mean, 0.9);  // three windows, all of which hold the change
 
   ignored.add(image::PixelRect{0, 5, 10, 6});
   EXPECT_EQ(verdict(compare(a, b, {.ignored = &ignored}).difference), Verdict::kIdentical);
 }
 
-// Each step is one pixel: differences of 1, 2, ... 9.
+// Differences of 1, 2, ... 9 appear in one pixel each.
 TEST(Difference, CountsPixelsBeyondALevel) {
   const image::Image a = flat({20, 20}, 3, 100);
   image::Image b = a;
@@ -224,7 +226,7 @@ TEST(Difference, CountsPixelsBeyondALevel) {
             std::vector<std::string>{"pixels beyond level 7 3 (limit 2)"});
 }
 
-/// A picture whose alpha is `alpha` in the left half.
+/// Returns a picture whose alpha is `alpha` in the left half and opaque in the right half.
 image::Image holed(image::PixelSize size, std::uint8_t value, std::uint8_t alpha) {
   image::Image picture = flat(size, 4, value);
   for (int y = 0; y < size.height; ++y)
@@ -232,9 +234,9 @@ image::Image holed(image::PixelSize size, std::uint8_t value, std::uint8_t alpha
   return picture;
 }
 
-// A hole in a black picture is seen upon white paper only, and one in a white picture upon black only. The oracle
-// is FLIP of the two pictures as they look upon that paper, made by hand.
-TEST(Difference, LooksAtTransparencyUponBlackAndWhite) {
+// A hole in a black picture shows over white paper only, and a hole in a white picture over black only. Expected:
+// FLIP of the two pictures as they look over that paper, made by hand.
+TEST(Difference, ComparesTransparencyOverBlackAndWhite) {
   const image::PixelSize size{32, 16};
   for (const std::uint8_t value : {std::uint8_t{0}, std::uint8_t{255}}) {
     const image::Image whole = holed(size, value, 255), hole = holed(size, value, 0);
@@ -250,8 +252,8 @@ TEST(Difference, LooksAtTransparencyUponBlackAndWhite) {
   }
 }
 
-// Colours under alpha 0 do not count; grey, opaque alpha and 16 bits are other ways to store the same.
-TEST(Difference, ComparesByValueWhateverTheForm) {
+// Colours under alpha 0 do not count. Grey, opaque alpha and 16 bits are other ways to store the same values.
+TEST(Difference, ComparesValuesIndependentOfTheirStorage) {
   image::Image hidden = holed({8, 8}, 90, 0), other = hidden;
   for (int y = 0; y < 8; ++y) std::fill_n(other.at(0, y), 3, std::uint8_t{200});
   EXPECT_EQ(compare(image::AnyImage(hidden), image::AnyImage(other)).difference.maxAbs, 0);
@@ -269,7 +271,7 @@ TEST(Difference, ComparesByValueWhateverTheForm) {
   EXPECT_THROW(compare(image::AnyImage(flat({8, 8}, 3, 0)), image::AnyImage(flat({8, 9}, 3, 0))), core::Error);
 }
 
-TEST(NearRule, KnowsWhetherItCanRefuse) {
+TEST(NearRule, ReportsWhetherItCanRejectAPicture) {
   for (const NamedRule& named : namedRules()) EXPECT_TRUE(named.rule.canRefuse()) << named.name;
   NearRule everything{.maxAbs = 255, .differingShare = 1, .flipMean = 1, .flipMax = 1};
   EXPECT_FALSE(everything.canRefuse());
@@ -281,8 +283,8 @@ TEST(NearRule, KnowsWhetherItCanRefuse) {
   EXPECT_TRUE(everything.canRefuse(64));
 }
 
-// By hand: 4 over the limits of 2 and 1 is ln 2 + ln 4; what is within its limit takes nothing off.
-TEST(NearRule, MeasuresHowFarAPictureIsBeyond) {
+// Expected by hand: 4 over limits of 2 and 1 is ln 2 + ln 4. Figures within their limits subtract nothing.
+TEST(NearRule, MeasuresHowFarAPictureExceedsTheLimits) {
   ImageDifference d;
   d.maxAbs = 4;
   d.comparedPixels = 100;
@@ -293,12 +295,12 @@ TEST(NearRule, MeasuresHowFarAPictureIsBeyond) {
   EXPECT_DOUBLE_EQ(distanceBeyond(d, rule), std::log(2) + std::log(4));
 }
 
-// A mask ignores where it is painted: neither black nor clear.
-TEST(IgnoreMask, TakesPaintedPixels) {
+// A mask ignores painted pixels, which are neither black nor transparent.
+TEST(IgnoreMask, IgnoresPaintedPixels) {
   image::Image painted({3, 1}, 4);
   std::fill_n(painted.at(0, 0), 4, std::uint8_t{255});  // white
   painted.at(1, 0)[3] = 255;                            // black
-  painted.at(2, 0)[0] = 255;                            // red, but clear
+  painted.at(2, 0)[0] = 255;                            // red, but transparent
   IgnoreMask mask({3, 1});
   mask.add(image::AnyImage(painted));
   EXPECT_TRUE(mask.ignores(0, 0));

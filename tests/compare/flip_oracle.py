@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# FLIP worked out a second time, straight from the definition (GOLDEN-AND-RELIABILITY A3 names the paper): whole
-# two-dimensional kernels, no separation, Python's floats. Prints the figures that flip_pairs_test.cpp holds.
+# Computes FLIP a second time, directly from its definition (src/compare/flip.h names the paper), with full
+# two-dimensional kernels and Python's floats. Prints the expected values of flip_pairs_test.cpp.
 #   python3 tests/compare/flip_oracle.py
 import math
 
@@ -9,7 +9,7 @@ W, H = 32, 24
 
 
 def pictures():
-    """The pairs, by formulas that the test has too: name, a(x, y), b(x, y)."""
+    """Returns the pairs of pictures: name, a(x, y), b(x, y). The test has the same formulas."""
     def hashed(x, y, c, seed):
         v = (x * 73856093 ^ y * 19349663 ^ c * 83492791 ^ seed * 2654435761) & 0xFFFFFFFF
         v = (v ^ (v >> 13)) * 1274126177 & 0xFFFFFFFF
@@ -50,7 +50,7 @@ def xyz(rgb):
 
 
 def solve(m, v):
-    """Cramer's rule."""
+    """Solves m x = v by Cramer's rule."""
     def det(a):
         return (a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) - a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0])
                 + a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// FLIP of whole pictures against flip_oracle.py, an implementation of its own: two-dimensional kernels, in Python.
+// Compares FLIP of whole pictures with flip_oracle.py, an independent implementation in Python with
+// two-dimensional kernels.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,13 +61,14 @@ struct Pair {
   double at20_9;
 };
 
-// What GoogleTest and ctest print of a case.
+// Prints a pair's name in the output of GoogleTest and ctest.
 void PrintTo(const Pair& pair, std::ostream* out) { *out << pair.name; }
 
 class FlipPairs : public testing::TestWithParam<Pair> {};
 
-// Measured: 4e-13 at most, what is left of twelve digits; the bottom of the disc's map, 3e-5, to 3e-12.
-TEST_P(FlipPairs, AgreeWithTheOracle) {
+// Measured: 4e-13 at most, which is the rounding to twelve digits. The smallest error of the disc, 3e-5, agrees to
+// 3e-12.
+TEST_P(FlipPairs, AgreeWithTheIndependentImplementation) {
   const auto& [name, a, b, expected, at20_9] = GetParam();
   const FlipMap map = flip(painted(a), painted(b));
   const FlipFigures figures = figuresOf(map);
@@ -80,7 +82,7 @@ TEST_P(FlipPairs, AgreeWithTheOracle) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Of, FlipPairs,
+    Each, FlipPairs,
     testing::Values(
         Pair{"Noise",
              noise(1),
@@ -109,9 +111,9 @@ INSTANTIATE_TEST_SUITE_P(
              0.967351622946}),
     [](const auto& each) { return std::string(each.param.name); });
 
-// Only the part of two pictures that differs is looked at closely. That this changes nothing: the same two beside
-// two that differ in their far corners, whose errors do not reach here.
-TEST(Flip, IsTheSameHoweverLittleOfThePicturesDiffers) {
+// flip() looks closely only at the part of two pictures that differs. The test compares the same pictures with and
+// without differences in their far corners, whose errors do not reach the middle.
+TEST(Flip, IsIndependentOfDifferencesFarAway) {
   image::Image a({120, 90}, 3), b = a;
   for (int y = 0; y < 90; ++y)
     for (int x = 0; x < 120; ++x)
@@ -129,8 +131,7 @@ TEST(Flip, IsTheSameHoweverLittleOfThePicturesDiffers) {
   EXPECT_GT(near.max(), 0.01);
 }
 
-// Sixteen bits of the same values are the same picture.
-TEST(Flip, OfSixteenBitsIsThatOfEight) {
+TEST(Flip, IsTheSameForSixteenAndEightBits) {
   const image::Image a = painted(noise(4)), b = painted(noise(5));
   image::DeepImage deepA(kSize, 3), deepB(kSize, 3);
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
@@ -140,8 +141,8 @@ TEST(Flip, OfSixteenBitsIsThatOfEight) {
   EXPECT_NEAR(flip(deepA, deepB).mean(), flip(a, b).mean(), 1e-14);
 }
 
-// A picture of one pixel is flat: E is the colour error of its two colours, here of green and blue.
-TEST(Flip, OfOnePixel) {
+// A picture of one pixel is flat, so that E is the colour error of its two colours, here green and blue.
+TEST(Flip, IsTheColorErrorForOnePixel) {
   image::Image a({1, 1}, 3), b({1, 1}, 3);
   a.pixels = {0, 255, 0};
   b.pixels = {0, 0, 255};

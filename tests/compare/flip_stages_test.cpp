@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each stage of FLIP against values worked out by hand, or published by others.
+// Checks each stage of FLIP against values that are worked out by hand, or published by others.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ void expectNear(const Triple& actual, const Triple& expected, double tolerance) 
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << i;
 }
 
-// IEC 61966-2-1: the straight piece ends at 0.04045; 128/255 is 0.2158605 in its tables.
+// IEC 61966-2-1: the straight piece ends at 0.04045, and 128/255 is 0.2158605 in the tables.
 TEST(FlipColor, SrgbIsDecoded) {
   EXPECT_EQ(linearLight(0), 0);
   EXPECT_EQ(linearLight(1), 1);
@@ -22,9 +22,9 @@ TEST(FlipColor, SrgbIsDecoded) {
   EXPECT_NEAR(linearLight(128 / 255.0), 0.2158605, 5e-8);
 }
 
-// X, Y, Z of green are the second column of the matrix; divided by white, 8788810/23359437, 8788810/12288897 and
-// 8788810/80288307: Y = 116 y - 16, Cx = 500 (x - y), Cz = 200 (y - z) by hand.
-TEST(FlipColor, OpponentSpace) {
+// X, Y, Z of green are the second column of the matrix. Divided by white, they are 8788810/23359437,
+// 8788810/12288897 and 8788810/80288307. Then Y = 116 y - 16, Cx = 500 (x - y), Cz = 200 (y - z) by hand.
+TEST(FlipColor, ConvertsToOpponentSpace) {
   expectNear(opponentColor({0, 0, 0}), {-16, 0, 0}, 1e-13);
   expectNear(opponentColor({1, 1, 1}), {100, 0, 0}, 1e-12);
   const double x = 8788810.0 / 23359437, y = 8788810.0 / 12288897, z = 8788810.0 / 80288307;
@@ -32,16 +32,16 @@ TEST(FlipColor, OpponentSpace) {
   expectNear(opponentColor({0, 1, 0}), {66.9604, -169.4698, 121.1435}, 1e-2);  // the same, on a pocket calculator
 }
 
-TEST(FlipColor, OpponentSpaceAndBack) {
+TEST(FlipColor, ConvertsToOpponentSpaceAndBack) {
   for (const Triple& rgb : {Triple{0.1, 0.7, 0.3}, {1, 0, 0}, {0, 0.02, 1}})
     expectNear(rgbOfOpponent(opponentColor(rgb)), rgb, 1e-14);
-  expectNear(rgbOfOpponent({200, 0, 0}), {1, 1, 1}, 0);  // cut
+  expectNear(rgbOfOpponent({200, 0, 0}), {1, 1, 1}, 0);  // clamped
   expectNear(rgbOfOpponent({-40, 0, 0}), {0, 0, 0}, 0);
 }
 
-// Without the Hunt effect red, green and blue of sRGB are (53.24, 80.09, 67.20), (87.73, -86.18, 83.18) and
-// (32.30, 79.19, -107.86) in CIELab of D65, as colour tables have them; here a and b are times L/100.
-TEST(FlipColor, LabOfThePrimariesShrinksInTheDark) {
+// Without the Hunt effect, colour tables give red, green and blue of sRGB as (53.24, 80.09, 67.20), (87.73,
+// -86.18, 83.18) and (32.30, 79.19, -107.86) in CIELab of D65. With the effect, a and b are multiplied by L/100.
+TEST(FlipColor, ScalesChromaWithLightness) {
   expectNear(huntLab({1, 0, 0}), {53.24, 0.5324 * 80.09, 0.5324 * 67.20}, 0.02);
   expectNear(huntLab({0, 1, 0}), {87.73, 0.8773 * -86.18, 0.8773 * 83.18}, 0.02);
   expectNear(huntLab({0, 0, 1}), {32.30, 0.3230 * 79.19, 0.3230 * -107.86}, 0.02);
@@ -49,11 +49,12 @@ TEST(FlipColor, LabOfThePrimariesShrinksInTheDark) {
   EXPECT_NEAR(huntLab({0.001, 0.001, 0.001})[0], 0.9033, 1e-4);
 }
 
-// |ΔL| = 1 beside a triangle of 3, 4, 5.
-TEST(FlipColor, HyabIsLightnessAndChromaApart) { EXPECT_EQ(hyabDistance({10, 3, -1}, {11, 6, 3}), 6); }
+// |ΔL| = 1, and the chroma differs by the long side of a triangle of 3, 4, 5.
+TEST(FlipColor, HyabAddsLightnessAndChroma) { EXPECT_EQ(hyabDistance({10, 3, -1}, {11, 6, 3}), 6); }
 
-// The authors' constant, and the two ends and the knee of the curve: at 0.4 of the largest the error is 0.95.
-TEST(FlipColor, ErrorHasItsKnee) {
+// Checks the authors' constant, both ends of the curve, and its knee: at 0.4 of the largest distance the error is
+// 0.95.
+TEST(FlipColor, MapsTheErrorByTheDefinedCurve) {
   EXPECT_NEAR(largestColorDistance(), 41.276098, 5e-7);
   EXPECT_EQ(colorError({50, 1, 2}, {50, 1, 2}), 0);
   const auto errorAt = [](double distance) { return colorError({0, 0, 0}, {distance, 0, 0}); };
@@ -64,9 +65,10 @@ TEST(FlipColor, ErrorHasItsKnee) {
   EXPECT_NEAR(errorAt(std::pow(0.7 * 41.276098, 1 / 0.7)), 0.975, 1e-8);
 }
 
-// ceil(3 √(0.04/(2π²)) 67.02) = ceil(9.05) = 10, of all three. A weight one pixel off is exp(-π²/(b p²)) of the
-// middle one: 0.626565 for b = 0.0047 at 67.02 pixels per degree. Over two dimensions the weights sum to 1.
-TEST(FlipFilters, ContrastSensitivity) {
+// The radius is ceil(3 √(0.04/(2π²)) 67.02) = ceil(9.05) = 10 for all three channels. A weight one pixel off is
+// exp(-π²/(b p²)) of the middle weight: 0.626565 for b = 0.0047 at p = 67.02 pixels per degree. The weights sum to
+// 1 over two dimensions.
+TEST(FlipFilters, ContrastSensitivityHasTheDefinedWeights) {
   const auto channels = contrastSensitivity(kFlipPixelsPerDegree);
   for (const auto& parts : channels) {
     double total = 0;
@@ -78,13 +80,13 @@ TEST(FlipFilters, ContrastSensitivity) {
   }
   const Kernel& y = channels[0][0].profile;
   EXPECT_NEAR(y.at(1) / y.at(0), 0.626565, 1e-6);
-  // The two of Cz are 34.1 √(π/0.04) and 13.5 √(π/0.025) strong, 302.2 and 151.3.
+  // The two parts of Cz have the strengths 34.1 √(π/0.04) and 13.5 √(π/0.025), 302.2 and 151.3.
   EXPECT_NEAR(channels[2][0].weight / channels[2][1].weight, 34.1 * std::sqrt(0.025) / (13.5 * std::sqrt(0.04)),
               1e-13);
 }
 
-// s = 0.5 · 0.082 · 67.02 = 2.7478, radius ceil(8.24) = 9.
-TEST(FlipFilters, Features) {
+// The standard deviation is s = 0.5 · 0.082 · 67.02 = 2.7478, and the radius is ceil(8.24) = 9.
+TEST(FlipFilters, FeatureKernelsHaveTheDefinedWeights) {
   const FeatureKernels kernels = featureKernels(kFlipPixelsPerDegree);
   EXPECT_EQ(kernels.smooth.radius(), 9);
   EXPECT_NEAR(kernels.smooth.sum(), 1, 1e-15);
@@ -102,9 +104,9 @@ TEST(FlipFilters, Features) {
   EXPECT_GT(kernels.point.at(3), 0);
 }
 
-// A step from black to white: all negative weights on one side, so that the two pixels beside it have an edge
-// of 1.
-TEST(FlipFilters, AStepIsAnEdgeOfOne) {
+// At a step from black to white, all negative weights are on one side, so that the two pixels beside the step have
+// an edge of 1.
+TEST(FlipFilters, AStepFromBlackToWhiteHasAnEdgeOfOne) {
   const FeatureKernels kernels = featureKernels(kFlipPixelsPerDegree);
   std::vector<double> row(40), out(40);
   std::fill(row.begin() + 20, row.end(), 1.0);
@@ -114,9 +116,9 @@ TEST(FlipFilters, AStepIsAnEdgeOfOne) {
   EXPECT_EQ(out[5], 0);
 }
 
-// The exponent of A3's step 10 with the feature of a black-white edge against nothing, 1: E = Ec^(1 - (1/√2)^½).
-// Far from black, Ec = 1 - small; worked out from the map's own colour error beside it is no oracle, so only the
-// order is held: the edge makes the pixel's error larger than its colour does.
+// In step 10 of A3, a black-white edge against nothing has the feature 1 and gives E = Ec^(1 - (1/√2)^½). The
+// map's own colour error would not be an independent expectation. The test therefore checks the order alone: the
+// edge makes the pixel's error larger than its colour does.
 TEST(FlipFilters, AnEdgeRaisesTheError) {
   image::Image grey({64, 64}, 3), step({64, 64}, 3);
   grey.pixels.assign(grey.pixels.size(), 128);
@@ -127,9 +129,9 @@ TEST(FlipFilters, AnEdgeRaisesTheError) {
   EXPECT_GT(map.error[32 * 64 + 32], map.error[32 * 64 + 55]);
 }
 
-// Worked by hand: of the values 0.1, 0.2, 0.3, 0.4 the sum is 1; the running sum 0.1, 0.3, 0.6, 1 exceeds a
-// quarter at 0.2, a half at 0.3, three quarters at 0.4. A count would say otherwise.
-TEST(FlipFigures, AreWeighted) {
+// Worked out by hand: the values 0.1, 0.2, 0.3, 0.4 sum to 1. The running sum 0.1, 0.3, 0.6, 1 exceeds a quarter
+// at 0.2, a half at 0.3, and three quarters at 0.4. Quartiles by count would be others.
+TEST(FlipFigures, AreWeightedByTheError) {
   const FlipFigures figures = figuresOf({{4, 1}, {0.4, 0.1, 0.3, 0.2}});
   EXPECT_DOUBLE_EQ(figures.mean, 0.25);
   EXPECT_EQ(figures.min, 0.1);

@@ -28,19 +28,18 @@ image::Image mirrored(const image::Image& in) {
   return out;
 }
 
-/// Largest distance of the map from one value.
 double deviation(const FlipMap& map, double expected) {
   double worst = 0;
   for (const double e : map.error) worst = std::max(worst, std::abs(e - expected));
   return worst;
 }
 
-// Flat pictures have no features and their blur is themselves, so E is the colour error of two colours.
-// Black and white differ by ΔL = 100 with no chroma: c = 100^0.7, and with the paper's c_max = 41.276098 (HyAB of
-// Hunt-adjusted green and blue, to the power 0.7): E = 0.95 + 0.05 (c - 0.4 c_max) / (0.6 c_max).
-// Residual 2.2e-10. The authors' program, in single precision, has 0.967392; its kernels that should sum to 0
+// Flat pictures have no features and equal their own blur, so that E is the colour error of two colours.
+// Black and white differ by ΔL = 100 without chroma: c = 100^0.7. With the paper's c_max = 41.276098 (HyAB of
+// Hunt-adjusted green and blue, to the power 0.7), E = 0.95 + 0.05 (c - 0.4 c_max) / (0.6 c_max).
+// Residual 2.2e-10. The authors' program, in single precision, gives 0.967392; its kernels that should sum to 0
 // leave 1e-8, which moves flat pairs by up to 4e-5. Residual 1.2e-5.
-TEST(Flip, OfBlackAndWhite) {
+TEST(Flip, MatchesTheFormulaForBlackAndWhite) {
   const FlipMap map = flip(flat({40, 30}, 0, 0, 0), flat({40, 30}, 255, 255, 255));
   constexpr double kLargest = 41.276098;
   const double expected = 0.95 + 0.05 * (std::pow(100, 0.7) - 0.4 * kLargest) / (0.6 * kLargest);
@@ -48,23 +47,24 @@ TEST(Flip, OfBlackAndWhite) {
   EXPECT_LE(deviation(map, 0.967392), 1e-4);
 }
 
-// Green and blue are the pair that defines 1.
-TEST(Flip, OfGreenAndBlueIsOne) {
+// The pair of green and blue defines an error of 1.
+TEST(Flip, IsOneForGreenAndBlue) {
   const FlipMap map = flip(flat({20, 20}, 0, 255, 0), flat({20, 20}, 0, 0, 255));
   EXPECT_LE(deviation(map, 1), 1e-6);
   EXPECT_NEAR(map.mean(), 1, 1e-6);
 }
 
-// Two greys: L from the sRGB decoding and CIELab by hand. v = 128: linear 0.215861, L = 116 cbrt(0.215861) - 16 =
-// 53.585; v = 130: linear 0.223228, L = 54.3678; c = ΔL^0.7, E = 0.95 c / (0.4 c_max). Residual 2.2e-10.
-TEST(Flip, OfTwoGreys) {
+// L of two greys follows from the sRGB decoding and CIELab by hand. v = 128: linear 0.215861, L = 116
+// cbrt(0.215861) - 16 = 53.585; v = 130: linear 0.223228, L = 54.3678; c = ΔL^0.7, E = 0.95 c / (0.4 c_max).
+// Residual 2.2e-10.
+TEST(Flip, MatchesTheFormulaForTwoGreys) {
   const auto lightness = [](double v) { return 116 * std::cbrt(std::pow((v / 255 + 0.055) / 1.055, 2.4)) - 16; };
   const double c = std::pow(lightness(130) - lightness(128), 0.7);
   const FlipMap map = flip(flat({33, 21}, 128, 128, 128), flat({33, 21}, 130, 130, 130));
   EXPECT_LE(deviation(map, 0.95 * c / (0.4 * 41.276098)), 1e-6);
 }
 
-TEST(Flip, OfAPictureAndItselfIsZero) {
+TEST(Flip, IsZeroForAPictureAndItself) {
   const image::Image a = image::noise({31, 17}, 4);
   EXPECT_EQ(flip(a, a).max(), 0);
 }
@@ -77,7 +77,7 @@ TEST(Flip, IsSymmetric) {
   EXPECT_LE(ab.max(), 1);
 }
 
-// A reflection of both pictures reflects the map: the kernels are even, or odd with their length taken.
+// A reflection of both pictures reflects the map, because the kernels are even, or odd with their length taken.
 // Measured 3.5e-15.
 TEST(Flip, CommutesWithMirroring) {
   const image::Image a = image::noise({24, 16}, 7), b = image::noise({24, 16}, 8);
@@ -87,9 +87,9 @@ TEST(Flip, CommutesWithMirroring) {
       EXPECT_NEAR(straight.error[y * 24 + x], turned.error[y * 24 + 23 - x], 1e-12);
 }
 
-// One white pixel on black: the blur spreads it over a radius of 10 pixels at 67 pixels per degree, beyond which
-// nothing differs; the feature channel makes the pixel itself stand out.
-TEST(Flip, OfOnePixelIsLocal) {
+// At 67 pixels per degree, the blur spreads one white pixel on black over a radius of 10 pixels, beyond which
+// nothing differs. The feature channel makes the pixel itself stand out.
+TEST(Flip, SpreadsOnePixelOverARadiusOfTenPixels) {
   const image::Image a = flat({61, 61}, 0, 0, 0);
   image::Image b = a;
   for (int c = 0; c < 3; ++c) b.at(30, 30)[c] = 255;

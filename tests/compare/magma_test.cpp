@@ -6,15 +6,14 @@
 namespace poinsot::compare {
 namespace {
 
-// The ends and the middle of the map as matplotlib's documentation has them: #000004, #b73779, #fcfdbf.
-TEST(Magma, HasItsColoursAtItsPlaces) {
+// The ends and the middle of the map are as in matplotlib's documentation: #000004, #b73779, #fcfdbf.
+TEST(Magma, HasTheDocumentedColours) {
   const image::Image picture = magmaPicture({{5, 1}, {0, 128.0 / 255, 1, 0.5 / 255, 2}});
   const std::vector<std::uint8_t> expected{0x00, 0x00, 0x04, 0xb7, 0x37, 0x79, 0xfc, 0xfd,
                                            0xbf, 0x01, 0x00, 0x05, 0xfc, 0xfd, 0xbf};
   EXPECT_EQ(picture.pixels, expected);
 }
 
-// Its lightness grows all the way: that is what it was made for.
 TEST(Magma, GrowsLighter) {
   FlipMap map{{256, 1}, {}};
   for (int i = 0; i < 256; ++i) map.error.push_back(i / 255.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layout of .git is that of gitrepository-layout(5) and gitformat-pack's packed-refs; files are written by
+// The layout of .git follows gitrepository-layout(5) and packed-refs of gitformat-pack; the files are written by
 // hand.
 #include "compare/run_facts.h"
 
@@ -56,8 +56,8 @@ TEST_F(CommitAround, FindsAPackedBranch) {
   EXPECT_EQ(commitAround(folder_.path()), kOther);
 }
 
-// As `git worktree add` makes it.
-TEST_F(CommitAround, FollowsTheFileOfAFurtherWorkTree) {
+// The files are as `git worktree add` makes them.
+TEST_F(CommitAround, FindsTheCommitOfALinkedWorkTree) {
   put("tree/.git", "gitdir: " + (folder_ / "main/.git/worktrees/tree").string() + "\n");
   put("main/.git/worktrees/tree/HEAD", "ref: refs/heads/side\n");
   put("main/.git/worktrees/tree/commondir", "../..\n");
@@ -79,7 +79,7 @@ TEST_F(CommitAround, IsEmptyWhereThereIsNoCommit) {
   EXPECT_EQ(commitAround(folder_.path()), "");
 }
 
-TEST(RunFacts, IdentifyTheRun) {
+TEST(RunFacts, NameMachineProgramAndCommand) {
   const ScratchFolder folder;
   const auto facts = runFacts(folder.path());
   const std::map<std::string, std::string> found(facts.begin(), facts.end());

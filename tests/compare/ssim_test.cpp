@@ -16,7 +16,7 @@ image::Image flat(image::PixelSize size, std::uint8_t value) {
   return picture;
 }
 
-/// The definition of one window, straight: weights over two dimensions, central moments.
+/// Returns the SSIM of one window, straight from the definition: weights over two dimensions, central moments.
 double windowAt(const image::Image& a, const image::Image& b, int cx, int cy) {
   const auto luma = [](const std::uint8_t* p) { return 0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2]; };
   const auto sum = [&](auto f) {
@@ -37,20 +37,20 @@ double windowAt(const image::Image& a, const image::Image& b, int cx, int cy) {
   return (2 * ma * mb + c1) * (2 * cov + c2) / ((ma * ma + mb * mb + c1) * (va + vb + c2));
 }
 
-TEST(Ssim, OfEqualPicturesIsOne) {
+TEST(Ssim, IsOneForEqualPictures) {
   const auto figures = ssim(image::noise({20, 15}, 1), image::noise({20, 15}, 1));
   EXPECT_EQ(figures->mean, 1);
   EXPECT_EQ(figures->worst, 1);
 }
 
-// Flat pictures have no variance: (2 ab + C1) / (a² + b² + C1) with C1 = 2.55².
-TEST(Ssim, OfFlatPictures) {
+// Flat pictures have no variance, so that SSIM is (2 ab + C1) / (a² + b² + C1) with C1 = 2.55².
+TEST(Ssim, MatchesTheFormulaForFlatPictures) {
   const auto figures = ssim(flat({11, 11}, 100), flat({11, 11}, 120));
   const double c1 = 2.55 * 2.55;
   EXPECT_NEAR(figures->mean, (2 * 100 * 120 + c1) / (100 * 100 + 120 * 120 + c1), 1e-12);
 }
 
-// 14x13 has 4x3 windows; each by the definition. Measured 3e-15.
+// 14x13 pixels have 4x3 windows; each window is computed by the definition. Measured 3e-15.
 TEST(Ssim, IsTheMeanOfItsWindows) {
   const image::Image a = image::noise({14, 13}, 2), b = image::noise({14, 13}, 3);
   double sum = 0, worst = 2;
@@ -71,7 +71,7 @@ TEST(Ssim, IsTheMeanOfItsWindows) {
   EXPECT_EQ(figures->worstY, worstY);
 }
 
-TEST(Ssim, IsNothingBelowAWindow) {
+TEST(Ssim, IsAbsentForPicturesSmallerThanAWindow) {
   EXPECT_FALSE(ssim(flat({10, 11}, 1), flat({10, 11}, 2)));
   EXPECT_FALSE(ssim(flat({1, 1}, 1), flat({1, 1}, 2)));
   EXPECT_TRUE(ssim(flat({11, 11}, 1), flat({11, 11}, 2)));

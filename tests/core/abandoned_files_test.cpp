@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who removes the hidden file of a process that was killed: the next one that makes a file in the same folder.
+// The hidden file of a killed process is removed by the next process that makes a file in the same folder.
 #include "core/abandoned_files.h"
 
 #include <gmock/gmock.h>
@@ -22,7 +22,7 @@ using ::testing::UnorderedElementsAreArray;
 
 class AbandonedFiles : public FolderTest {
  protected:
-  /// A process that has begun a file. @returns its number, once the file is there.
+  /// Forks a process that begins a file. @returns the process id, after the file exists.
   pid_t begin(const std::string& name) const {
     int ends[2];
     if (::pipe(ends) != 0) throw std::runtime_error("no pipe");
@@ -44,7 +44,7 @@ class AbandonedFiles : public FolderTest {
     ::waitpid(process, nullptr, 0);
   }
 
-  /// Another run that writes a file.
+  /// Writes other.txt from another process.
   void runAgain() const {
     const pid_t process = ::fork();
     if (process == 0) {
@@ -58,7 +58,7 @@ class AbandonedFiles : public FolderTest {
 };
 
 TEST_F(AbandonedFiles, AreRemovedByTheNextRunInTheFolder) {
-  const pid_t first = begin("a.png"), second = begin(std::string(255, 'n'));  // a name that is cut
+  const pid_t first = begin("a.png"), second = begin(std::string(255, 'n'));  // the hidden name is shortened
   end(first);
   end(second);
   ASSERT_EQ(names().size(), 2U);
@@ -75,20 +75,20 @@ TEST_F(AbandonedFiles, StayWhileTheirProcessLives) {
   EXPECT_THAT(names(), ElementsAre("other.txt"));
 }
 
-// Each differs in one thing from a file that is removed.
-TEST_F(AbandonedFiles, AreRemovedOnlyIfNothingSpeaksAgainstIt) {
+// Each file differs in one property from a file that is removed.
+TEST_F(AbandonedFiles, StayIfNameProcessOrFileTypeDiffers) {
   const pid_t ended = begin("a");
   end(ended);
   std::filesystem::remove(in(names().front()));
   const std::string number = std::to_string(ended), space = processSpace();
   ASSERT_EQ(space.size(), 12U);
   std::vector<std::string> stay{"a." + number + "-0." + space + ".tmp",    // not hidden
-                                "." + number + "-0." + space + ".tmp",     // of no name
+                                "." + number + "-0." + space + ".tmp",     // no target name
                                 ".a." + number + "-0." + space + ".txt",   // not temporary
-                                ".a." + number + "-0.tmp",                 // of no known machine
-                                ".a." + number + "-0.0123456789ab.tmp",    // of another machine
-                                ".a." + number + "." + space + ".tmp",     // no attempt
-                                ".a." + number + "x-0." + space + ".tmp",  // no number
+                                ".a." + number + "-0.tmp",                 // no machine identifier
+                                ".a." + number + "-0.0123456789ab.tmp",    // another machine
+                                ".a." + number + "." + space + ".tmp",     // no attempt number
+                                ".a." + number + "x-0." + space + ".tmp",  // process id is not a number
                                 ".a.-1-0." + space + ".tmp",
                                 ".a.0-0." + space + ".tmp",
                                 ".a." + std::to_string(::getpid()) + "-0." + space + ".tmp"};

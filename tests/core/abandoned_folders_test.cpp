@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who may remove a temporary folder: its process, and after a SIGKILL the next start; nobody as long as it lives.
+// A temporary folder is removed by its own process or, after a SIGKILL, by the next process that makes one. Nobody
+// removes the folder of a living process.
 #include "core/abandoned_folders.h"
 
 #include <gmock/gmock.h>
@@ -23,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::IsEmpty;
 
-/// A fork that makes a temporary folder, fills it, and sleeps.
+/// Forked process that makes a temporary folder, fills it, and sleeps.
 class Owner {
  public:
   Owner() {
@@ -79,14 +80,13 @@ class AbandonedFolders : public testing::Test {
     unsetenv("TMPDIR");
   }
 
-  /// A folder of a process that was killed.
   static fs::path abandoned() {
     Owner owner;
     owner.kill();
     return owner.folder();
   }
 
-  /// Temporary folders, by any of their names.
+  /// Returns the temporary folders that still exist, hidden ones included.
   std::vector<std::string> left() const {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(place_.path()))
@@ -94,7 +94,7 @@ class AbandonedFolders : public testing::Test {
     return names;
   }
 
-  /// Only root can; for others it is made to differ in its mode.
+  /// Changes the owner of a path, or its mode if the test does not run as root.
   static void giveAway(const fs::path& path) {
     if (::chown(path.c_str(), 65534, 65534) != 0) ::chmod(path.c_str(), 0500);
   }
@@ -102,9 +102,9 @@ class AbandonedFolders : public testing::Test {
   const ScratchFolder place_;
 };
 
-TEST_F(AbandonedFolders, AreRemovedByTheNextThatIsMade) {
+TEST_F(AbandonedFolders, AreRemovedWhenTheNextFolderIsCreated) {
   const fs::path first = abandoned(), second = abandoned();
-  EXPECT_FALSE(fs::exists(first));  // by the second
+  EXPECT_FALSE(fs::exists(first));  // removed when the second was made
   EXPECT_TRUE(fs::exists(second / "a" / "b" / "file"));
   const TemporaryFolder next;
   EXPECT_FALSE(fs::exists(second));
@@ -138,8 +138,8 @@ TEST_F(AbandonedFolders, StayWhileAForkOfTheirProcessLives) {
   EXPECT_FALSE(fs::exists(path));
 }
 
-// Each differs in one thing from a folder that is removed.
-TEST_F(AbandonedFolders, AreRemovedOnlyIfNothingSpeaksAgainstIt) {
+// Each folder differs in one property from a folder that is removed.
+TEST_F(AbandonedFolders, StayIfModeClaimNameOrOwnerDiffers) {
   const std::string claim = ".poinsot-claim";
   const std::vector<std::function<void(const fs::path&)>> differences{
       [](const fs::path& folder) { ::chmod(folder.c_str(), 0755); },
@@ -174,14 +174,14 @@ TEST_F(AbandonedFolders, AreRemovedOnlyIfNothingSpeaksAgainstIt) {
   }
 }
 
-/// Every state that a kill between two calls leaves while a folder is made or removed.
-TEST_F(AbandonedFolders, AreRemovedHoweverFarTheirMakingOrRemovalWas) {
+/// Covers every state that a kill between two system calls can leave while a folder is made or removed.
+TEST_F(AbandonedFolders, AreRemovedIfPartlyCreatedOrPartlyRemoved) {
   const std::string claim = ".poinsot-claim";
   const std::vector<std::function<void(const fs::path&)>> states{
-      [](const fs::path&) {},                                                 // all is there
-      [](const fs::path& folder) { fs::remove_all(folder / "a"); },           // some is
-      [&](const fs::path& folder) { fs::remove(folder / claim); },            // nothing is
-      [&](const fs::path& folder) { std::ofstream(folder / claim) << ""; }};  // claimed in part
+      [](const fs::path&) {},                                                 // complete
+      [](const fs::path& folder) { fs::remove_all(folder / "a"); },           // partly removed
+      [&](const fs::path& folder) { fs::remove(folder / claim); },            // empty
+      [&](const fs::path& folder) { std::ofstream(folder / claim) << ""; }};  // claim not written yet
   for (std::size_t i = 0; i < states.size(); ++i) {
     const fs::path folder = abandoned(), hidden = place_ / ("." + folder.filename().native());
     fs::rename(folder, hidden);
@@ -195,15 +195,15 @@ TEST_F(AbandonedFolders, AreRemovedHoweverFarTheirMakingOrRemovalWas) {
   }
 }
 
-/// A folder that another program has just made by mktemp.
-TEST_F(AbandonedFolders, LeavesEmptyFoldersOfOthers) {
+/// An empty folder may be one that another program has just made with mktemp.
+TEST_F(AbandonedFolders, DoNotIncludeEmptyFoldersOfOtherPrograms) {
   const ScratchFolder others;
   ASSERT_TRUE(others.path().filename().native().starts_with("poinsot-"));
   removeAbandonedFolders(others.path().parent_path());
   EXPECT_TRUE(fs::exists(others.path()));
 }
 
-/// A process ends, at one moment after the other, while it makes and removes folders.
+/// Kills a process that makes and removes folders, after 20 us, 60 us and so on up to 6 ms.
 TEST_F(AbandonedFolders, AreRemovedAfterAKillAtAnyMoment) {
   for (int wait_us = 20; wait_us < 6000; wait_us += 40) {
     const pid_t owner = fork();
@@ -217,7 +217,7 @@ TEST_F(AbandonedFolders, AreRemovedAfterAKillAtAnyMoment) {
   EXPECT_THAT(left(), IsEmpty());
 }
 
-TEST_F(AbandonedFolders, AreRemovedWhileManyStartAtOnce) {
+TEST_F(AbandonedFolders, AreRemovedIfManyProcessesStartAtOnce) {
   std::vector<Owner> owners(12);
   for (Owner& owner : owners) owner.kill();
   std::vector<pid_t> starters;

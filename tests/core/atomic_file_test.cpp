@@ -37,7 +37,7 @@ TEST_F(AtomicFileTest, AppearsOnlyOnCommit) {
   EXPECT_THAT(names(), ElementsAre("a.bin"));
 }
 
-TEST_F(AtomicFileTest, WithoutCommitLeavesWhatWasThere) {
+TEST_F(AtomicFileTest, KeepsTheOldFileWithoutCommit) {
   save("a.bin", "old");
   { AtomicFile(in("a.bin")).write(kNew); }
   EXPECT_EQ(content(in("a.bin")), kOld);
@@ -50,18 +50,18 @@ TEST_F(AtomicFileTest, ReplacesOnCommit) {
   EXPECT_EQ(content(in("a.bin")), kNew);
 }
 
-TEST_F(AtomicFileTest, TwoOfOneTargetDoNotMix) {
+TEST_F(AtomicFileTest, GivesTwoWritersSeparateTemporaryFiles) {
   AtomicFile first(in("a.bin")), second(in("a.bin"));
   EXPECT_NE(first.temporary(), second.temporary());
   second.write(kNew);
   first.write(kOld);
   second.commit();
   first.commit();
-  EXPECT_EQ(content(in("a.bin")), kOld);  // the last one to commit wins, whole
+  EXPECT_EQ(content(in("a.bin")), kOld);  // the last commit wins
   EXPECT_THAT(names(), ElementsAre("a.bin"));
 }
 
-TEST_F(AtomicFileTest, DoesNotFollowALinkInTheTemporarysPlace) {
+TEST_F(AtomicFileTest, DoesNotFollowALinkAtTheTemporaryPath) {
   save("precious", "old");
   std::filesystem::path expected;
   { expected = AtomicFile(in("a.bin")).temporary(); }
@@ -87,7 +87,7 @@ TEST_F(AtomicFileTest, WorksWithTheLongestName) {
   EXPECT_THAT(names(), ElementsAre(name));
 }
 
-TEST_F(AtomicFileTest, NamesPathAndReason) {
+TEST_F(AtomicFileTest, ReportsPathAndReasonOfFailure) {
   const auto message = [&](const std::filesystem::path& target) {
     return messageOf(kIo, [&] { writeFileAtomically(target, kNew); });
   };
@@ -96,13 +96,13 @@ TEST_F(AtomicFileTest, NamesPathAndReason) {
   save("file", "old");
   EXPECT_THAT(message(in("file/a.bin")), HasSubstr("Not a directory"));
   std::filesystem::create_directories(in("full/inside"));
-  EXPECT_THAT(message(in("full")), HasSubstr("cannot be given its name: Is a directory"));
+  EXPECT_THAT(message(in("full")), HasSubstr("cannot be put in place: Is a directory"));
   EXPECT_THAT(names(), ElementsAre("file", "full"));
   EXPECT_THAT(message("/proc/a.bin"), StartsWith("/proc/a.bin: cannot be created"));
 }
 
-// A limit on file size stands in for a full disk: the write comes back short, then fails.
-TEST_F(AtomicFileTest, ReportsAWriteThatDoesNotFit) {
+// A limit on file size stands in for a full disk: one write is short, the next one fails.
+TEST_F(AtomicFileTest, ReportsAFullDisk) {
   rlimit before{};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
@@ -117,14 +117,14 @@ TEST_F(AtomicFileTest, ReportsAWriteThatDoesNotFit) {
   EXPECT_THAT(names(), ElementsAre("fits.bin"));
 }
 
-TEST_F(AtomicFileTest, MayBeCommittedOnce) {
+TEST_F(AtomicFileTest, RejectsUseAfterCommit) {
   AtomicFile file(in("a.bin"));
   file.commit();
   EXPECT_THROW(file.commit(), std::logic_error);
   EXPECT_THROW(file.write(kNew), std::logic_error);
 }
 
-TEST(WriteAll, GivesTheSystemsCode) {
+TEST(WriteAll, ReturnsErrnoOnFailure) {
   const int full = ::open("/dev/full", O_WRONLY | O_CLOEXEC);
   ASSERT_GE(full, 0);
   EXPECT_EQ(writeAll(full, kNew), ENOSPC);
@@ -132,7 +132,7 @@ TEST(WriteAll, GivesTheSystemsCode) {
   EXPECT_EQ(writeAll(-1, kNew), EBADF);
 }
 
-// A pipe takes less than is offered while its reader is slow: all must arrive all the same.
+// A pipe accepts only part of a write while its reader is slow. All bytes must still arrive.
 TEST(WriteAll, ResumesShortWrites) {
   int ends[2];
   ASSERT_EQ(::pipe(ends), 0);
@@ -151,7 +151,7 @@ TEST(WriteAll, ResumesShortWrites) {
   EXPECT_EQ(received, sent);
 }
 
-TEST(FolderOf, IsTheParentOrHere) {
+TEST(FolderOf, IsTheParentOrTheCurrentFolder) {
   EXPECT_EQ(folderOf("a/b.png"), "a");
   EXPECT_EQ(folderOf("b.png"), ".");
   EXPECT_EQ(folderOf("/b.png"), "/");

@@ -8,7 +8,7 @@
 namespace poinsot::core {
 namespace {
 
-TEST(Error, SaysWhereAndWhat) {
+TEST(Error, FormatsLocationAndMessage) {
   const Error error(ErrorKind::kScene, "unknown key", SourceLocation{"a.toml", 3, 7});
   EXPECT_STREQ(error.what(), "a.toml:3:7: unknown key");
   EXPECT_EQ(error.message(), "unknown key");

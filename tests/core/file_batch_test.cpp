@@ -29,7 +29,7 @@ class FileBatchTest : public FolderTest {
     return {bytes.begin(), bytes.end()};
   }
 
-  /// A film with captions and a manifest, as a run writes them.
+  /// Adds a film with captions and a manifest, as a run does.
   void fill(FileBatch& batch) const {
     batch.add(written("film.mp4", "new film"));
     batch.writeBeside(in("film.srt"), "new captions");
@@ -38,7 +38,7 @@ class FileBatchTest : public FolderTest {
   }
 };
 
-TEST_F(FileBatchTest, AllAppearTogether) {
+TEST_F(FileBatchTest, CommitsAllFilesTogether) {
   FileBatch batch;
   EXPECT_TRUE(batch.empty());
   fill(batch);
@@ -49,7 +49,7 @@ TEST_F(FileBatchTest, AllAppearTogether) {
   EXPECT_EQ(text("film.srt"), "new captions");
 }
 
-TEST_F(FileBatchTest, OldOnesAreReplacedAndRemoved) {
+TEST_F(FileBatchTest, ReplacesAndRemovesOldFiles) {
   for (const char* name : {"film.mp4", "film.srt", "film.vtt", "manifest.json"}) save(name, "old");
   FileBatch batch;
   fill(batch);
@@ -59,7 +59,7 @@ TEST_F(FileBatchTest, OldOnesAreReplacedAndRemoved) {
   EXPECT_EQ(text("manifest.json"), "new manifest");
 }
 
-TEST_F(FileBatchTest, WithoutCommitNothingChanges) {
+TEST_F(FileBatchTest, ChangesNothingWithoutCommit) {
   save("film.mp4", "old");
   {
     FileBatch batch;
@@ -69,8 +69,8 @@ TEST_F(FileBatchTest, WithoutCommitNothingChanges) {
   EXPECT_EQ(text("film.mp4"), "old");
 }
 
-// A folder in the place of any of the files stands in for every reason why a name cannot be given.
-TEST_F(FileBatchTest, AFailureAtAnyNameTakesAllBack) {
+// A folder at the path of one file stands in for every reason why a rename can fail.
+TEST_F(FileBatchTest, RestoresOldFilesIfAnyRenameFails) {
   const std::vector<std::string> all{"film.mp4", "film.srt", "film.vtt", "manifest.json"};
   for (const std::string& blocked : all) {
     for (const std::string& name : all) save(name, "old " + name);
@@ -81,7 +81,7 @@ TEST_F(FileBatchTest, AFailureAtAnyNameTakesAllBack) {
       fill(batch);
       batch.commit();
     });
-    EXPECT_THAT(message, HasSubstr(blocked + ": cannot be given its name: Is a directory"));
+    EXPECT_THAT(message, HasSubstr(blocked + ": cannot be put in place: Is a directory"));
     EXPECT_EQ(names(), all);
     EXPECT_TRUE(std::filesystem::is_directory(in(blocked) / "inside"));
     std::filesystem::remove_all(in(blocked));
@@ -89,7 +89,7 @@ TEST_F(FileBatchTest, AFailureAtAnyNameTakesAllBack) {
   }
 }
 
-TEST_F(FileBatchTest, AFailureWhereNothingWasLeavesNothing) {
+TEST_F(FileBatchTest, RemovesNewFilesIfARenameFails) {
   std::filesystem::create_directories(in("manifest.json"));
   EXPECT_NE(messageOf(ErrorKind::kIo,
                       [&] {
@@ -101,8 +101,8 @@ TEST_F(FileBatchTest, AFailureWhereNothingWasLeavesNothing) {
   EXPECT_THAT(names(), ElementsAre("manifest.json"));
 }
 
-// A second name of the old file is a link to it, so whoever reads that one goes on reading the old content.
-TEST_F(FileBatchTest, OtherNamesOfAnOldFileKeepIt) {
+// A second hard link to the old file must keep the old content.
+TEST_F(FileBatchTest, KeepsOldContentUnderOtherHardLinks) {
   save("film.mp4", "old");
   std::filesystem::create_hard_link(in("film.mp4"), in("mine.mp4"));
   FileBatch batch;
@@ -112,8 +112,8 @@ TEST_F(FileBatchTest, OtherNamesOfAnOldFileKeepIt) {
   EXPECT_EQ(text("film.mp4"), "new");
 }
 
-// A suite may have more references than a process may have files open.
-TEST_F(FileBatchTest, HoldsMoreFilesThanMayBeOpen) {
+// A golden suite may have more references than a process may have files open.
+TEST_F(FileBatchTest, CommitsMoreFilesThanMayBeOpenAtOnce) {
   constexpr int kFiles = 20;
   rlimit usual{};
   ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &usual), 0);
@@ -129,7 +129,7 @@ TEST_F(FileBatchTest, HoldsMoreFilesThanMayBeOpen) {
   EXPECT_EQ(names().size(), 2 * kFiles);
 }
 
-TEST_F(FileBatchTest, ShowsWhereTheContentOfANewFileIs) {
+TEST_F(FileBatchTest, FindsTheContentOfAnUncommittedFile) {
   save("film.mp4", "old");
   FileBatch batch;
   batch.write(in("film.mp4"), std::string_view("new"));
@@ -138,7 +138,7 @@ TEST_F(FileBatchTest, ShowsWhereTheContentOfANewFileIs) {
   EXPECT_EQ(batch.contentOf(in("other")), in("other"));
 }
 
-TEST_F(FileBatchTest, RemovesFilesWithTheOthers) {
+TEST_F(FileBatchTest, RemovesFilesOnCommit) {
   save("map.png", "old");
   FileBatch batch;
   batch.remove(in("map.png"));
@@ -148,7 +148,7 @@ TEST_F(FileBatchTest, RemovesFilesWithTheOthers) {
   EXPECT_THAT(names(), ElementsAre("page.html"));
 }
 
-TEST_F(FileBatchTest, AddsTextOnlyIfAllElseHasItsName) {
+TEST_F(FileBatchTest, AppendsTextOnlyIfAllOtherFilesAreInPlace) {
   save("summary.md", "mine, ");
   const auto commit = [&] {
     FileBatch batch;
@@ -169,7 +169,7 @@ TEST_F(FileBatchTest, AddsTextOnlyIfAllElseHasItsName) {
   EXPECT_EQ(text("page.html"), "old");
 }
 
-TEST_F(FileBatchTest, TakesThoseOfOthersAndFilesThatAreComplete) {
+TEST_F(FileBatchTest, AcceptsOtherBatchesAndCompleteFiles) {
   save("complete.tmp", "new");
   FileBatch one, all;
   one.add(AtomicFile::of(in("complete.tmp"), in("a.png")));
@@ -181,7 +181,7 @@ TEST_F(FileBatchTest, TakesThoseOfOthersAndFilesThatAreComplete) {
   EXPECT_THAT(names(), ElementsAre("a.png"));
 }
 
-TEST_F(FileBatchTest, NeedsAFileToBeBeside) {
+TEST_F(FileBatchTest, RejectsASideFileWithoutAMainFile) {
   FileBatch batch;
   EXPECT_THROW(batch.writeBeside(in("film.srt"), ""), std::logic_error);
   EXPECT_THROW(batch.removeBeside(in("film.srt")), std::logic_error);

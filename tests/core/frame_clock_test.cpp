@@ -8,7 +8,7 @@ namespace {
 
 constexpr Rational k30{30, 1}, kNtsc{30000, 1001};
 
-TEST(FrameClock, TimesAreRoundedOnce) {
+TEST(FrameClock, RoundsTimesOnce) {
   EXPECT_EQ(filmTime_s(0, k30), 0.0);
   EXPECT_EQ(filmTime_s(1, k30), 1.0 / 30.0);
   EXPECT_EQ(filmTime_s(45, k30), 1.5);
@@ -26,8 +26,8 @@ TEST(FrameClock, CountsFramesBelowTheDuration) {
   EXPECT_EQ(frameCount(1e9, {1, 1}), 1000000000);
 }
 
-TEST(FrameClock, TakesTheDurationAsItWasWritten) {
-  // The doubles 0.1, 0.7 and 2.3 are not the decimals: by hand 0.1 * 30 = 3, 0.7 * 30 = 21, 2.3 * 30 = 69.
+TEST(FrameClock, CountsFramesOfDecimalDurationsExactly) {
+  // The doubles 0.1, 0.7 and 2.3 differ from the decimals. By hand: 0.1 * 30 = 3, 0.7 * 30 = 21, 2.3 * 30 = 69.
   EXPECT_EQ(frameCount(0.1, k30), 3);
   EXPECT_EQ(frameCount(0.7, k30), 21);
   EXPECT_EQ(frameCount(2.3, k30), 69);
@@ -36,8 +36,8 @@ TEST(FrameClock, TakesTheDurationAsItWasWritten) {
   EXPECT_EQ(frameCount(3.0031, kNtsc), 91);
 }
 
-TEST(FrameClock, CountIsTheFirstFrameThatIsNotBelow) {
-  // Hundredths of a second, where both sides of k / fps < d are integers: k * 100 * den < hundredths * num.
+TEST(FrameClock, FrameCountMatchesIntegerArithmetic) {
+  // In hundredths of a second both sides of k / fps < d become integers: k * 100 * den < hundredths * num.
   for (const Rational fps : {k30, kNtsc, Rational{24, 1}, Rational{2997, 100}}) {
     for (std::int64_t hundredths = 1; hundredths <= 500; ++hundredths) {
       const std::int64_t n = frameCount(static_cast<double>(hundredths) / 100.0, fps);
@@ -47,7 +47,7 @@ TEST(FrameClock, CountIsTheFirstFrameThatIsNotBelow) {
   }
 }
 
-TEST(FrameClock, RefusesDurationsThatAreNone) {
+TEST(FrameClock, RejectsDurationsThatAreNotPositive) {
   EXPECT_THROW(frameCount(0, k30), std::logic_error);
   EXPECT_THROW(frameCount(-1, k30), std::logic_error);
 }

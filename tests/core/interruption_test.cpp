@@ -12,7 +12,6 @@
 namespace poinsot::core {
 namespace {
 
-/// Calls checkInterruption() all the time.
 void loop(double seconds) {
   const std::int64_t end_ns = monotonic_ns() + static_cast<std::int64_t>(1e9 * seconds);
   while (monotonic_ns() < end_ns) checkInterruption();
@@ -28,13 +27,13 @@ TEST(Interruption, CallsTheCheckEveryFiftyMilliseconds) {
   EXPECT_LE(calls, 4);
 }
 
-TEST(Interruption, LetsTheCheckThrow) {
+TEST(Interruption, PropagatesExceptionsOfTheCheck) {
   const InterruptionCheck check([] { throw std::runtime_error("stop"); });
   usleep(60'000);
   EXPECT_THROW(checkInterruption(), std::runtime_error);
 }
 
-TEST(Interruption, BelongsToOneThreadAndOneScope) {
+TEST(Interruption, AppliesOnlyToItsThreadAndScope) {
   int outer = 0, inner = 0;
   const InterruptionCheck check([&] { ++outer; });
   {

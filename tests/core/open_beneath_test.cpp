@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing outside a folder is opened, in both ways of following a path.
+// openBeneath() opens nothing outside its folder, both with openat2 and folder by folder.
 #include "core/open_beneath.h"
 
 #include <fcntl.h>
@@ -51,18 +51,18 @@ class OpenBeneath : public testing::TestWithParam<Following> {
   const fs::path root_;
 };
 
-TEST_P(OpenBeneath, FindsFilesThereAndBelow) {
+TEST_P(OpenBeneath, FindsFilesInAndBelowTheFolder) {
   EXPECT_EQ(textOf(open("a")), "beside");
   EXPECT_EQ(textOf(open("./below//b")), "below");
   EXPECT_EQ(textOf(openBeneath(root_ / "below", "b", GetParam())), "below");
 }
 
-TEST_P(OpenBeneath, FollowsThePathOfTheFolderItself) {
+TEST_P(OpenBeneath, FollowsALinkToTheFolderItself) {
   fs::create_directory_symlink(root_, scratch_ / "link");
   EXPECT_EQ(textOf(openBeneath(scratch_ / "link", "a", GetParam())), "beside");
 }
 
-TEST_P(OpenBeneath, NeverLeadsOut) {
+TEST_P(OpenBeneath, RefusesLinksAndPathsOutOfTheFolder) {
   fs::create_symlink(scratch_ / "secret", root_ / "to_secret");
   fs::create_symlink("a", root_ / "to_a");
   fs::create_directory_symlink("..", root_ / "up");
@@ -72,12 +72,12 @@ TEST_P(OpenBeneath, NeverLeadsOut) {
   EXPECT_EQ(reasonOf(scratch_ / "secret"), EXDEV);
   EXPECT_EQ(reasonOf("/proc/self/environ"), EXDEV);
   EXPECT_EQ(reasonOf("to_secret"), ELOOP);
-  EXPECT_EQ(reasonOf("to_a"), ELOOP);  // links are not needed, and change
+  EXPECT_EQ(reasonOf("to_a"), ELOOP);  // links inside the folder are refused too
   EXPECT_EQ(reasonOf("up/secret"), ELOOP);
   EXPECT_EQ(reasonOf("down/b"), ELOOP);
 }
 
-TEST_P(OpenBeneath, OpensNothingButRegularFiles) {
+TEST_P(OpenBeneath, OpensOnlyRegularFiles) {
   ASSERT_EQ(mkfifo((root_ / "pipe").c_str(), 0600), 0);
   EXPECT_EQ(reasonOf("pipe"), EINVAL);
   EXPECT_EQ(reasonOf("below"), EISDIR);
@@ -92,8 +92,8 @@ TEST_P(OpenBeneath, OpensNothingButRegularFiles) {
   EXPECT_EQ(errno, ENOENT);
 }
 
-// A writer that waits for a reader must go on waiting.
-TEST_P(OpenBeneath, DoesNotDisturbAPipe) {
+// A writer that waits for a reader must not be woken.
+TEST_P(OpenBeneath, DoesNotWakeTheWriterOfAPipe) {
   ASSERT_EQ(mkfifo((root_ / "pipe").c_str(), 0600), 0);
   std::atomic<bool> woken = false;
   std::jthread writer([&] {
@@ -102,11 +102,11 @@ TEST_P(OpenBeneath, DoesNotDisturbAPipe) {
   });
   for (int i = 0; i < 100; ++i) EXPECT_EQ(reasonOf("pipe"), EINVAL);
   EXPECT_FALSE(woken);
-  const FileHandle reader(::open((root_ / "pipe").c_str(), O_RDONLY | O_CLOEXEC));  // lets it go
+  const FileHandle reader(::open((root_ / "pipe").c_str(), O_RDONLY | O_CLOEXEC));  // releases the writer
 }
 
-// While a folder and a link to the outside change places all the time, what is opened is beneath, or nothing is.
-TEST_P(OpenBeneath, HoldsAgainstARace) {
+// One thread keeps exchanging a folder and a link to the outside. Every open finds the file beneath, or fails.
+TEST_P(OpenBeneath, StaysInsideDuringARaceWithALink) {
   scratch_.put("b", "outside");
   fs::create_directory_symlink(scratch_.path(), root_ / "link");
   std::atomic<bool> done = false;
@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(Both, OpenBeneath, testing::Values(Following::kByTheKer
                            return each.param == Following::kByTheKernel ? "ByTheKernel" : "FolderByFolder";
                          });
 
-/// From now on openat2 fails so in this process.
+/// Makes openat2 fail with errno `reason` in this process from now on.
 void forbidOpenat2(unsigned int reason) {
   sock_filter code[] = {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
                         BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_openat2, 0, 1),
@@ -144,8 +144,8 @@ void forbidOpenat2(unsigned int reason) {
     _exit(9);
 }
 
-// As an old kernel and the sandboxes of containers do.
-TEST(OpenBeneathWithoutTheCall, GoesFolderByFolder) {
+// Old kernels fail with ENOSYS, the sandboxes of containers with EPERM.
+TEST(OpenBeneathWithoutOpenat2, FallsBackToOpeningFolderByFolder) {
   const ScratchFolder folder;
   folder.put("a", "beside");
   fs::create_symlink("a", folder / "link");

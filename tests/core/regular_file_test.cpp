@@ -14,7 +14,7 @@
 namespace poinsot::core {
 namespace {
 
-/// The kind and what was said, or "read".
+/// Returns the error's kind and message, or "read" if the file was read.
 std::pair<ErrorKind, std::string> refusal(const std::filesystem::path& path, std::size_t mostBytes) {
   try {
     readRegularFile(path, mostBytes, ErrorKind::kScene);
@@ -24,7 +24,7 @@ std::pair<ErrorKind, std::string> refusal(const std::filesystem::path& path, std
   return {ErrorKind::kUsage, "read"};
 }
 
-TEST(RegularFile, AllBytesUpToTheLimit) {
+TEST(RegularFile, ReadsFilesUpToTheLimit) {
   const ScratchFolder folder;
   const std::string bytes("a\0\n\xff b", 6);
   const std::filesystem::path file = folder.put("bytes", bytes);
@@ -32,24 +32,24 @@ TEST(RegularFile, AllBytesUpToTheLimit) {
   EXPECT_EQ(readRegularFile(folder.put("empty", ""), 0, ErrorKind::kIo), "");
   const auto [kind, message] = refusal(file, 5);
   EXPECT_EQ(kind, ErrorKind::kLimit);
-  EXPECT_EQ(message, "cannot read " + file.string() + ": it has 6 bytes, more than the 5 that are read");
+  EXPECT_EQ(message, "cannot read " + file.string() + ": it has 6 bytes, more than the allowed 5");
 }
 
-// A file that says that it is large is not read: a terabyte without a block on the disk.
-TEST(RegularFile, TooManyAreRefusedUnread) {
+// A sparse file of a terabyte must be refused by its size, before anything is read.
+TEST(RegularFile, RejectsALargeFileBeforeReadingIt) {
   const ScratchFolder folder;
   const std::filesystem::path file = folder.put("large", "");
   std::filesystem::resize_file(file, std::uintmax_t{1} << 40);
   EXPECT_EQ(refusal(file, 1 << 20).second,
-            "cannot read " + file.string() + ": it has 1099511627776 bytes, more than the 1048576 that are read");
+            "cannot read " + file.string() + ": it has 1099511627776 bytes, more than the allowed 1048576");
 }
 
-// The kernel's own files say that they have none.
-TEST(RegularFile, OneThatSaysNoSizeIsReadToTheLimit) {
+// Files in /proc report a size of 0.
+TEST(RegularFile, EnforcesTheLimitIfTheReportedSizeIsZero) {
   EXPECT_EQ(refusal("/proc/self/maps", 10).first, ErrorKind::kLimit);
 }
 
-TEST(RegularFile, NothingElseIsOpened) {
+TEST(RegularFile, RefusesPipesFoldersAndDevices) {
   const ScratchFolder folder;
   const std::filesystem::path pipe = folder / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -64,7 +64,7 @@ TEST(RegularFile, NothingElseIsOpened) {
             Refusal(ErrorKind::kScene, "cannot read /dev/zero: it is not a regular file"));
 }
 
-TEST(RegularFile, ErrorsHaveNameAndErrno) {
+TEST(RegularFile, ErrorsContainFileNameAndErrno) {
   const ScratchFolder folder;
   const auto codeWhenReading = [](const std::filesystem::path& path) {
     try {
@@ -79,7 +79,7 @@ TEST(RegularFile, ErrorsHaveNameAndErrno) {
   EXPECT_EQ(codeWhenReading(folder / "none"), ENOENT);
   EXPECT_EQ(codeWhenReading(file / "below"), ENOTDIR);
   EXPECT_EQ(codeWhenReading(folder.path()), EISDIR);
-  EXPECT_EQ(codeWhenReading("/dev/zero"), 0);  // no call fails
+  EXPECT_EQ(codeWhenReading("/dev/zero"), 0);  // no system call failed
   EXPECT_EQ(codeWhenReading(file), 0);         // too long
   EXPECT_EQ(codeOf(Error(ErrorKind::kIo, "full")), 0);
 }

@@ -25,19 +25,19 @@ std::string whyNot(const std::string& library) {
   return messageOf([&] { const SharedLibrary opened(library.c_str(), "some-package", ErrorKind::kEncode); });
 }
 
-TEST(SharedLibrary, AMissingOneNamesItsPackage) {
+TEST(SharedLibrary, NamesThePackageOfAMissingLibrary) {
   EXPECT_EQ(whyNot("libno-such-thing.so.9"),
             "libno-such-thing.so.9 cannot be opened: cannot open shared object file: No such file or directory; "
             "install it with: apt-get install some-package");
 }
 
-TEST(SharedLibrary, ABrokenOneIsNotToBeInstalledAgain) {
+TEST(SharedLibrary, SuggestsNoPackageForABrokenLibrary) {
   const ScratchFolder folder;
   const std::string file = folder.put("broken.so", "no library").string();
-  EXPECT_EQ(whyNot(file), file + " cannot be opened: file too short");  // glibc's words
+  EXPECT_EQ(whyNot(file), file + " cannot be opened: file too short");  // glibc's message
 }
 
-TEST(SharedLibrary, GivesItsFunctionsAndNamesThoseItLacks) {
+TEST(SharedLibrary, LoadsFunctionsAndNamesMissingOnes) {
   const SharedLibrary library("libm.so.6", "libc6", ErrorKind::kEncode);
   double (*hypotenuse)(double, double) = nullptr;
   library.load(hypotenuse, "hypot");

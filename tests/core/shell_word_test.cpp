@@ -13,8 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-// The oracle is bash itself.
-TEST(ShellWord, BashReadsItBack) {
+TEST(ShellWord, RoundTripsThroughBash) {
   for (const std::string& word : kHostileWords) {
     const std::string written = shellWord(word);
     EXPECT_EQ(runShell("/", "x=" + written + "; printf '%s.' \"$x\" " + written).out, word + "." + word + ".")
@@ -23,7 +22,7 @@ TEST(ShellWord, BashReadsItBack) {
   }
 }
 
-TEST(ShellWord, PlainWordsStandAsTheyAre) {
+TEST(ShellWord, LeavesPlainWordsUnquoted) {
   EXPECT_EQ(shellWord("out/film_1-2.mp4"), "out/film_1-2.mp4");
   EXPECT_EQ(shellWords({"-D", "time.fps=30", "a b"}), "-D time.fps=30 'a b'");
 }

@@ -11,7 +11,7 @@ void work(double seconds) {
   for (const double before_s = processCpu_s(); processCpu_s() - before_s < seconds;) sink = sink + 1;
 }
 
-TEST(StepTimes, OneInsideAnotherIsTakenOffIt) {
+TEST(StepTimes, SubtractsInnerStepsFromTheOuterStep) {
   StepLedger steps;
   {
     const StepScope outer(&steps, Step::kEncode);
@@ -24,12 +24,12 @@ TEST(StepTimes, OneInsideAnotherIsTakenOffIt) {
   EXPECT_GT(times[Step::kWrite], 3.5e-3);
   EXPECT_LT(times[Step::kEncode], times[Step::kWrite]);
   EXPECT_EQ(times.sum_s(), times[Step::kEncode] + times[Step::kWrite]);
-  EXPECT_TRUE(steps.takeSpans().empty());  // nobody asked
+  EXPECT_TRUE(steps.takeSpans().empty());  // tracing is off
 }
 
-TEST(StepTimes, WithoutALedgerNothingHappens) { const StepScope scope(nullptr, Step::kDraw); }
+TEST(StepTimes, ScopeDoesNothingWithoutALedger) { const StepScope scope(nullptr, Step::kDraw); }
 
-TEST(StepTimes, SpansOfAStepInPiecesAreOneWithinTheStepAround) {
+TEST(StepTimes, MergesSpansOfARepeatedInnerStep) {
   StepLedger steps;
   steps.trace();
   steps.setFrame(7);
@@ -51,7 +51,7 @@ TEST(StepTimes, SpansOfAStepInPiecesAreOneWithinTheStepAround) {
   EXPECT_TRUE(steps.takeSpans().empty());
 }
 
-TEST(StepTimes, AFramesSpansAreItsOwn) {
+TEST(StepTimes, SeparatesSpansOfDifferentFrames) {
   StepLedger steps;
   steps.trace();
   for (int k = 0; k < 2; ++k) {

@@ -10,7 +10,7 @@
 namespace poinsot::core {
 namespace {
 
-/// The meaning, by definition: a star is nothing, or a character and a star.
+/// Matches by definition: a star stands for nothing, or for one character and another star.
 bool byDefinition(std::string_view pattern, std::string_view text) {
   if (pattern.empty()) return text.empty();
   if (pattern[0] == '*')
@@ -28,26 +28,26 @@ std::vector<std::string> words(const std::string& letters, int longest) {
   return all;
 }
 
-TEST(Wildcard, MatchesByDefinition) {
+TEST(Wildcard, AgreesWithARecursiveDefinition) {
   for (const std::string& pattern : words("ab*", 4))
     for (const std::string& text : words("ab", 5))
       EXPECT_EQ(matchesWildcard(pattern, text), byDefinition(pattern, text)) << pattern << " / " << text;
 }
 
-TEST(Wildcard, TakesBracketsAsTheyAre) {
+TEST(Wildcard, MatchesBracketsLiterally) {
   EXPECT_TRUE(matchesWildcard("test_wave[1]", "test_wave[1]"));
   EXPECT_FALSE(matchesWildcard("test_wave[1]", "test_wave1"));
   EXPECT_TRUE(matchesWildcard("test_*[*]", "test_wave[1]"));
 }
 
-TEST(Wildcard, OfATextMeansThatTextOnly) {
+TEST(Wildcard, EscapedTextMatchesOnlyItself) {
   const auto all = words("a*\\", 4);
   for (const std::string& one : all)
     for (const std::string& other : all)
       EXPECT_EQ(matchesWildcard(wildcardOf(one), other), one == other) << one << " / " << other;
 }
 
-TEST(Wildcard, IsQuickWithManyStars) {
+TEST(Wildcard, MatchesManyStarsQuickly) {
   const std::string text(20000, 'a');
   EXPECT_FALSE(matchesWildcard("*a*a*a*a*a*a*a*a*a*a*b", text));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paragraph in words: the numbers are those of the report (which has tests of its own against worked values),
-// rounded here by another route.
+// The alternative text contains the numbers of the report, which other tests compare with worked values. Here a
+// stream rounds them independently.
 #include "describe/alt_text.h"
 
 #include <gmock/gmock.h>
@@ -39,7 +39,7 @@ scene::Scene galleryScene(const std::string& name) {
 
 json numbersOf(const scene::Scene& scene) { return json::parse(reportJson(sceneReport(scene))); }
 
-/// To three digits, by the library's stream.
+/// Returns a value to three digits, rounded by a standard stream.
 std::string rounded(double value) {
   std::ostringstream text;
   text << std::setprecision(3) << value;
@@ -55,7 +55,7 @@ std::vector<std::string> galleryNames() {
   return names;
 }
 
-TEST(AltText, OfASymmetricTop) {
+TEST(AltText, DescribesASymmetricTop) {
   const scene::Scene scene = galleryScene("football");
   const json info = numbersOf(scene);
   const std::string text = altText(scene);
@@ -71,7 +71,7 @@ TEST(AltText, OfASymmetricTop) {
   EXPECT_THAT(text, HasSubstr("In blue: an arrow for L and the plane through L and ω."));  // show.plane_of_L
 }
 
-TEST(AltText, OfFlips) {
+TEST(AltText, DescribesFlips) {
   const scene::Scene scene = galleryScene("tennis_racket");
   const json info = numbersOf(scene);
   const std::string text = altText(scene);
@@ -82,7 +82,7 @@ TEST(AltText, OfFlips) {
                               rounded(info["herpolhode_largest_radius"]) + " rad/s"));
 }
 
-TEST(AltText, AWobbleIsNoFlip) {
+TEST(AltText, DescribesAWobbleWithoutFlips) {
   const std::string text = altText(galleryScene("poinsot_rolling"));
   EXPECT_THAT(text, Not(HasSubstr("flip")));
   EXPECT_THAT(text, HasSubstr("it closes after 5 swings, in 8 turns about L and 18.4 s"));  // docs/physics.md
@@ -90,7 +90,7 @@ TEST(AltText, AWobbleIsNoFlip) {
   EXPECT_THAT(text, HasSubstr("In blue: an arrow for L, the invariable plane"));
 }
 
-TEST(AltText, OfAHeavyTop) {
+TEST(AltText, DescribesAHeavyTop) {
   const std::string body = "[body]\nprincipal_moments = [1.40625, 1.40625, 0.65625]\n[motion]\n";
   const scene::Scene scene = sceneOf(body +
                                      "omega_body = [0, 0, 9.15625]\norientation = [0.9659258262890683, "
@@ -99,13 +99,13 @@ TEST(AltText, OfAHeavyTop) {
   // Worked to 15 digits: 30 to 38.840183490757 deg, 1.83064120697989845 s, 0.958047879275758037 rad = 54.892 deg.
   EXPECT_THAT(text, HasSubstr("nods between 30° and 38.8° from the vertical, once in 1.83 s"));
   EXPECT_THAT(text, HasSubstr("goes round the vertical by 54.9° each time"));
-  EXPECT_THAT(text, Not(HasSubstr("never changes")));  // L is turned by gravity
+  EXPECT_THAT(text, Not(HasSubstr("never changes")));  // gravity turns L
   const std::string gravity = "omega_body = [0, 0, 9]\n[motion.gravity]\nmgr_body = [0, 0, 2]\n";
   EXPECT_THAT(altText(sceneOf(body + gravity + "[show]\ntheta = true\n")),
-              HasSubstr("Besides: the angle θ between k and the vertical."));
+              HasSubstr("Also shown: the angle θ between k and the vertical."));
 }
 
-TEST(AltText, OfMeasuredMomentsWithAMass) {
+TEST(AltText, DescribesMeasuredMomentsWithAMass) {
   const std::string text =
       altText(sceneOf("[body]\nprincipal_moments = [1, 1, 0.5]\nmass = 2\npivot = [0, 0, -0.5]\n[motion]\n"
                       "omega_body = [0, 0, 9]\n[motion.gravity]\ng = 9.81\n"));
@@ -114,8 +114,8 @@ TEST(AltText, OfMeasuredMomentsWithAMass) {
                         "that has them, and turns about a point that is held fixed."));
 }
 
-// Half as fast from 4 s on, reached at once: 4 s + 6 s/2 of the 10 s.
-TEST(AltText, OfAPaceThatChanges) {
+// The pace halves at 4 s at once, so that the 10 s of film show 4 s + 6 s/2 of motion.
+TEST(AltText, DescribesAPaceThatChanges) {
   const std::string text =
       altText(sceneOf("[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0, 0, 2]\n"
                       "[time]\nduration = 10\nspeed = 1\n[[timeline]]\nat = 4\nover = 0\n"
@@ -123,7 +123,7 @@ TEST(AltText, OfAPaceThatChanges) {
   EXPECT_THAT(text, HasSubstr("The film lasts 10 s and shows 7 s of motion, at a pace that changes."));
 }
 
-TEST(AltText, OfTorquesAndPlots) {
+TEST(AltText, DescribesTorquesAndPlots) {
   const std::string text = altText(sceneOf(
       "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0, 0, 2]\n[[motion.torque.step]]\nfrom = 1\n"
       "body = [0, 0, 0.5]\n[[plot]]\nquantities = [\"omega_1\", \"omega_2\"]\ntitle = 'All'\n"
@@ -134,16 +134,16 @@ TEST(AltText, OfTorquesAndPlots) {
   EXPECT_THAT(text, HasSubstr("A plot shows ω₂ against ω₁, with a cursor at the instant of the picture."));
 }
 
-// By hand: 5 m/s; up at 4 m/s against 9.80665 m/s² for 0.408 s, 0.816 m.
-TEST(AltText, OfAThrownBody) {
+// Worked by hand: the speed is 5 m/s; 4 m/s upward against 9.80665 m/s² last 0.408 s and reach 0.816 m.
+TEST(AltText, DescribesAThrownBody) {
   const std::string top =
       "body.shape='box'\nbody.size=[3, 2, 1]\nbody.mass=1\nmotion.omega_body=[1, 2, 3]\n[motion.flight]\n";
   const std::string thrown = altText(sceneOf(top + "velocity=[3, 0, 4]\n"));
   EXPECT_THAT(thrown,
               HasSubstr("Only its weight acts on the body, at the centre of mass, so its angular momentum L "
                         "about that point, "));
-  EXPECT_THAT(thrown, HasSubstr("It is thrown at 5 m/s: its centre of mass flies on a parabola, highest after "
-                                "0.408 s and 0.816 m, while"));
+  EXPECT_THAT(thrown, HasSubstr("It is thrown at 5 m/s: its centre of mass flies on a parabola, which rises "
+                                "0.816 m in 0.408 s, while"));
   EXPECT_THAT(thrown,
               HasSubstr("at rest in space, with the path of its centre of mass, an arrow from the origin to "
                         "where it is and an arrow for its velocity."));
@@ -154,18 +154,18 @@ TEST(AltText, OfAThrownBody) {
   EXPECT_THAT(drifts, HasSubstr("at rest in space."));
 }
 
-TEST(AltText, OfWhatIsDrawnAndWrittenBesides) {
+TEST(AltText, DescribesGhostsVectorsReadoutsAndNotes) {
   const std::string text = altText(sceneOf(
       "[body]\nprincipal_moments = [2, 2, 3]\n[motion]\nomega_body = [0.5, 0, 2]\n[show]\nghosts = true\ntheta = "
       "true\n[[vector]]\nname = '$\\mathbf{r}$'\nposition_of = [1, 0, 0]\n[[readout]]\nquantity = \"omega\"\n"
       "[[readout]]\nquantity = \"t\"\n[[note]]\ntext = ['One line', 'and $E = T$']\n"));
   EXPECT_THAT(text, HasSubstr("the body, paler poses of it at other times and its principal axes e1, e2 and e3."));
-  EXPECT_THAT(text, HasSubstr("Besides: the angle θ between L and k and an arrow “r”."));
-  EXPECT_THAT(text, HasSubstr("At its edge |ω| and t are written in numbers."));
-  EXPECT_THAT(text, HasSubstr("Written in it: “One line and E = T”."));
+  EXPECT_THAT(text, HasSubstr("Also shown: the angle θ between L and k and an arrow “r”."));
+  EXPECT_THAT(text, HasSubstr("At the edge of the picture, |ω| and t are written in numbers."));
+  EXPECT_THAT(text, HasSubstr("Written in the picture: “One line and E = T”."));
 }
 
-TEST(AltText, OfLosses) {
+TEST(AltText, DescribesALossOfEnergy) {
   const scene::Scene scene = galleryScene("explorer_1");
   const json info = numbersOf(scene);
   const std::string text = altText(scene);
@@ -175,7 +175,7 @@ TEST(AltText, OfLosses) {
   EXPECT_THAT(text, HasSubstr("12.5 turns a second"));   // 750 rpm
 }
 
-TEST(AltText, OfOneThatDoesNotWobble) {
+TEST(AltText, DescribesASteadySpin) {
   for (const char* moments : {"[2, 2, 2]", "[1, 2, 3]", "[2, 2, 3]"}) {
     const std::string text = altText(
         sceneOf(std::string("[body]\nprincipal_moments = ") + moments + "\n[motion]\nomega_body = [0, 0, 2]\n"));
@@ -184,7 +184,7 @@ TEST(AltText, OfOneThatDoesNotWobble) {
   }
 }
 
-TEST(AltText, ColoursAreThoseOfTheTheme) {
+TEST(AltText, NamesTheColoursInBothThemes) {
   const std::string start = "[body]\nprincipal_moments = [1, 2, 2.5]\n[motion]\nomega_body = [1, 1, 1]\n";
   for (const char* theme : {"light", "dark"}) {
     const std::string text = altText(sceneOf(start + "[style]\ntheme = \"" + theme + "\"\n"));
@@ -195,7 +195,7 @@ TEST(AltText, ColoursAreThoseOfTheTheme) {
   }
 }
 
-/// Sizes of all numbers of report and film, in SI units.
+/// Returns the absolute values of all numbers of the report and the film, in SI units.
 std::vector<double> knownNumbers(const scene::Scene& scene, const json& info) {
   std::vector<double> numbers{scene.time.duration_s, scene.show.exaggerateAngles};
   const std::function<void(const json&)> collect = [&](const json& value) {
@@ -210,7 +210,7 @@ std::vector<double> knownNumbers(const scene::Scene& scene, const json& info) {
   return numbers;
 }
 
-/// What one of the unit is in SI units.
+/// Returns the size in SI units of the unit with which `after` begins; 1 if there is no such unit.
 double unitOf(const std::string& after) {
   const std::pair<const char*, double> units[] = {{"°", std::numbers::pi / 180},
                                                   {" ms", 1e-3},
@@ -223,7 +223,7 @@ double unitOf(const std::string& after) {
   return 1;
 }
 
-/// The digits after " × 10".
+/// Returns the exponent at the start of a text in raised digits.
 int exponentOf(const std::string& raised) {
   const std::pair<const char*, char> digits[] = {{"⁰", '0'}, {"¹", '1'}, {"²", '2'}, {"³", '3'},
                                                  {"⁴", '4'}, {"⁵", '5'}, {"⁶", '6'}, {"⁷", '7'},
@@ -244,12 +244,13 @@ struct SaidNumber {
   std::string near;
 };
 
-/// The numbers with a unit after them, in SI units: from the moments on, as title and sizes are not of the report.
+/// Returns the numbers of a text in SI units, with the words near each. Skips everything before the moments of
+/// inertia, because the report has neither title nor sizes.
 std::vector<SaidNumber> saidNumbers(const std::string& text) {
   std::vector<SaidNumber> said;
   const std::string rest = text.substr(text.find(" of inertia "));
   const std::regex number(
-      "(^|[ (])([0-9]+[.]?[0-9]*)( × 10((?:[^ 0-9.a-z\xC2]|\xC2[^\xB0])+))?");  // raised, but no degree sign
+      "(^|[ (])([0-9]+[.]?[0-9]*)( × 10((?:[^ 0-9.a-z\xC2]|\xC2[^\xB0])+))?");  // raised digits, not degrees
   for (std::sregex_iterator at(rest.begin(), rest.end(), number), end; at != end; ++at) {
     const std::string after = at->suffix().str().substr(0, 20);
     const double power = (*at)[3].matched ? std::pow(10.0, exponentOf((*at)[4])) : 1;
@@ -258,7 +259,8 @@ std::vector<SaidNumber> saidNumbers(const std::string& text) {
   return said;
 }
 
-/// To three digits; of a rate also its period, of a pace also its inverse.
+/// Returns whether a value, to three digits, is a known number, the period of a known rate or the inverse of a
+/// known pace.
 bool isKnown(double value, const std::vector<double>& known) {
   return std::ranges::any_of(known, [&](double k) {
     const auto near = [&](double x) { return std::abs(x - value) <= 0.0051 * std::abs(value); };
@@ -266,12 +268,12 @@ bool isKnown(double value, const std::vector<double>& known) {
   });
 }
 
-/// Formulas of the author's have numbers of their own.
+/// Removes the author's notes, whose formulas may contain any number.
 std::string withoutNotes(const std::string& text) {
-  return std::regex_replace(text, std::regex("Written in it: “.*?”\\."), "");
+  return std::regex_replace(text, std::regex("Written in the picture: “.*?”\\."), "");
 }
 
-TEST(AltText, EveryNumberIsOneOfTheReport) {
+TEST(AltText, ContainsOnlyNumbersOfTheReport) {
   const std::regex counted("^ ?[0-9]+ (panels|swings|turns about).*| ?[0-9]+, “.*| ?2T/L.*");
   for (const std::string& name : galleryNames()) {
     const scene::Scene scene = galleryScene(name);
@@ -285,7 +287,7 @@ TEST(AltText, EveryNumberIsOneOfTheReport) {
   }
 }
 
-TEST(AltText, OfEveryScene) {
+TEST(AltText, IsPlainTextForEveryGalleryScene) {
   for (const std::string& name : galleryNames()) {
     SCOPED_TRACE(name);
     const std::string text = altText(galleryScene(name));

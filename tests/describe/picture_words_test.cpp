@@ -20,15 +20,15 @@ request::SceneRequest asked(const std::vector<std::string>& overrides, const req
   return {.fileName = "spin.toml", .text = kScene, .overrides = overrides, .sweep = sweep};
 }
 
-TEST(PictureWords, OfASweepAndAMapSayWhatIsSeen) {
+TEST(PictureWords, DescribeSweepsAndMaps) {
   const auto grid = asked({kOne, "time.speed=1..2:2"});
   const std::string words = pictureWords(request::requestedScene(grid)).description;
   EXPECT_THAT(words,
               HasSubstr("6 pictures of one scene side by side, at one instant: ω₁ from 0.1 rad/s to 0.3 rad/s "
                         "from left to right, speed from 1 to 2 from top to bottom."));
   const auto map = asked({}, {.map = true});
-  // Half periods 2K/lambda of the limits: pi/(w sqrt((I_k - I_i)(I_k - I_j)/(I_i I_j))), w = |L|/I_k, |L|
-  // = 4.00125.
+  // Half periods 2K/lambda in the limit of small swings: pi/(w sqrt((I_k - I_i)(I_k - I_j)/(I_i I_j))), with
+  // w = |L|/I_k and |L| = 4.00125.
   EXPECT_THAT(pictureWords(request::requestedScene(map)).description,
               HasSubstr("from 1.36 s in dark colours at the axes e1 and e3, the stable ones"));
 }

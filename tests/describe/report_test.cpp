@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table and the JSON of a report; its numbers are held against worked values in
-// tests/cli/info_command_test.cpp.
+// Table and JSON of a report. tests/cli/info_command_test.cpp compares its numbers with worked values.
 #include "describe/report.h"
 
 #include <gmock/gmock.h>
@@ -40,7 +39,7 @@ Report oneFact(const std::string& key, const FactValue& value, const std::string
   return {"name", {section}};
 }
 
-// Tables of products of inertia have either sign; a body without products needs no word about it.
+// Textbooks give products of inertia either sign. A body without products needs no note about the sign.
 TEST(Report, NamesTheSignOfProductsOfInertia) {
   const auto sourceFor = [](const std::string& inertia) {
     const Report report = reportOf("[body]\ninertia = " + inertia + "\n[motion]\nomega_body = [0.1, 0.2, 1]\n");
@@ -50,14 +49,14 @@ TEST(Report, NamesTheSignOfProductsOfInertia) {
   EXPECT_EQ(sourceFor("[[2, 0, 0], [0, 3, 0], [0, 0, 4]]"), "eq 7, 13");
 }
 
-TEST(Report, ATableOfOneFact) {
+TEST(Report, FormatsOneFactAsATable) {
   EXPECT_EQ(reportTable(oneFact("key", 2.5, "s")), "name\n\nTitle\n  label  2.5 s  eq 7\n");
   EXPECT_THAT(reportTable(oneFact("key", std::numbers::pi / 6, "rad")), HasSubstr("0.523599 rad (30 deg)"));
   EXPECT_THAT(reportTable(oneFact("key", true)), HasSubstr("yes"));
   EXPECT_EQ(reportTable({"name", {{"Empty", {}}}}), "name\n");
 }
 
-TEST(Report, ColumnsAreAsWideAsTheirTexts) {
+TEST(Report, AlignsColumnsByTheirWidestText) {
   Report report = oneFact("key", Eigen::Matrix3d(Eigen::Vector3d(1, 22, 333).asDiagonal()), "kg m^2");
   report.sections[0].add("other", "a longer label", 2.5, "", "eq 8");
   report.sections[0].add("word", "word", std::string("none"), "", "");
@@ -70,19 +69,19 @@ TEST(Report, ColumnsAreAsWideAsTheirTexts) {
             "  word            none\n");
 }
 
-TEST(Report, HasAsManyDigitsAsAsked) {
+TEST(Report, PrintsTheRequestedNumberOfDigits) {
   const Report third = oneFact("key", 1.0 / 3, "rad");  // 60/pi degrees are 19.098593171027440
   EXPECT_THAT(reportTable(third, 1), HasSubstr("0.3 rad (2e+01 deg)"));
   EXPECT_THAT(reportTable(third), HasSubstr("0.333333 rad (19.0986 deg)"));
   EXPECT_THAT(reportTable(third, kAllDigits), HasSubstr("0.33333333333333331 rad (19.098593171027"));
 }
 
-TEST(Report, RoundingIsPrintedAsZero) {
+TEST(Report, PrintsRoundingErrorsAsZero) {
   const Eigen::Vector3d vector(-0.0, 1.2e-17, -4.5);
   EXPECT_THAT(reportTable(oneFact("L_W", vector)), HasSubstr("(0, 0, -4.5)"));
-  EXPECT_THAT(reportTable(oneFact("moments", vector)), HasSubstr("(0, 1.2e-17, -4.5)"));  // no components
+  EXPECT_THAT(reportTable(oneFact("moments", vector)), HasSubstr("(0, 1.2e-17, -4.5)"));  // not rounded
   EXPECT_THAT(reportTable(oneFact("L_W", Eigen::Vector3d(0, 1e-14, -4.5))),
-              HasSubstr("1e-14"));  // more than rounding
+              HasSubstr("1e-14"));  // larger than rounding
   EXPECT_THAT(reportTable(oneFact("orientation", std::vector<double>{0.6, 0.8, 0, 3e-19})),
               HasSubstr("(0.6, 0.8, 0, 0)"));
   EXPECT_THAT(reportTable(oneFact("x", -0.0)), Not(HasSubstr("-0")));
@@ -96,17 +95,17 @@ TEST(Report, JsonKeepsEveryDigit) {
   EXPECT_EQ(said["scene"], "name");
   EXPECT_EQ(said["L_W"][1].get<double>(), 1.2e-17);
   EXPECT_EQ(said["L_W"][2].get<double>(), 1.0 / 3);
-  EXPECT_EQ(said["L_W"].dump().find('-'), said["L_W"].dump().find("-17"));  // the first has no sign
+  EXPECT_EQ(said["L_W"].dump().find('-'), said["L_W"].dump().find("-17"));  // -0 is written without a sign
   EXPECT_EQ(said["units"]["L_W"], "kg");
   EXPECT_EQ(said["from"]["L_W"], "eq 7");
   EXPECT_TRUE(json::parse(reportJson(oneFact("x", INFINITY)))["x"].is_null());
 }
 
-TEST(Report, AFlipIsNearTheMiddleAxis) {
+TEST(Report, ReportsFlipsOnlyNearTheMiddleAxis) {
   const auto flips = [](const std::string& moments, const std::string& omega) {
     return json::parse(reportJson(reportOf(start(moments, omega))));
   };
-  // L = I omega: from the middle axis by atan(2.5 0.1/2) at the start, where the other component is 0.
+  // L = I omega leans from the middle axis by atan(2.5 0.1/2) at the start, where its third component is 0.
   const json racket = flips("[1, 2, 2.5]", "[0, 1, 0.1]");
   EXPECT_EQ(racket["body_flips"], true);
   EXPECT_NEAR(racket["least_angle_to_middle"].get<double>(), std::atan(2.5 * 0.1 / 2), 2e-16);
@@ -118,7 +117,7 @@ TEST(Report, AFlipIsNearTheMiddleAxis) {
   EXPECT_THAT(words, ContainsRegex("half a period 2K/lambda"));
 }
 
-TEST(Report, StabilityIsThatOfAFreeBody) {
+TEST(Report, StatesThatStabilityAssumesFreeMotion) {
   const std::string free = start("[1, 2, 2.5]", "[0, 1, 0.1]");
   EXPECT_THAT(reportTable(reportOf(free)), Not(HasSubstr("if nothing acted")));
   EXPECT_THAT(reportTable(reportOf(free + "[motion.drag]\nrate = 0.1\n")),
@@ -135,7 +134,7 @@ void expectDocumented(const std::string& docs, const std::string& key, const std
   EXPECT_THAT(docs, HasSubstr("`" + (ofAnyAxis ? "axis_1" + key.substr(6) : key) + "`")) << where;
 }
 
-TEST(Report, DocumentsKeysOfGalleryScenes) {
+TEST(Report, KeysOfGalleryScenesAreDocumented) {
   const std::string docs = textOf(kSource + "/docs/reference_data.md");
   for (const auto& entry : std::filesystem::directory_iterator(kSource + "/scenes")) {
     if (entry.path().extension() != ".toml") continue;
@@ -146,10 +145,10 @@ TEST(Report, DocumentsKeysOfGalleryScenes) {
   }
 }
 
-// Keys that no scene of the gallery has, as those of a film that repeats, are written out in the sources, too.
-TEST(Report, DocumentsKeysOfAllSections) {
+// The sources spell out all keys, also keys that no gallery scene has, such as the keys of a film that repeats.
+TEST(Report, KeysOfAllSectionsAreDocumented) {
   const std::string docs = textOf(kSource + "/docs/reference_data.md");
-  const std::regex added(R"re(add\("([A-Za-z0-9_]+)",)re");  // not a part of a key
+  const std::regex added(R"re(add\("([A-Za-z0-9_]+)",)re");  // complete keys only
   int keys = 0;
   for (const auto& entry : std::filesystem::directory_iterator(kSource + "/src/describe")) {
     if (!entry.path().filename().string().starts_with("report_")) continue;
@@ -157,7 +156,7 @@ TEST(Report, DocumentsKeysOfAllSections) {
     for (std::sregex_iterator found(source.begin(), source.end(), added), end; found != end; ++found, ++keys)
       expectDocumented(docs, (*found)[1], entry.path());
   }
-  EXPECT_GT(keys, 70);  // guards against a pattern that no longer finds any
+  EXPECT_GT(keys, 70);  // guards against a pattern that finds nothing
 }
 
 }  // namespace

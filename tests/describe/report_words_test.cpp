@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words and sections of `info` and `info --alt` are true of the body at hand. Expected numbers are worked out
-// by hand from the lecture's equations.
+// Words and sections of `info` and `info --alt` must fit the body. Expected numbers are worked by hand from the
+// lecture's equations.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ std::string body(const std::string& moments, const std::string& motion) {
   return "[body]\nprincipal_moments = " + moments + "\n[motion]\n" + motion + "\n";
 }
 
-/// Everything that `info` prints of a scene: the table, the JSON and the words.
+/// Everything that `info` prints about a scene: table, JSON and alternative text.
 struct Printed {
   explicit Printed(const std::string& text) : scene(sceneOf(text)) {
     const Report report = sceneReport(scene);
@@ -47,9 +47,9 @@ struct Printed {
 
 auto namesTheEarth() { return ::testing::AnyOf(HasSubstr("Earth"), HasSubstr("handler"), HasSubstr("433 d")); }
 
-// A polhode of days: an asteroid's, not the Earth's. Small swings about the axis of largest moment take 2 pi over
+// An asteroid's polhode period may be days, too. Small swings about the axis of largest moment take 2 pi over
 // w sqrt((I3 - I1)(I3 - I2)/(I1 I2)) (Landau & Lifshitz, section 37); at 1e-4 rad the rest is of order 1e-8.
-TEST(ReportWords, LeaveOutChandlerForAnAsymmetricBody) {
+TEST(ReportWords, OmitTheChandlerPeriodForAnAsymmetricBody) {
   const Printed slow(body("[2, 3, 4]", "omega_body = [1e-9, 0, 1e-5]"));
   EXPECT_THAT(slow.all(), AllOf(Not(HasSubstr("Symmetric top")), Not(namesTheEarth())));
   EXPECT_FALSE(slow.facts.contains("tilt"));
@@ -57,26 +57,26 @@ TEST(ReportWords, LeaveOutChandlerForAnAsymmetricBody) {
   EXPECT_NEAR(slow.facts["polhode_period_days"].get<double>() / days, 1, 1e-7);  // measured 6e-9
 }
 
-// One turn a day, as a geostationary satellite has it; and the Earth's flattening at another spin.
-TEST(ReportWords, LeaveOutChandlerForATopThatIsNotTheEarth) {
+// One turn a day, as of a geostationary satellite; and the Earth's flattening at another spin.
+TEST(ReportWords, OmitTheChandlerPeriodForATopUnlikeTheEarth) {
   for (const char* start : {"omega_body = [1e-7, 0, 7.292115e-5]", "omega_body = [1e-9, 0, 2e-6]"})
     EXPECT_THAT(Printed(body("[1, 1, 1.3]", start)).all(), Not(namesTheEarth())) << start;
   const Printed faster(body("[1, 1, 1.0033]", "omega_body = [1e-7, 0, 9e-5]"));
   EXPECT_THAT(faster.all(), Not(namesTheEarth()));
-  // eq 29: 2 pi/(0.0033 9e-5) s. Measured 3e-14, what the rounding of 1.0033 leaves of the difference.
+  // eq 29: 2 pi/(0.0033 9e-5) s. Measured 3e-14, from the rounding of 1.0033.
   const double days = 2 * std::numbers::pi / (0.0033 * 9e-5) / 86400;
   EXPECT_NEAR(faster.facts["polhode_period_days"].get<double>() / days, 1, 1e-12);
 }
 
 // H = (C - A)/C = 0.003273795 (IERS Conventions 2010), eq 29: (1 - H)/H = 304.4559 sidereal days of 2 pi/omega_3.
-TEST(ReportWords, GiveTheEarthItsChandlerPeriod) {
+TEST(ReportWords, GiveTheChandlerPeriodOfTheEarth) {
   const Printed earth("[body]\ncatalogue = \"earth\"\n[motion]\nomega_body = [1.145e-10, 0, 7.2921158553e-5]\n");
   EXPECT_NEAR(earth.facts["chandler_period_sidereal_days"], 304.4559, 1e-4);
   EXPECT_THAT(earth.table, HasSubstr("observed, not rigid: 433 d"));
 }
 
-// L/I1 = 2/1.5 about L (eq 20): the circle closes after 2 pi/(L/I1).
-TEST(ReportWords, ASymmetricTopHasACircleForAHerpolhode) {
+// The body turns about L at L/I1 = 2/1.5 (eq 20), so that the circle closes after 2 pi/(L/I1).
+TEST(ReportWords, CallTheHerpolhodeOfASymmetricTopACircle) {
   const Printed top(body("[1.5, 1.5, 0.9]", "omega_body = [0.563491015654266, 0, 2.01401730452589]"));
   EXPECT_EQ(top.facts["herpolhode_closes"], true);
   EXPECT_EQ(top.facts["closure_turns"], 1);
@@ -87,7 +87,7 @@ TEST(ReportWords, ASymmetricTopHasACircleForAHerpolhode) {
   EXPECT_THAT(top.table, AllOf(Not(HasSubstr("middle axis")), Not(HasSubstr("omega_mid"))));
 }
 
-TEST(ReportWords, ASpinAcrossTheAxisOfSymmetryIsSteady) {
+TEST(ReportWords, CallASpinNormalToTheSymmetryAxisSteady) {
   for (const char* moments : {"[1.5, 1.5, 0.9]", "[1.5, 1.5, 2.4]"}) {
     const Printed across(body(moments, "omega_body = [1.2, 1.6, 0]"));
     EXPECT_THAT(across.words, AllOf(HasSubstr("It spins steadily at 2 rad/s"), Not(HasSubstr("wobble"))));
@@ -98,7 +98,7 @@ TEST(ReportWords, ASpinAcrossTheAxisOfSymmetryIsSteady) {
 
 TEST(ReportWords, CallASpinAboutTheMiddleAxisUnstable) {
   const Printed middle(body("[1, 2, 2.5]", "spin = 2\nspin_axis = \"middle\""));
-  // eq 24 to 26, linearised: 2 sqrt((2.5 - 2)(2 - 1)/(1 2.5)) = 0.894/s, e-fold in 1.118 s.
+  // eq 24 to 26, linearised: growth at 2 sqrt((2.5 - 2)(2 - 1)/(1 2.5)) = 0.894/s, by a factor e in 1.118 s.
   EXPECT_THAT(middle.words, HasSubstr("the middle axis e2, is unstable"));
   EXPECT_THAT(middle.words, HasSubstr("grows by a factor of e every 1.12 s"));
   EXPECT_THAT(middle.table, HasSubstr("steady, but unstable: the middle axis"));
@@ -107,7 +107,7 @@ TEST(ReportWords, CallASpinAboutTheMiddleAxisUnstable) {
                 Not(HasSubstr("unstable: the")));
 }
 
-/// A tensor with products of inertia, its rows as a scene writes them.
+/// Returns a tensor with these moments, turned by q, as a scene file writes its rows.
 std::string turnedTensor(const Eigen::Vector3d& moments, const Eigen::Quaterniond& q) {
   const Eigen::Matrix3d R = q.normalized().toRotationMatrix();
   Eigen::Matrix3d I = R * moments.asDiagonal() * R.transpose();
@@ -124,8 +124,8 @@ void expectSteady(const std::string& text) {
   EXPECT_THAT(spin.words, AllOf(HasSubstr("It spins steadily"), Not(HasSubstr("Every")))) << text;
 }
 
-// By the definition of a principal axis: a spin along one is steady for ever, however the body is described.
-TEST(ReportWords, ASpinWithoutTiltIsSteadyInEveryDescription) {
+// A spin along a principal axis is steady for ever by definition, however the body is described.
+TEST(ReportWords, CallAPrincipalAxisSpinSteadyInAnyBodyAxes) {
   const Eigen::Quaterniond turns[] = {
       {1, 0.3, -0.2, 0.7}, {0.1, 1, 0.4, -0.3}, {1, 1e-3, 2e-3, -1e-3}, {1, 0, 0, 1e-9}};
   for (const char* axis : {"smallest", "middle", "largest"}) {
@@ -138,8 +138,8 @@ TEST(ReportWords, ASpinWithoutTiltIsSteadyInEveryDescription) {
   }
 }
 
-// From -7.5 to 2.5 s at 3 rad/s: 7.5 s are 3.58 turns.
-TEST(ReportWords, SayWhichEndTheCountsAreOf) {
+// The film runs from -7.5 to 2.5 s or from 0 to 10 s at 3 rad/s; 7.5 s are 3.58 turns.
+TEST(ReportWords, NameTheTimeSpanOfTheCountedTurns) {
   const std::string start = body("[1, 2, 3]", "omega_body = [0, 0, 3]") + "[time]\nduration = 10\nspeed = 1\n";
   const Printed before(start + "start = -7.5\n"), after(start);
   EXPECT_THAT(before.table, HasSubstr("turns from time 0 to the first frame"));
@@ -149,7 +149,8 @@ TEST(ReportWords, SayWhichEndTheCountsAreOf) {
   EXPECT_EQ(before.facts["from"]["turns"], "|omega| t/(2 pi), omega at time 0");
 }
 
-// Four points of 1 kg at 1 m on x and y: 2, 2, 4 kg m²; 2 m below them 2 + 4 2² = 18 about x and y.
+// Four points of 1 kg at 1 m on x and y have 2, 2, 4 kg m². About a pivot 2 m below they have 2 + 4 2² = 18 about
+// x and y.
 TEST(ReportWords, SayThatMomentsAreAboutThePivot) {
   const std::string points =
       "[[body.point_mass]]\nmass = 1\nposition = [1, 0, 0]\n[[body.point_mass]]\nmass = 1\nposition = [-1, 0, 0]\n"
@@ -161,7 +162,7 @@ TEST(ReportWords, SayThatMomentsAreAboutThePivot) {
   EXPECT_THAT(Printed(points).words, HasSubstr("Its principal moments of inertia are 2 kg m² about e1 and e2"));
 }
 
-TEST(ReportWords, SayWhichWayKPoints) {
+TEST(ReportWords, DefineTheDirectionOfTheSymmetryAxis) {
   const Printed retrograde(body("[1.5, 1.5, 0.9]", "omega_body = [0.5, 0, -3.2]"));
   EXPECT_EQ(retrograde.facts["spin_rate"], 3.2);
   EXPECT_EQ(retrograde.facts["symmetry_axis_B"], json({0.0, 0.0, -1.0}));

@@ -8,7 +8,7 @@
 
 #include "docs/pages.h"
 
-// The page of the gallery shows every scene there is, and says of every equation which scene draws it.
+// The page of the gallery shows every scene, and names the scene that draws each equation.
 
 namespace poinsot {
 namespace {
@@ -35,20 +35,20 @@ TEST(GalleryPage, ShowsEveryScene) {
   }
 }
 
-TEST(GalleryPage, ItsPicturesAreThoseOfTheScenesAndSmall) {
+TEST(GalleryPage, HasASmallPictureForEachScene) {
   const fs::path folder = kRoot / "docs/images/gallery";
   EXPECT_EQ(namesIn(folder, ".png"), namesIn(kRoot / "scenes", ".toml"));
   for (const auto& entry : fs::directory_iterator(folder))
     EXPECT_LE(fs::file_size(entry.path()), 60'000u) << entry.path().filename();
 }
 
-TEST(GalleryPage, EveryEquationOfTheLectureHasItsPlace) {
+TEST(GalleryPage, ListsEveryEquationOfTheLectureOnce) {
   std::multiset<int> all;
   for (int n = 1; n <= 40; ++n) all.insert(n);
   EXPECT_EQ(equationRows(page()), all);
 }
 
-TEST(GalleryPage, EverySceneSaysWhatToLookAt) {
+TEST(GalleryPage, DescribesEachSceneInItsFirstComment) {
   for (const std::string& name : namesIn(kRoot / "scenes", ".toml"))
     EXPECT_THAT(textOf(kRoot / "scenes" / (name + ".toml")), ::testing::StartsWith("# ")) << name;
 }

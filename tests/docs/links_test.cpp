@@ -10,7 +10,7 @@
 
 #include "docs/pages.h"
 
-// The pages for people: what they link to is there, and the page on physics leaves no equation of the lecture out.
+// Pages for people: their links lead to files, and the page on physics leaves out no equation of the lecture.
 
 namespace poinsot {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::IsEmpty;
 
-/// Without what stands between lines of ```: a lambda of C++ looks like a link.
+/// Returns a page without the text between lines of ```, because a lambda of C++ looks like a link.
 std::string withoutCode(std::string markdown) {
   const std::string fence = "\n```";
   for (std::size_t begin = 0; (begin = markdown.find(fence, begin)) != std::string::npos;)
@@ -26,7 +26,7 @@ std::string withoutCode(std::string markdown) {
   return markdown;
 }
 
-/// Targets of [text](target) in Markdown, without #fragments; addresses of other places left out.
+/// Returns the targets of [text](target) in Markdown, without #fragments and without addresses of other sites.
 std::vector<std::string> fileLinks(const std::string& page) {
   const std::string markdown = withoutCode(page);
   static const std::regex kLink(R"(\]\(([^)#\s]+)[^)]*\))");
@@ -50,11 +50,11 @@ TEST(Docs, LinksLeadToFiles) {
     EXPECT_THAT(broken(page, markdown), IsEmpty());
     links += fileLinks(markdown).size();
   }
-  EXPECT_GT(links, 50u);  // had none been found, none would be broken
+  EXPECT_GT(links, 50u);  // guards against a search that finds no links
 }
 
-// Users who keep approved pictures read there what an update moves.
-TEST(Docs, ChangesOfEachReleaseHavePictures) {
+// Users who keep approved pictures read in this section what an update changes.
+TEST(Docs, ChangelogHasASectionPicturesForEachRelease) {
   const std::string changes = textOf(fs::path(POINSOT_SOURCE_DIR) / "CHANGELOG.md");
   std::size_t releases = 0;
   for (std::size_t begin = changes.find("\n## "); begin != std::string::npos; ++releases) {
@@ -66,7 +66,7 @@ TEST(Docs, ChangesOfEachReleaseHavePictures) {
   EXPECT_GT(releases, 0u);
 }
 
-TEST(Docs, ABrokenLinkIsSeen) {
+TEST(Docs, ABrokenLinkIsDetected) {
   const fs::path page = fs::path(POINSOT_SOURCE_DIR) / "docs/physics.md";
   EXPECT_THAT(fileLinks("[a](b.md) ![c](d/e.png) [f](g.md#h \"title\") [i](https://example.org/j) [k](#l)"),
               ::testing::ElementsAre("b.md", "d/e.png", "g.md"));
@@ -76,7 +76,7 @@ TEST(Docs, ABrokenLinkIsSeen) {
               ::testing::ElementsAre("physics.md: no_such_page.md"));
 }
 
-TEST(Docs, EveryEquationOfTheLectureHasItsPlace) {
+TEST(Docs, PhysicsPageListsEveryEquationOfTheLectureOnce) {
   std::multiset<int> all;
   for (int n = 1; n <= 40; ++n) all.insert(n);
   EXPECT_EQ(equationRows(textOf(fs::path(POINSOT_SOURCE_DIR) / "docs/physics.md")), all);

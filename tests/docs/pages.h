@@ -10,13 +10,13 @@
 
 namespace poinsot {
 
-/// README and what lies in docs/.
+/// Returns README.md and the pages in docs/.
 std::vector<std::filesystem::path> pages();
 
-/// What stands between ```toml and ```, each block with its last line end.
+/// Returns the texts between ```toml and ```, each with its last line end.
 std::vector<std::string> tomlBlocks(const std::string& markdown);
 
-/// The equations n or n–m that begin the rows of a table in Markdown.
+/// Returns the equations n or n–m that begin the rows of tables in Markdown.
 std::multiset<int> equationRows(const std::string& markdown);
 
 }  // namespace poinsot

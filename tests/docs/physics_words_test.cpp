@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sentences about physics in scenes, catalogue and pages agree with the physics. Numbers are worked out here by
-// hand formulas from the numbers that the scenes give.
+// Sentences about physics in scenes, catalogue and pages agree with the physics. Expected numbers come from hand
+// formulas and from the numbers in the scenes.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -36,13 +36,12 @@ physics::HeavyTop topOf(const scene::Scene& scene) {
   return physics::heavyTop(axes.moments(), axes.toP(scene.motion.forcing.gravity_B)).value();
 }
 
-/// The row of a table that begins so.
 std::string rowOf(const std::string& markdown, const std::string& beginning) {
   const auto from = markdown.find("\n| " + beginning);
   return from == std::string::npos ? "" : markdown.substr(from + 1, markdown.find('\n', from + 1) - from - 1);
 }
 
-// 2 pi/Omega_p in turns of the body is I1/(I3 - I1) (eq 29); with H = (C - A)/C it is (1 - H)/H.
+// 2 pi/Omega_p in turns of the body is I1/(I3 - I1) (eq 29); with H = (C - A)/C that is (1 - H)/H.
 TEST(PhysicsWords, GiveEachRigidEarthItsPeriod) {
   const Eigen::Vector3d I = sceneOf("chandler_wobble").body.axes.moments().values();
   const double ofScenes = I[0] / (I[2] - I[0]), H = 0.003273795, ofCatalogue = (1 - H) / H;
@@ -54,16 +53,17 @@ TEST(PhysicsWords, GiveEachRigidEarthItsPeriod) {
   EXPECT_THAT(rowOf(page, "`catalogue = \"earth\"`"), HasSubstr(fmt::format("{:.2f}", ofCatalogue)));
 }
 
-// Smith & Dahlen (1981): the fluid core shortens the period, elasticity and oceans lengthen it. The Earth yields
-// to its own centrifugal force.
+// Smith & Dahlen (1981): the fluid core shortens the period, and elasticity and oceans lengthen it. The Earth
+// yields to its own centrifugal force.
 TEST(PhysicsWords, NameTheCausesOfTheChandlerPeriod) {
   EXPECT_THAT(physics::findCatalogueBody("earth")->source,
               AllOf(HasSubstr("fluid core shortens"), HasSubstr("Smith & Dahlen"), HasSubstr("304.46")));
   EXPECT_THAT(textOfScene("chandler_wobble"), AllOf(HasSubstr("centrifugal force"), Not(HasSubstr("tides"))));
 }
 
-// Let go at rest but for its spin, the tip of the axis has no speed where it is highest: a cusp, not a loop.
-TEST(PhysicsWords, CallTheCurveOfATopAtRestCusps) {
+// The top is released at rest, except for its spin. The tip of its axis then has no speed at its highest point,
+// which is a cusp and not a loop.
+TEST(PhysicsWords, DescribeCuspsForATopReleasedAtRest) {
   const scene::Scene scene = sceneOf("heavy_top");
   const physics::HeavyTop top = topOf(scene);
   const auto motion = scene::makeMotion(scene, 0, 1);
@@ -80,8 +80,8 @@ TEST(PhysicsWords, CallTheCurveOfATopAtRestCusps) {
   EXPECT_THAT(textOfScene("heavy_top"), AllOf(HasSubstr("cusps"), Not(HasSubstr("loops"))));
 }
 
-// L3² theta²/(8 I1) = M g l theta²/2 where the top wakes: omega_3 = 2 sqrt(I1 M g l)/I3.
-TEST(PhysicsWords, SayAtWhichSpinASleepingTopWakes) {
+// The top wakes where L3² theta²/(8 I1) = M g l theta²/2, that is, at omega_3 = 2 sqrt(I1 M g l)/I3.
+TEST(PhysicsWords, GiveTheSpinAtWhichASleepingTopWakes) {
   const physics::HeavyTop top = topOf(sceneOf("sleeping_top"));
   const double spin = 2 * std::sqrt(top.across * top.weight) / top.along;
   EXPECT_THAT(
@@ -89,8 +89,8 @@ TEST(PhysicsWords, SayAtWhichSpinASleepingTopWakes) {
       AllOf(HasSubstr("energy"), HasSubstr(fmt::format("{:.1f} turns a second", spin / (2 * std::numbers::pi)))));
 }
 
-// T about a fixed point and L from omega and k are in no picture of the gallery.
-TEST(PhysicsWords, ClaimNoPictureOfEquations11And36) {
+// No picture of the gallery shows T about a fixed point, or L from omega and k.
+TEST(PhysicsWords, ListNoSceneForEquations11And36) {
   const std::string page = textOf(kRoot / "docs/gallery.md");
   for (const char* equation : {"11 |", "36 |"})
     EXPECT_THAT(rowOf(page, equation), HasSubstr("| no scene")) << equation;

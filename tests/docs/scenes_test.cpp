@@ -18,8 +18,8 @@
 #include "text/commands.h"
 #include "text/math_setter.h"
 
-// What the pages show as TOML can be copied and works: whole scenes as they are, parts at the end of a whole
-// scene. Of "Your first film" moreover: its steps add up to its last file, and each has its picture.
+// TOML on the pages can be copied and works: whole scenes as they are, parts at the end of a whole scene. The
+// steps of "Your first film" add up to its last file, and each step has its picture.
 
 namespace poinsot {
 namespace {
@@ -33,16 +33,16 @@ bool isWhole(const std::string& toml) {
   return toml.find("[body]\n") != std::string::npos && toml.find("[motion]\n") != std::string::npos;
 }
 
-/// Of golden images.
+/// Returns whether a block is a suite of golden images.
 bool isSuite(const std::string& toml) { return toml.find("[[test]]\n") != std::string::npos; }
 
-/// A part of a scene made whole; one that begins with a key goes on with [show], as on the pages.
+/// Completes a part of a scene. A part that begins with a key continues [show], as on the pages.
 std::string madeWhole(const std::string& part) {
   const std::string body = "[body]\ncatalogue = \"book\"\n[motion]\nomega_body = [0, 6, 0.1]\n";
   return body + (part.starts_with('[') ? "" : "[show]\n") + part;
 }
 
-/// What is wrong with a golden.toml beside which its scenes are.
+/// Returns what is wrong with a golden.toml whose scenes lie beside it; empty if nothing is.
 std::string problemOfGoldens(const std::string& toml) {
   const ScratchFolder folder;
   for (const char* scenes : {"scenes", "lessons"}) {
@@ -57,7 +57,7 @@ std::string problemOfGoldens(const std::string& toml) {
   }
 }
 
-/// A user's defaults.toml.
+/// Returns whether a block is a user's defaults.toml.
 bool isDefaults(const std::string& toml) { return toml.starts_with("[units]\n"); }
 
 std::string problemOfDefaults(const std::string& toml) {
@@ -70,7 +70,7 @@ std::string problemOfDefaults(const std::string& toml) {
   }
 }
 
-/// Says what is wrong with the scene, or nothing. Files that it names are looked for in scenes/.
+/// Returns what is wrong with a block; empty if nothing is. Files that a scene names are looked for in scenes/.
 std::string problem(const std::string& toml) {
   if (isSuite(toml)) return problemOfGoldens(toml);
   if (isDefaults(toml)) return problemOfDefaults(toml);
@@ -82,7 +82,6 @@ std::string problem(const std::string& toml) {
   }
 }
 
-/// Width and height that a PNG's header gives.
 std::pair<int, int> sizeOf(const fs::path& png) {
   const std::string bytes = textOf(png).substr(0, 24);
   const auto number = [&](std::size_t at) {
@@ -111,7 +110,7 @@ TEST(DocsScenes, EveryTomlBlockWorks) {
   EXPECT_GE(whole, 5);  // README, scene.md, and three of the first film
 }
 
-TEST(DocsScenes, AMistakeInABlockIsSeen) {
+TEST(DocsScenes, AMistakeInABlockIsDetected) {
   EXPECT_THAT(tomlBlocks("a\n```toml\nb = 1\n```\nc\n```\nd\n```\n\n```toml\ne = 2\n```\n"),
               ::testing::ElementsAre("b = 1\n", "e = 2\n"));
   EXPECT_THAT(problem(madeWhole("plain = false\n")), ::testing::HasSubstr("show.plane"));
@@ -124,15 +123,16 @@ TEST(DocsScenes, EveryCommandOfFormulasIsListed) {
   ASSERT_NE(begin, std::string::npos);
   const std::string section = page.substr(begin, page.find("\n## ", begin + 1) - begin);
   for (const text::Command& command : text::commands()) {
-    if (command.name == " ") continue;  // said in words
+    if (command.name == " ") continue;  // described in words
     const std::string name = "\\" + std::string(command.name);
     EXPECT_THAT(section, ::testing::AnyOf(::testing::HasSubstr(name + " "), ::testing::HasSubstr(name + "`"),
                                           ::testing::HasSubstr(name + "{"), ::testing::HasSubstr(name + "\n")));
   }
 }
 
-// Steps 1 and 2 are whole files; 3, 4 and 5 are added to what is there; the sixth block is the whole again.
-TEST(FirstFilm, EachStepIsAWholeSceneAndTheyAddUp) {
+// Steps 1 and 2 are whole files, steps 3, 4 and 5 are added to the file, and the sixth block is the whole file
+// again.
+TEST(FirstFilm, EachStepIsAValidSceneAndTheyAddUp) {
   const std::vector<std::string> blocks = tomlBlocks(textOf(kRoot / "docs/first_film.md"));
   ASSERT_THAT(blocks, SizeIs(6));
   EXPECT_EQ(std::ranges::count(blocks[0], '\n'), 4);
@@ -146,7 +146,7 @@ TEST(FirstFilm, EachStepIsAWholeSceneAndTheyAddUp) {
   EXPECT_EQ(withoutEmptyLines(file), withoutEmptyLines(blocks[5]));
 }
 
-// At most 75 kB: measured 41 to 71 kB, the larger ones with the ellipsoid's many pale shades.
+// A picture has at most 75 kB: measured 41 to 71 kB, the larger ones with the ellipsoid's many pale shades.
 TEST(FirstFilm, EachStepHasItsCommandAndItsPicture) {
   const std::string page = textOf(kRoot / "docs/first_film.md");
   for (const char* step : {"step_1", "step_2", "step_3", "step_4", "step_5"}) {

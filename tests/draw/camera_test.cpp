@@ -18,7 +18,8 @@ TEST(Camera, PutsTheTargetInTheMiddle) {
   EXPECT_FLOAT_EQ(depthOf(alongX(), {0, 0, 0}), 5);
 }
 
-// By hand: at distance 5 half the height is 5 tan(0.5), which is 50 pixels. Seen from +x with z up, +y is right.
+// Expected by hand: at distance 5, half the height is 5 tan(0.5), which is 50 pixels. Seen from +x with z up, +y
+// is right.
 TEST(Camera, ScalesByTheFieldOfView) {
   const float half = 5 * std::tan(0.5f);
   const glm::vec2 top = project(alongX(), {0, 0, half}), right = project(alongX(), {0, half, 0});
@@ -35,8 +36,7 @@ TEST(Camera, AxesAreRightHanded) {
   EXPECT_NEAR(x.z, 0, 1e-6);  // upright
 }
 
-// With parallel rays the distance does not matter: half the height is 2, at any depth.
-TEST(Camera, ParallelRaysKeepSizes) {
+TEST(Camera, KeepsSizesAtAnyDistanceIfOrthographic) {
   Camera c = alongX();
   c.orthographic = true;
   c.halfHeight_V = 2;
@@ -50,7 +50,7 @@ TEST(Camera, ParallelRaysKeepSizes) {
   }
 }
 
-TEST(Camera, MadeParallelItShowsTheTargetsPlaneAsBefore) {
+TEST(Camera, KeepsThePlaneOfTheTargetIfMadeOrthographic) {
   const Camera perspective = lookAt({3, -2, 4}, {1, 1, 0}, {0, 0, 1}, 0.5f, {320, 200});
   const Camera parallel = orthographic(perspective, {1, 1, 0});
   const glm::vec3 inPlane = glm::vec3(1, 1, 0) + 0.3f * perspective.R_VC[0] - 0.2f * perspective.R_VC[1];

@@ -8,13 +8,13 @@
 namespace poinsot::draw {
 namespace {
 
-// The curve of IEC 61966-2-1, written out again.
+// Returns the light of a value from 0 to 255, by the curve of IEC 61966-2-1.
 double linear(double v) {
   const double c = v / 255.0;
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
-TEST(Color, DecodesEveryValueOfTheCurve) {
+TEST(Color, DecodesEveryEightBitSrgbValue) {
   for (int v = 0; v < 256; ++v)
     EXPECT_NEAR(linearFromSrgb8(static_cast<std::uint8_t>(v)), linear(v), 1e-7) << v;  // measured 3e-8: one float
 }
@@ -23,7 +23,7 @@ TEST(Color, EncodesBackToTheSameValue) {
   for (int v = 0; v < 256; ++v) EXPECT_EQ(srgb8FromLinear(linearFromSrgb8(static_cast<std::uint8_t>(v))), v);
 }
 
-TEST(Color, RoundsToTheNearestAndClamps) {
+TEST(Color, EncodesRoundedToNearestAndClamped) {
   EXPECT_EQ(srgb8FromLinear(-1), 0);
   EXPECT_EQ(srgb8FromLinear(2), 255);
   // Half way in sRGB, a little to either side.
@@ -32,7 +32,7 @@ TEST(Color, RoundsToTheNearestAndClamps) {
   EXPECT_EQ(srgb8FromLinear(between * 1.0001f), 101);
 }
 
-TEST(Color, SixteenBitsAreTheSameCurve) {
+TEST(Color, UsesTheSameCurveForSixteenBits) {
   for (int v = 0; v < 256; ++v)
     EXPECT_EQ(linearFromSrgb16(static_cast<std::uint16_t>(257 * v)),
               linearFromSrgb8(static_cast<std::uint8_t>(v)));
@@ -43,7 +43,7 @@ TEST(Color, SixteenBitsAreTheSameCurve) {
   }
 }
 
-TEST(Color, SixteenBitsRoundToTheNearestAndClamp) {
+TEST(Color, EncodesSixteenBitsRoundedToNearestAndClamped) {
   EXPECT_EQ(srgb16FromLinear(-1), 0);
   EXPECT_EQ(srgb16FromLinear(std::nanf("")), 0);
   EXPECT_EQ(srgb16FromLinear(2), 65535);
@@ -52,7 +52,7 @@ TEST(Color, SixteenBitsRoundToTheNearestAndClamp) {
   EXPECT_EQ(srgb16FromLinear(static_cast<float>(between * 1.000001)), 30001);
 }
 
-TEST(Color, SplitsHexadecimal) {
+TEST(Color, ReadsTheChannelsOfAHexadecimalValue) {
   const Color c = fromSrgb(0x0072B2);
   EXPECT_EQ(srgb8FromLinear(c.r), 0x00);
   EXPECT_EQ(srgb8FromLinear(c.g), 0x72);

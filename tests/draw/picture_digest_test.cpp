@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever is changed in a picture changes its digest; what is equal has one digest.
+// Any change of a picture changes its digest, and equal pictures have one digest.
 #include "draw/picture_digest.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ Picture everything() {
   return picture;
 }
 
-// One change for each kind of value, near the end of each struct, where a forgotten field would stand.
+// Changes of each kind of value, near the end of each struct, where a forgotten field would stand.
 const std::vector<std::function<void(Picture&)>>& changes() {
   const auto list = [](Picture& p) -> DrawList& { return p.panels[0].list; };
   static const std::vector<std::function<void(Picture&)>> all = {
@@ -73,7 +73,7 @@ const std::vector<std::function<void(Picture&)>>& changes() {
   return all;
 }
 
-TEST(PictureDigest, IsOneForEqualPicturesAndAnotherForEachChange) {
+TEST(PictureDigest, IsEqualForEqualPicturesAndDiffersForEachChange) {
   PictureDigester digestOf;
   std::set<core::Digest> seen{digestOf(everything())};
   EXPECT_EQ(digestOf(everything()), *seen.begin());  // another mesh of the same triangles
@@ -85,8 +85,9 @@ TEST(PictureDigest, IsOneForEqualPicturesAndAnotherForEachChange) {
   }
 }
 
-// A mesh freed, another at its address: what is remembered of the first must not be taken for the second.
-TEST(PictureDigest, ForgetsMeshesThatAreGone) {
+// A mesh is freed and another made at its address. The digest remembered for the first must not be used for the
+// second.
+TEST(PictureDigest, DoesNotReuseTheDigestOfAFreedMesh) {
   PictureDigester digestOf;
   std::set<core::Digest> seen;
   for (float x = 0; x < 50; ++x) {

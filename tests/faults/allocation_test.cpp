@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memory runs out at any allocation of a small render, once or for good: the exit code says so, nothing of what
-// was begun is left, and no memory is lost (row M1 of the promises in SECURITY.md). Pictures are flat: Mesa's
-// compiler ends the process when it gets no memory (RenderCommand.DeadWorkerIsAnErrorThatNamesItsFrames).
+// Lets any allocation of a small render fail, once or from then on. The exit code reports the failure, no
+// unfinished file is left, and no memory is lost (row M1 of the promises in SECURITY.md). Pictures are drawn
+// without OpenGL, because Mesa's compiler ends the process if it gets no memory
+// (RenderCommand.ReportsTheFramesOfADeadWorker).
 #include <cairo.h>
 #include <gmock/gmock.h>
 #include <sys/mman.h>
@@ -26,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// With what is shown by default, solids, curves, glass and labels, and a title.
+// Scene with the objects shown by default, solids, curves, glass and labels, and with a title.
 const char* const kScene = R"([body]
 principal_moments = [1, 2, 3]
 [motion]
@@ -42,7 +43,7 @@ size = [64, 36]
 
 scene::Scene parsed() { return request::loadRequested({"tiny.toml", kScene, {}, {}, {}}); }
 
-/// The scene's pictures, composed in full and drawn as paper.
+/// Composes the scene's pictures in full and draws only the paper.
 class FlatFrames {
  public:
   explicit FlatFrames(const scene::Scene& scene)
@@ -103,7 +104,7 @@ struct Kind {
 
 void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
 
-/// Keeps what is said of a failure to itself.
+/// Redirects stderr to a buffer during its lifetime.
 class Silence {
  public:
   Silence() : kept_(dup(STDERR_FILENO)), file_(memfd_create("said", 0)) { dup2(file_.get(), STDERR_FILENO); }
@@ -121,23 +122,23 @@ class Silence {
   core::FileHandle kept_, file_;
 };
 
-/// What libraries make of it besides: toml++ 3.3 reads numbers with a stream, which keeps std::bad_alloc to
-/// itself.
+/// Returns whether a library caused the failure: toml++ 3.3 reads numbers with a stream, which swallows
+/// std::bad_alloc.
 bool isOfALibrary(const std::string& said) {
   return said.find("error while parsing floating-point") != std::string::npos;
 }
 
-/// Which allocations fail: all of few, or some of many.
+/// Numbers of the allocations to fail: every `stride`-th, beginning with `first`.
 struct Places {
   std::size_t first = 1, stride = 1;
 };
 
 Places placesAmong(std::size_t all) {
-  const char* const from = std::getenv("POINSOT_EVERY_ALLOCATION");  // which number is the first
+  const char* const from = std::getenv("POINSOT_EVERY_ALLOCATION");  // number of the first allocation
   return from ? Places{std::strtoul(from, nullptr, 10), 1} : Places{1, all < 1000 ? 1 : all / 40};
 }
 
-class OutOfMemoryWhile : public testing::TestWithParam<Kind> {
+class OutOfMemoryInOutput : public testing::TestWithParam<Kind> {
  protected:
   int render() const {
     return cli::translatingErrors([&] {
@@ -171,7 +172,7 @@ class OutOfMemoryWhile : public testing::TestWithParam<Kind> {
     {
       const MemoryWatch watch(n, onwards, GetParam().whose);
       outcome.status = render();
-      cairo_debug_reset_static_data();  // it keeps fonts and glyphs for the next figure
+      cairo_debug_reset_static_data();  // cairo keeps fonts and glyphs for the next figure
       outcome.kept = watch.kept();
     }
     outcome.said = silence.said();
@@ -179,11 +180,10 @@ class OutOfMemoryWhile : public testing::TestWithParam<Kind> {
     return outcome;
   }
 
-  /// With the n-th allocation failing.
   void tryAt(std::size_t n, bool onwards) {
     const Outcome outcome = failingAt(n, onwards);
     const std::string at = "at allocation " + std::to_string(n) + (onwards ? " and after" : "");
-    if (outcome.status == 0)  // it could do without
+    if (outcome.status == 0)  // the render did without this allocation
       EXPECT_EQ(outcome.files, whole_) << at;
     else
       EXPECT_EQ(outcome.status, 3) << at << outcome.said;
@@ -198,9 +198,9 @@ class OutOfMemoryWhile : public testing::TestWithParam<Kind> {
   std::size_t told_ = 0, spared_ = 0;
 };
 
-TEST_P(OutOfMemoryWhile, ItIsMadeIsTold) {
+TEST_P(OutOfMemoryInOutput, IsReportedWithoutLeaks) {
   POINSOT_NOT_SANITIZED("the test has a malloc() of its own");
-  // Twice, for what is made once: fonts, tables, what libraries keep.
+  // Renders twice, because some objects are made only once: fonts, tables, caches of libraries.
   for (int i = 0; i < 2; ++i) {
     ASSERT_EQ(render(), 0);
     whole_ = takeFiles();
@@ -225,8 +225,8 @@ TEST_P(OutOfMemoryWhile, ItIsMadeIsTold) {
   std::printf("%zu allocations; told %zu times, done without %zu times\n", all, told_, spared_);
 }
 
-// Once only: toml++ 3.3 ends the process when it gets no memory to word an error.
-TEST(OutOfMemory, WhileASceneIsReadIsTold) {
+// Only one allocation fails, because toml++ 3.3 ends the process if it gets no memory for an error message.
+TEST(OutOfMemory, IsReportedWhileASceneIsRead) {
   for (int i = 0; i < 2; ++i) parsed();
   std::size_t all = 0;
   {
@@ -252,12 +252,11 @@ TEST(OutOfMemory, WhileASceneIsReadIsTold) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Of, OutOfMemoryWhile,
+    Each, OutOfMemoryInOutput,
     testing::Values(
-        // libavformat 59 leaves texts out of an MP4's trailer for which it gets no memory, and says that all is
-        // well.
+        // If libavformat 59 gets no memory for texts of an MP4's trailer, it omits them and reports success.
         Kind{"Film", makeFilm, Whose::kOwn}, Kind{"Sequence", makeSequence},
-        // cairo 1.16 takes what it failed to make for made when it clears up (cairo_surface_destroy).
+        // cairo 1.16 cleans up objects that it failed to make (cairo_surface_destroy).
         Kind{"Pdf", [](const auto&, auto& frames, const auto& folder) { makeFigure(frames, folder / "a.pdf"); },
              Whose::kOwn},
         Kind{"Svg", [](const auto&, auto& frames, const auto& folder) { makeFigure(frames, folder / "a.svg"); }},

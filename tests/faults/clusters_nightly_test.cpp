@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What goes wrong on clusters besides one task that is killed; other machines; the example of the page.
+// Tests further failures on clusters, other machines, and the example of docs/clusters.md.
 #include <gmock/gmock.h>
 
 #include <cstdio>
@@ -15,8 +15,8 @@ using testing::HasSubstr;
 
 using SlurmNightly = Slurm;
 
-// The job that joins must not wait for ever; and what is left can be submitted by itself.
-TEST_F(SlurmNightly, ATaskThatFailsForGoodJoinsNothingAndIsSubmittedAgainAlone) {
+// The job that joins must not wait forever, and the rest can be submitted by itself.
+TEST_F(SlurmNightly, SubmitsOnlyTheFailedTaskAgain) {
   film_.writeScript("slurm", "--retries 0");
   film_.breakShard(2, false);
   submit("bash \"$script\"");
@@ -34,7 +34,7 @@ TEST_F(SlurmNightly, ATaskThatFailsForGoodJoinsNothingAndIsSubmittedAgainAlone) 
   EXPECT_EQ(film_.shell("ls film.mp4.tasks | grep -c _1.txt").out, "1\n");
 }
 
-TEST_F(SlurmNightly, ALostNodeLosesNoFrame) {
+TEST_F(SlurmNightly, MakesAllFramesIfANodeIsLost) {
   film_.writeScript("slurm");
   film_.hangShard(2);
   submit("bash \"$script\"");
@@ -48,7 +48,7 @@ TEST_F(SlurmNightly, ALostNodeLosesNoFrame) {
 }
 
 // Preemption requeues a task as scontrol does. Slurm counts three restarts of this task, which has one retry.
-TEST_F(SlurmNightly, PreemptionTakesNoRetryFromATaskThatFails) {
+TEST_F(SlurmNightly, DoesNotCountPreemptionAsARetry) {
   film_.writeScript("slurm", "--retries 1");
   film_.hangShard(2);
   submit("bash \"$script\"");
@@ -65,7 +65,7 @@ TEST_F(SlurmNightly, PreemptionTakesNoRetryFromATaskThatFails) {
   EXPECT_EQ(film_.shell("cat film.mp4.tasks/*.failures | wc -l").out, "1\n");
 }
 
-TEST_F(SlurmNightly, AFilmOfWhichNoTaskEverBeganIsSubmittedWhole) {
+TEST_F(SlurmNightly, SubmitsAllTasksIfNoneBegan) {
   film_.writeScript("slurm");
   film_.put("tiny.toml", std::string(kTinyScene) + "wrong = 1\n");
   submit("bash \"$script\" 1-3");
@@ -77,7 +77,7 @@ TEST_F(SlurmNightly, AFilmOfWhichNoTaskEverBeganIsSubmittedWhole) {
   expectTheBytesOfALocalRun();
 }
 
-/// The block of shell of the page, there to be copied, that has those words in it.
+/// Returns the shell block of docs/clusters.md that contains `words`.
 std::string exampleOfThePage(const std::string& words) {
   const std::string page = bytesOf(POINSOT_SOURCE_DIR "/docs/clusters.md"), fence = "```sh\n";
   for (std::size_t at = page.find(fence); at != std::string::npos; at = page.find(fence, at)) {
@@ -89,8 +89,8 @@ std::string exampleOfThePage(const std::string& words) {
   return "false";
 }
 
-/// Commands that run an example as it stands, with a smaller scene of that name: four segments, and so no more
-/// tasks than four.
+/// Returns commands that run an example unchanged, with a smaller scene of that name. The scene has four segments
+/// and therefore at most four tasks.
 std::string preparedExample(const SubmittedFilm& film, const std::string& words) {
   std::string scene = std::string(kTinyScene) + "[output]\nsize = [64, 36]\n";
   scene.replace(scene.find("fps = 10"), 8, "fps = 60");
@@ -105,25 +105,25 @@ void expectFootballFilm(const SubmittedFilm& film) {
   EXPECT_EQ(same.exitCode, 0) << same.out;
 }
 
-TEST_F(SlurmNightly, TheExampleOfThePageWorksAsItStands) {
+TEST_F(SlurmNightly, RunsTheExampleInTheDocumentation) {
   submit(preparedExample(film_, "--shards 12 > out/football.sh"));
   waitForTheEnd();
   expectFootballFilm(film_);
   EXPECT_THAT(cluster_->restarts(4), ElementsAre(0, 0, 0, 0));
 }
 
-class Page : public testing::TestWithParam<const char*> {};
+class ClustersPage : public testing::TestWithParam<const char*> {};
 
-TEST_P(Page, ItsExampleWorksAsItStands) {
+TEST_P(ClustersPage, ContainsExamplesThatRun) {
   const SubmittedFilm film(SubmittedFilm::kFolderForMake);
   const ShellResult made = film.shell(preparedExample(film, GetParam()));
   EXPECT_EQ(made.exitCode, 0) << made.out;
   expectFootballFilm(film);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Page, testing::Values("--engine parallel", "--engine make", "--shard 1/3"));
+INSTANTIATE_TEST_SUITE_P(Each, ClustersPage, testing::Values("--engine parallel", "--engine make", "--shard 1/3"));
 
-TEST(ParallelNightly, ATaskThatFailsForGoodJoinsNothingAndTheSameCommandGoesOn) {
+TEST(ParallelNightly, ContinuesWithTheSameCommandAfterAFailedTask) {
   if (!isInstalled("parallel")) GTEST_SKIP() << "GNU parallel is not installed";
   SubmittedFilm film;
   film.writeScript("parallel", "--retries 1");
@@ -136,8 +136,8 @@ TEST(ParallelNightly, ATaskThatFailsForGoodJoinsNothingAndTheSameCommandGoesOn) 
   film.expectTheBytesOfALocalRun(again.out);
 }
 
-// Over a stand-in for ssh, which gives its last words to a shell with nothing of this one's environment in it.
-TEST(ParallelNightly, ReachesOtherMachines) {
+// Uses a stand-in for ssh, which passes its last arguments to a shell with an empty environment.
+TEST(ParallelNightly, RunsTasksOnOtherMachines) {
   if (!isInstalled("parallel")) GTEST_SKIP() << "GNU parallel is not installed";
   SubmittedFilm film;
   film.writeScript("parallel");
@@ -157,8 +157,8 @@ TEST(ParallelNightly, ReachesOtherMachines) {
   film.expectTheBytesOfALocalRun(made.out);
 }
 
-// A mark stands for all its pictures, as a rule of make has no room for them.
-TEST(MakeNightly, MakesASequenceOnce) {
+// A make rule cannot list all pictures, so one mark stands for them.
+TEST(MakeNightly, RendersASequenceOnlyOnce) {
   if (!isInstalled("make")) GTEST_SKIP() << "make is not installed";
   const SubmittedFilm film(SubmittedFilm::kFolderForMake);
   const ShellResult made = film.shell(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scripts that submit prints, run by what they are for: a real Slurm of two nodes, GNU parallel, make. One
-// task of each is killed. The rest, which takes a minute, is in clusters_nightly_test.cpp.
+// Runs the scripts that submit prints with a real Slurm of two nodes, GNU parallel and make. One task of each is
+// killed. clusters_nightly_test.cpp has the other tests, which take a minute.
 #include <gmock/gmock.h>
 
 #include <cstdio>
@@ -14,9 +14,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 
-// Of a Slurm array one task has the number of the whole as its own. It is the last: it is killed while it makes
-// its second segment, comes back, alone, and goes on.
-TEST_F(Slurm, ATaskThatFailsComesBackAndTheFilmHasTheBytesOfALocalRun) {
+// One task of a Slurm array has the number of the array as its own job number: the last. This task is killed in
+// its second segment, is requeued alone, and goes on.
+TEST_F(Slurm, RequeuesAKilledTaskAndGivesTheBytesOfALocalRun) {
   film_.writeScript("slurm");
   film_.breakShard(SubmittedFilm::kTasks, true);
   const Watch watch;
@@ -30,8 +30,8 @@ TEST_F(Slurm, ATaskThatFailsComesBackAndTheFilmHasTheBytesOfALocalRun) {
               slurm_s);
 }
 
-// The variables of the shell do not reach the jobs, as on many clusters; the program named by POINSOT does.
-TEST_F(Slurm, AJoiningThatWasLostIsAllThatIsSubmittedAgainAndOfAReadyFilmNothing) {
+// Variables of the shell do not reach the jobs, as on many clusters. The program named by POINSOT does.
+TEST_F(Slurm, SubmitsOnlyTheJoinJobAgainIfItWasLost) {
   film_.writeScript("slurm");
   film_.breakJoining();
   submit("SBATCH_EXPORT=NONE bash \"$script\"");
@@ -39,20 +39,21 @@ TEST_F(Slurm, AJoiningThatWasLostIsAllThatIsSubmittedAgainAndOfAReadyFilmNothing
   EXPECT_FALSE(film_.hasFilm());
   EXPECT_EQ(film_.shell("ls film.mp4.tasks | grep -c _join.txt").out, "1\n");
   EXPECT_EQ(film_.shell("$poinsot status film.mp4").out,
-            "film.mp4: 6 segments: 6 done\nmade, not joined: poinsot assemble film.mp4\n");
+            "film.mp4: 6 segments: 6 done\n"
+            "not joined yet; run: poinsot assemble film.mp4\n");
   EXPECT_THAT(submit("bash \"$script\""), MatchesRegex("poinsot: joined by job [0-9]+\n"));
   waitForTheEnd();
   expectTheBytesOfALocalRun();
   EXPECT_EQ(submit("bash \"$script\""), "poinsot: film.mp4 is complete\n");
   EXPECT_EQ(film_.shell("$poinsot status film.mp4").out, "film.mp4: complete\n");
-  // Tasks of a ready film that are submitted by number end at once, and their joining is content.
+  // If tasks of a complete film are submitted by number, they end at once, and their joining succeeds.
   submit("bash \"$script\" 2");
   waitForTheEnd();
   EXPECT_EQ(cluster_->run("scontrol -o show job | grep -cv JobState=COMPLETED").out, "1\n");  // the lost joining
   EXPECT_EQ(film_.shell("$poinsot status film.mp4").out, "film.mp4: complete\n");
 }
 
-TEST(Parallel, ATaskThatFailsIsTriedAgainAndTheFilmHasTheBytesOfALocalRun) {
+TEST(Parallel, RetriesAKilledTaskAndGivesTheBytesOfALocalRun) {
   if (!isInstalled("parallel")) GTEST_SKIP() << "GNU parallel is not installed";
   SubmittedFilm film;
   film.writeScript("parallel");
@@ -69,7 +70,7 @@ TEST(Parallel, ATaskThatFailsIsTriedAgainAndTheFilmHasTheBytesOfALocalRun) {
   std::printf("[ measured ] local run %.1f s; parallel %.1f s\n", film.local_s(), parallel_s);
 }
 
-TEST(Make, ATaskThatFailsIsGoneOnWithAndTheFilmHasTheBytesOfALocalRun) {
+TEST(Make, ContinuesAFailedTaskAndGivesTheBytesOfALocalRun) {
   if (!isInstalled("make")) GTEST_SKIP() << "make is not installed";
   SubmittedFilm film(SubmittedFilm::kFolderForMake);
   film.writeScript("make");
@@ -77,7 +78,7 @@ TEST(Make, ATaskThatFailsIsGoneOnWithAndTheFilmHasTheBytesOfALocalRun) {
   EXPECT_EQ(film.shell("cd / && make -k -j 2 -f \"$script\"", film.broken()).exitCode, 2);
   EXPECT_TRUE(film.died());
   EXPECT_FALSE(film.hasFilm());
-  EXPECT_EQ(film.shell("ls film.mp4.tasks").out, "1\n3\n");  // these are not made again
+  EXPECT_EQ(film.shell("ls film.mp4.tasks").out, "1\n3\n");
   film.repair();
   film.breakJoining();
   EXPECT_EQ(film.shell("make -j 2 -f \"$script\"", film.broken()).exitCode, 2);
@@ -91,7 +92,7 @@ TEST(Make, ATaskThatFailsIsGoneOnWithAndTheFilmHasTheBytesOfALocalRun) {
               film.local_s(), make_s);
 }
 
-TEST(Make, MakesAFilmAgainWhenItsSceneIsNewerAndOnlyThen) {
+TEST(Make, MakesAFilmAgainOnlyIfItsSceneIsNewer) {
   if (!isInstalled("make")) GTEST_SKIP() << "make is not installed";
   SubmittedFilm film(SubmittedFilm::kFolderForMake);
   film.writeScript("make");
@@ -99,7 +100,7 @@ TEST(Make, MakesAFilmAgainWhenItsSceneIsNewerAndOnlyThen) {
   EXPECT_EQ(film.shell("ls -d film.mp4.tasks").exitCode, 2);
   EXPECT_EQ(film.shell("make -q -f \"$script\"").exitCode, 0);
   EXPECT_EQ(film.shell("sleep 0.01; touch tiny.toml; make -q -f \"$script\"").exitCode, 1);
-  // The scene says the same as before, so that the film stays, and counts as newer.
+  // The scene still has the same meaning, so the film stays and counts as newer.
   const ShellResult again =
       film.shell("cp -p film.mp4 first.mp4; make -j 2 -f \"$script\" && cmp first.mp4 film.mp4");
   EXPECT_EQ(again.exitCode, 0) << again.out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A finished film that was damaged is made again by `render --resume`, with the bytes that it had. Every kind of
-// damage is tried in process, by FilmDamage in tests/output.
+// `render --resume` makes a damaged film again, with the same bytes. FilmDamage in tests/output tries every kind
+// of damage in process.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -46,8 +46,8 @@ class DamagedFilm : public testing::TestWithParam<output::FilmContainer> {
   std::string whole_;
 };
 
-// Two kinds of damage for each kind of film, so that each is done to two or more.
-TEST_P(DamagedFilm, IsMadeAgain) {
+// Tries two kinds of damage for each kind of film, so that each kind is tried at least twice.
+TEST_P(DamagedFilm, IsRenderedAgain) {
   EXPECT_EQ(status().out, film_.name + ": complete\n");
   for (const int more : {0, 1}) {
     const auto& [name, damage] = kDamages[(static_cast<std::size_t>(GetParam()) + more) % std::size(kDamages)];
@@ -57,19 +57,20 @@ TEST_P(DamagedFilm, IsMadeAgain) {
     put(damaged);
     const RunResult told = status();
     EXPECT_EQ(told.exitCode, 1);
-    EXPECT_EQ(told.out, film_.name + ": not as it was written; render with --resume makes it again\n");
+    EXPECT_EQ(told.out,
+              film_.name + ": damaged or changed after it was written; render with --resume makes it again\n");
     const RunResult made = render({"--resume", "--progress", "plain"});
     EXPECT_EQ(made.exitCode, 0) << made.err;
-    EXPECT_THAT(made.err,
-                HasSubstr("note: " + film_.name + " was there, but not as it was written; it was made again"));
+    EXPECT_THAT(made.err, HasSubstr("note: " + film_.name +
+                                    " was damaged or changed after it was written, so it was made again"));
     EXPECT_THAT(made.err, HasSubstr(film_.name + " is ready (6 frames, "));
     EXPECT_TRUE(bytes() == whole_);
   }
 }
 
-TEST_P(DamagedFilm, IsNotMadeAgainIfItIsNotDamaged) {
+TEST_P(DamagedFilm, UndamagedFilmIsNotRenderedAgain) {
   const RunResult again = render({"--resume", "--progress", "plain"});
-  EXPECT_THAT(again.err, HasSubstr("(6 frames, 6 of them were there already, "));
+  EXPECT_THAT(again.err, HasSubstr("(6 frames, 6 of them already existed, "));
   EXPECT_THAT(again.err, testing::Not(HasSubstr("note: ")));
 }
 
@@ -77,18 +78,18 @@ INSTANTIATE_TEST_SUITE_P(Each, DamagedFilm,
                          testing::ValuesIn(output::filmContainers().begin(), output::filmContainers().end()),
                          [](const auto& tested) { return std::string(nameOf(tested.param)); });
 
-class DamagedFilmOfEachSort : public DamagedFilm {};
+class DamagedMp4OrGif : public DamagedFilm {};
 
-TEST_P(DamagedFilmOfEachSort, IsMadeOfTheSegmentsThatAreThere) {
+TEST_P(DamagedMp4OrGif, IsJoinedAgainFromKeptSegments) {
   ASSERT_EQ(render({"--keep"}).exitCode, 0);
   put(whole_.substr(0, whole_.size() - 1));
   const RunResult made = render({"--resume", "--progress", "plain"});
-  EXPECT_THAT(made.err, HasSubstr(film_.name + " is ready (6 frames, 6 of them were there already, "));
+  EXPECT_THAT(made.err, HasSubstr(film_.name + " is ready (6 frames, 6 of them already existed, "));
   EXPECT_TRUE(bytes() == whole_);
 }
 
-// Nothing in it says that it was ours.
-TEST_P(DamagedFilmOfEachSort, IsRefusedIfNothingOfItIsLeft) {
+// The file contains no sign that poinsot wrote it.
+TEST_P(DamagedMp4OrGif, IsNotReplacedIfItIsUnrecognisable) {
   const std::string text(whole_.size(), 'x');
   put(text);
   const RunResult refused = render({"--resume"});
@@ -99,8 +100,8 @@ TEST_P(DamagedFilmOfEachSort, IsRefusedIfNothingOfItIsLeft) {
   EXPECT_TRUE(bytes() == whole_);
 }
 
-// One that is joined of its segments, and one that is encoded of them.
-INSTANTIATE_TEST_SUITE_P(Two, DamagedFilmOfEachSort,
+// One film is joined from its segments, the other is encoded from them.
+INSTANTIATE_TEST_SUITE_P(Each, DamagedMp4OrGif,
                          testing::Values(output::FilmContainer::kMp4, output::FilmContainer::kGif),
                          [](const auto& tested) { return std::string(nameOf(tested.param)); });
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A disk that is full, broken or slow, at every call: exit 0 means every promised byte is on disk.
+// A disk is full, broken or slow at every call. Exit code 0 means that every promised byte is on disk.
 #include <gmock/gmock.h>
 
 #include <cerrno>
@@ -16,7 +16,8 @@ std::string errnoText(int why) { return std::to_string(why); }
 
 class DiskFault : public testing::TestWithParam<Fault> {
  protected:
-  /// Fails the n-th call, for every n there is; goes on from some once the disk is well again.
+  /// Fails the n-th call, for every n until there is no such call. After every third failure, the render is
+  /// resumed.
   void failEach(const Output& output) const {
     for (int n = 1;; ++n) {
       const ScratchFolder folder;
@@ -40,11 +41,11 @@ class DiskFault : public testing::TestWithParam<Fault> {
   }
 };
 
-TEST_P(DiskFault, OfAFilmIsExit4) { failEach(kShortFilm); }
-TEST_P(DiskFault, OfASequenceIsExit4) { failEach(kShortSequence); }
+TEST_P(DiskFault, ExitsWith4WhileAFilmIsWritten) { failEach(kShortFilm); }
+TEST_P(DiskFault, ExitsWith4WhileASequenceIsWritten) { failEach(kShortSequence); }
 
 INSTANTIATE_TEST_SUITE_P(
-    Of, DiskFault,
+    Each, DiskFault,
     testing::Values(Fault{"write", "worker", errnoText(ENOSPC), true}, Fault{"open", "worker", errnoText(EMFILE)},
                     Fault{"fsync", "worker", errnoText(EIO)}, Fault{"close", "worker", errnoText(EIO)},
                     Fault{"rename", "worker", errnoText(EACCES)},
@@ -53,8 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Fault{"rename", "parent", errnoText(EXDEV)}, Fault{"mkdir", "parent", errnoText(EROFS)}),
     callOf);
 
-// A message that does not reach the other process ends the render, and is no hang.
-TEST(LostMessage, IsAnErrorInWords) {
+TEST(LostWorkerMessage, IsReportedAsAnError) {
   for (const std::string role : {"parent", "worker"})
     for (int n = 1;; ++n) {
       const ScratchFolder folder;
@@ -76,10 +76,10 @@ TEST(LostMessage, IsAnErrorInWords) {
     }
 }
 
-// What is no fault: a signal between two bytes, a write that takes less than all.
+// Harmless events: a signal between two bytes, and a write that takes only part of the data.
 class DiskTrouble : public testing::TestWithParam<Fault> {};
 
-TEST_P(DiskTrouble, ChangesNothing) {
+TEST_P(DiskTrouble, ChangesNoOutput) {
   for (const Output& output : {kShortFilm, kShortSequence})
     for (int n = 1; n <= 3; ++n) {
       const ScratchFolder folder;

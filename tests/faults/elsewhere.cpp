@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// A library to be preloaded: another machine at another time. Told by the environment:
-//   ELSEWHERE_DAYS  the clock runs so many days ahead
+// Library to preload that simulates another machine at another time. Environment variables control it:
+//   ELSEWHERE_DAYS  the clock runs this number of days ahead
 //   ELSEWHERE_HOST  the machine's name
-//   ELSEWHERE_ASM   the instructions that x264 may use, in its words: "SSE2", "SSSE3", "AVX2"
-//   ELSEWHERE_WAYS  set: x264 may choose its ways by them, and so its stream
-//   ELSEWHERE_MARK  a file to create when x264 was told
-//   ELSEWHERE_LACKS encoders that libavcodec lacks, by its own names: "libx264,gif"
-//   ELSEWHERE_SETS  a setting, "NAME=value", that comes into the environment after the program cleared it
-//   ELSEWHERE_HIDES libraries that are not to be opened at run time, by the start of their names: "libav"
-#undef _FORTIFY_SOURCE  // or glibc defines functions that this file replaces
+//   ELSEWHERE_ASM   instructions that x264 may use, by its own names: "SSE2", "SSSE3", "AVX2"
+//   ELSEWHERE_WAYS  if set, x264 may choose its algorithms by these instructions, which changes its stream
+//   ELSEWHERE_MARK  file to create when x264 has accepted the instructions
+//   ELSEWHERE_LACKS encoders to hide from libavcodec, by its own names: "libx264,gif"
+//   ELSEWHERE_SETS  setting, "NAME=value", added to the environment after the program has cleared it
+//   ELSEWHERE_HIDES libraries that cannot be opened at run time, by the start of their names: "libav"
+#undef _FORTIFY_SOURCE  // with it, glibc defines functions that this file replaces
 #include <dlfcn.h>
 #include <sys/time.h>
 #include <sys/utsname.h>
@@ -22,7 +22,7 @@
 
 namespace {
 
-/// Read when the library is loaded, since the program clears its environment.
+/// Settings, read when the library is loaded, because the program clears its environment.
 const struct {
   const char* days = std::getenv("ELSEWHERE_DAYS");
   const char* host = std::getenv("ELSEWHERE_HOST");
@@ -38,7 +38,7 @@ time_t ahead_s() { return kSettings.days ? 86400 * std::atol(kSettings.days) : 0
 
 using FindSymbol = void*(void* library, const char* name);
 
-/// The C library's dlsym, which the one below covers: found by its version, one of those that it has had.
+/// Returns the C library's dlsym, which this file replaces. Finds it by one of its known versions.
 FindSymbol* realFindSymbol() {
   static FindSymbol* found = nullptr;
   for (const char* version : {"GLIBC_2.34", "GLIBC_2.17", "GLIBC_2.2.5"})
@@ -54,8 +54,8 @@ Function* real(Function*, const char* name) {
 using OpenEncoder = void*(void* parameters);
 using ParseParameter = int(void* parameters, const char* name, const char* value);
 
-/// Before it opens, as its own command line would. The library is there, but not where RTLD_NEXT looks: it came
-/// with one that was opened at run time.
+/// Sets x264's parameters before the encoder opens, as x264's own command line would. RTLD_NEXT does not find the
+/// library, because it was loaded together with a library opened at run time.
 void* open(const char* library, const char* opener, void* parameters) {
   void* x264 = dlopen(library, RTLD_LAZY | RTLD_NOLOAD);
   const auto parse = reinterpret_cast<ParseParameter*>(realFindSymbol()(x264, "x264_param_parse"));
@@ -136,7 +136,7 @@ int uname(utsname* names) noexcept {
   return code;
 }
 
-// libavcodec calls it by the number of the library's interface.
+// libavcodec calls the function with the number of the library's interface.
 void* x264_encoder_open_164(void* parameters) {
   return open("libx264.so.164", "x264_encoder_open_164", parameters);
 }

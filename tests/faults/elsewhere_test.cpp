@@ -24,7 +24,6 @@ std::vector<std::string> words() {
           "--quiet",  "--reproducible"};
 }
 
-/// The film that is made in those surroundings.
 std::string film(const ScratchFolder& folder, std::vector<std::string> environment = {}) {
   environment.emplace_back("LD_PRELOAD=" POINSOT_ELSEWHERE);
   const RunResult made = run(folder, words(), Stdout::kFile, environment);
@@ -39,7 +38,7 @@ const std::string& filmHere() {
   return bytes;
 }
 
-/// With the instructions that x264 calls by this name; empty where this x264 cannot be told.
+/// Returns the film made with the instructions that x264 calls `name`; empty if this x264 does not accept them.
 std::string filmWithAsm(const std::string& name, std::vector<std::string> environment = {}) {
   const ScratchFolder folder;
   const std::string mark = (folder / kMark).string();
@@ -48,20 +47,20 @@ std::string filmWithAsm(const std::string& name, std::vector<std::string> enviro
   return std::filesystem::exists(mark) ? bytes : "";
 }
 
-TEST(Elsewhere, ItsInstructionsEncodeTheSameStream) {
+TEST(OtherMachine, EncodesTheSameStreamWithOtherCpuInstructions) {
   POINSOT_NOT_SANITIZED("libraries are put in the place of others");
   const std::string plain = filmWithAsm("SSE2");
   if (plain.empty()) GTEST_SKIP() << "libavcodec has no x264 of the interfaces that elsewhere.cpp knows";
-  EXPECT_EQ(plain, filmHere());  // as a CPU of before 2006 would make it
+  EXPECT_EQ(plain, filmHere());  // as a CPU from before 2006 would make it
   EXPECT_EQ(filmWithAsm("SSSE3"), filmHere());
   EXPECT_EQ(filmWithAsm("AVX2"), filmHere());
-  // The control: x264 goes by what it is told, and left to choose its ways by that it makes another film.
+  // Control: x264 obeys the settings. If it may choose its algorithms by the instructions, it makes another film.
   EXPECT_NE(filmWithAsm("AVX2", {"ELSEWHERE_WAYS=1"}), filmHere());
   for (const char* name : {"x264", "Lav"}) EXPECT_EQ(filmHere().find(name), std::string::npos) << name;
 }
 
-// A setting of the driver's that reaches it in spite of all: nothing is made, and nothing approved.
-TEST(Elsewhere, ADriverThatDrawsNothingIsNotBelieved) {
+// If a driver setting gets past all checks, nothing is made and nothing approved.
+TEST(OtherMachine, RejectsADriverThatDrawsNothing) {
   POINSOT_NOT_SANITIZED("functions are put in the place of others");
   const std::vector<std::vector<std::string>> commands{{"render", "tiny.toml", "-o", "t.mp4", "--size", "64x36"},
                                                        {"render", "tiny.toml", "-o", "t.mp4", "--shard", "1/2"},
@@ -76,9 +75,9 @@ TEST(Elsewhere, ADriverThatDrawsNothingIsNotBelieved) {
       const RunResult made =
           run(folder, command, Stdout::kFile,
               {"LD_PRELOAD=" POINSOT_ELSEWHERE, std::string("ELSEWHERE_SETS=") + setting, "CI="});
-      // An error of one case is exit code 1 of the suite, and a line of its report.
+      // An error in one test of a suite gives exit code 1 and a line in its report.
       EXPECT_EQ(made.exitCode, command[0] == "golden" ? 1 : 3) << command[0] << ' ' << setting;
-      // With GALLIUM_NOOP Mesa 25 ends its process.
+      // With GALLIUM_NOOP, Mesa 25 ends its process.
       EXPECT_THAT(made.out + made.err, testing::ContainsRegex("does not draw|was killed by signal 11"))
           << command[0] << ' ' << setting;
       for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path()))
@@ -87,7 +86,7 @@ TEST(Elsewhere, ADriverThatDrawsNothingIsNotBelieved) {
     }
 }
 
-/// The film of nobody, where root may become that.
+/// Returns the film made as user nobody, if this test runs as root.
 std::string filmOfNobody() {
   const ScratchFolder folder;
   ::chmod(folder.path().c_str(), 0777);
@@ -98,7 +97,7 @@ std::string filmOfNobody() {
   return bytesOf(folder / "t.mp4");
 }
 
-/// How a render to it ends there; it must leave nothing.
+/// Renders with a setting and returns the refusal. Expects that no file is left.
 RunResult refusedRender(const std::string& target, const std::string& setting) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
@@ -109,30 +108,28 @@ RunResult refusedRender(const std::string& target, const std::string& setting) {
   return refused;
 }
 
-/// Where libavcodec lacks these.
 RunResult renderWithout(const std::string& encoders, const std::string& target) {
   return refusedRender(target, "ELSEWHERE_LACKS=" + encoders);
 }
 
-TEST(Elsewhere, AnEncoderThatItLacksIsNamedBesideThoseThatItHas) {
+TEST(OtherMachine, NamesAMissingEncoderAndTheAlternatives) {
   POINSOT_NOT_SANITIZED("libraries are put in the place of others");
   const RunResult mp4 = renderWithout("libx264", "t.mp4");
-  EXPECT_THAT(mp4.err,
-              testing::HasSubstr("the FFmpeg of this machine has no encoder libx264, which a film of h264 "
-                                 "takes; choose another output.codec (hevc, prores, vp9, av1, gif, apng) or "
-                                 "install an FFmpeg that has it, such as Debian's\n"));
+  EXPECT_THAT(mp4.err, testing::HasSubstr("the FFmpeg of this machine has no encoder libx264, which a film in "
+                                          "h264 needs; choose another output.codec (hevc, prores, vp9, av1, gif, "
+                                          "apng) or install an FFmpeg that has it, such as Debian's\n"));
   const RunResult webm = renderWithout("libvpx-vp9,libx265", "t.webm");
-  EXPECT_THAT(webm.err, testing::HasSubstr("no encoder libvpx-vp9, which a film of vp9 takes; choose another "
+  EXPECT_THAT(webm.err, testing::HasSubstr("no encoder libvpx-vp9, which a film in vp9 needs; choose another "
                                            "output.codec (h264, prores, av1, gif, apng) or install"));
-  // A GIF's segments are kept with another encoder.
+  // Segments of a GIF are stored with another encoder.
   const RunResult gif = renderWithout("ffv1", "t.gif");
-  EXPECT_THAT(gif.err, testing::HasSubstr("no encoder ffv1, which a film of gif takes; choose another "
+  EXPECT_THAT(gif.err, testing::HasSubstr("no encoder ffv1, which a film in gif needs; choose another "
                                           "output.codec (h264, hevc, prores, vp9, av1) or install"));
   const RunResult any = renderWithout("libx264,libx265,prores_ks,libvpx-vp9,libsvtav1,gif,apng", "t.mp4");
-  EXPECT_THAT(any.err, testing::HasSubstr("which a film of h264 takes; install an FFmpeg that has it"));
+  EXPECT_THAT(any.err, testing::HasSubstr("which a film in h264 needs; install an FFmpeg that has it"));
 }
 
-/// How the command ends on a Mesa with that setting, which no variable of its own can change any more.
+/// Runs a command with a Mesa setting that is applied after the program has cleared its environment.
 RunResult withMesa(const ScratchFolder& folder, const std::string& setting, const std::vector<std::string>& words,
                    std::vector<std::string> more = {}) {
   folder.put("tiny.toml", kTinyScene);
@@ -140,11 +137,10 @@ RunResult withMesa(const ScratchFolder& folder, const std::string& setting, cons
   return run(folder, words, Stdout::kFile, more);
 }
 
-/// doctor breaks what it finds into lines.
 std::string oneLine(const std::string& text) { return std::regex_replace(text, std::regex("\\s+"), " "); }
 
-// Mesa falls back to softpipe if it was built without LLVM; its setting makes it do so with LLVM.
-TEST(Elsewhere, AMesaWithoutLlvmpipeIsNotedWithWhatToInstall) {
+// Mesa falls back to softpipe if it was built without LLVM. This setting has the same effect with LLVM.
+TEST(OtherMachine, NotesAMesaWithoutLlvmpipeAndWhatToInstall) {
   POINSOT_NOT_SANITIZED("libraries are put in the place of others");
   const ScratchFolder folder;
   const std::string softpipe = "GALLIUM_DRIVER=softpipe";
@@ -168,7 +164,7 @@ TEST(Elsewhere, AMesaWithoutLlvmpipeIsNotedWithWhatToInstall) {
   EXPECT_THAT(usual.err, testing::Not(testing::HasSubstr("note:")));
 }
 
-TEST(Elsewhere, AMesaWithoutDriversIsNamedWithWhatToInstall) {
+TEST(OtherMachine, ReportsAMesaWithoutDriversAndWhatToInstall) {
   POINSOT_NOT_SANITIZED("libraries are put in the place of others");
   const ScratchFolder folder;
   const std::vector<std::string> noOsMesa{"ELSEWHERE_HIDES=libOSMesa"};
@@ -183,7 +179,7 @@ TEST(Elsewhere, AMesaWithoutDriversIsNamedWithWhatToInstall) {
   EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{"tiny.toml"});
 }
 
-TEST(Elsewhere, ALibraryThatItLacksIsNamedBeforeAnythingIsDrawn) {
+TEST(OtherMachine, ReportsAMissingLibraryBeforeDrawing) {
   POINSOT_NOT_SANITIZED("libraries are put in the place of others");
   const auto named = [](const std::string& library, const std::string& package) {
     return testing::ContainsRegex(library + " cannot be opened: .*No such file or directory; install it with: " +
@@ -195,7 +191,7 @@ TEST(Elsewhere, ALibraryThatItLacksIsNamedBeforeAnythingIsDrawn) {
   EXPECT_THAT(refusedRender("t.gif", noPalettes).err, named("libimagequant.so.0", "libimagequant0"));
 }
 
-TEST(Elsewhere, WithoutFfmpegThereIsAllButFilms) {
+TEST(OtherMachine, WritesAllOutputsExceptFilmsWithoutFfmpeg) {
   POINSOT_NOT_SANITIZED("libraries are put in the place of others");
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
@@ -212,12 +208,12 @@ TEST(Elsewhere, WithoutFfmpegThereIsAllButFilms) {
   const RunResult diff = ends({"diff", "t.mp4", "t.mp4"});
   EXPECT_EQ(diff.exitCode, 3);
   EXPECT_THAT(diff.err, testing::HasSubstr("cannot be opened"));
-  // It cannot be told whether this program wrote it.
+  // Without the libraries, the program cannot recognise its own file.
   EXPECT_EQ(ends({"render", "tiny.toml", "-o", "t.mp4"}).exitCode, 3);
   EXPECT_EQ(bytesOf(folder / "t.mp4"), "no film");
 }
 
-TEST(Elsewhere, ItsClockItsNameItsCLibraryAndItsUserDoNotShow) {
+TEST(OtherMachine, GivesTheSameBytesWithOtherClockHostAndUser) {
   POINSOT_NOT_SANITIZED("libraries are put in the place of others");
   EXPECT_EQ(film({"ELSEWHERE_DAYS=400", "ELSEWHERE_HOST=elsewhere",
                   "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-AVX2_Usable,-FMA_Usable"}),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What libraries read from the environment changes no byte: each setting, one at a time, against an environment
-// without any.
+// Settings that libraries read from the environment change no byte. Each setting is compared, one at a time, with
+// an environment without settings.
 #include <gmock/gmock.h>
 #include <unistd.h>
 
@@ -18,13 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Solids, sheets, curves and type.
 constexpr const char* kScene =
     "[body]\nprincipal_moments = [1, 2, 2.5]\n"
     "[motion]\nomega_body = [0.05, \"20 rpm\", 0]\n"
     "[time]\nduration = 0.2\nfps = 10\n";
 
-/// For drivers of EGL: one that may change pixels, one that changes what a film says of its renderer.
+/// Options for drivers of EGL: one may change pixels, the other changes the renderer's name in a film.
 constexpr const char* kDriverSettings =
     "<driconf><device><application name=\"any\"><option name=\"force_glsl_abs_sqrt\" value=\"true\"/>"
     "<option name=\"force_gl_renderer\" value=\"another\"/></application></device></driconf>";
@@ -36,7 +35,7 @@ Words with(Words words, const Words& more) {
   return words;
 }
 
-/// The commands that make the files, by what is made.
+/// Returns the commands that make the files, indexed by Made.
 const std::vector<Words>& makings() {
   static const Words film{"render", "s.toml", "--size", "64x36", "-j", "1", "--quiet", "-o"};
   static const Words still{"still", "s.toml", "--size", "64x36", "--quiet", "-o"};
@@ -47,16 +46,17 @@ const std::vector<Words>& makings() {
 }
 enum Made : int { kMp4, kGif, kEglFilm, kStill, kPdf, kGolden };
 
-/// The file that each command makes.
+/// File that each command makes, indexed by Made.
 constexpr const char* kMadeFiles[] = {"a.mp4", "a.gif", "e.mp4", "a.png", "a.pdf", "golden/s.png"};
 
-/// Settings, and what they might change: made by turns, or all of it under each where it is night.
+/// Settings, and the outputs that they might change. Each setting is tried with one of these outputs in turn, and
+/// at night with all outputs.
 struct Family {
   std::vector<int> made;
   Words settings;
 };
 const std::vector<Family> kFamilies{
-    // llvmpipe and what is around it: driver, JIT compiler, vertices, state tracker, caches, debugging layers
+    // llvmpipe and its surroundings: driver, JIT compiler, vertices, state tracker, caches, debugging layers
     {{kStill, kGolden, kStill, kMp4},
      {"LP_NO_RAST=1",
       "LP_NUM_THREADS=7",
@@ -103,7 +103,7 @@ const std::vector<Family> kFamilies{
       "EGL_LOG_LEVEL=debug", "__EGL_VENDOR_LIBRARY_FILENAMES=/dev/null", "MESA_LOADER_DRIVER_OVERRIDE=zink",
       "GALLIUM_HUD=fps", "PP_DEBUG=1", "pp_nored=1", "glsl_zero_init=true", "force_gl_renderer=another",
       "force_glsl_abs_sqrt=true", "HOME=home", "DISPLAY=:9", "GALLIUM_NOOP=1"}},
-    // FreeType, HarfBuzz, cairo and what cairo links
+    // FreeType, HarfBuzz, cairo and the libraries that cairo links
     {{kPdf, kStill},
      {"FREETYPE_PROPERTIES=cff:no-stem-darkening=0", "FREETYPE_PROPERTIES=cff:hinting-engine=freetype",
       "HB_SHAPER_LIST=fallback", "HB_OPTIONS=unicode", "CAIRO_DEBUG_PDF=1", "PIXMAN_DISABLE=sse2 ssse3 fast",
@@ -129,7 +129,7 @@ class Environment : public testing::TestWithParam<int> {
     });
   }
 
-  /// Runs a command, which must succeed. Returns all files that it makes, by name and bytes.
+  /// Runs a command and expects success. Returns all files that it makes, by name and bytes.
   static std::string madeWith(const Words& settings, int which = GetParam()) {
     const ScratchFolder folder;
     folder.put("s.toml", kScene);
@@ -148,7 +148,6 @@ class Environment : public testing::TestWithParam<int> {
     return made;
   }
 
-  /// Those of whose turn it is.
   static Words settings() {
     Words due;
     for (const Family& family : kFamilies)
@@ -158,7 +157,7 @@ class Environment : public testing::TestWithParam<int> {
   }
 };
 
-TEST_P(Environment, ChangesNoByteOfWhatIsMade) {
+TEST_P(Environment, ChangesNoByteOfTheOutput) {
   const std::string undisturbed = madeWith({});
   for (const std::string& setting : settings())
     EXPECT_TRUE(madeWith({setting}) == undisturbed) << setting << ": " << madeWith({setting}).substr(0, 300);
@@ -169,16 +168,16 @@ std::string nameOf(const testing::TestParamInfo<int>& info) {
   return kNames[info.param];
 }
 
-INSTANTIATE_TEST_SUITE_P(As, Environment, testing::Range(0, kGolden + 1), nameOf);
+INSTANTIATE_TEST_SUITE_P(Each, Environment, testing::Range(0, kGolden + 1), nameOf);
 
-TEST(EnvironmentSettings, AreSixtyAtLeast) {
+TEST(EnvironmentSettings, NumberAtLeastSixty) {
   std::set<std::string> all;
   for (const Family& family : kFamilies) all.insert(family.settings.begin(), family.settings.end());
   EXPECT_GE(all.size(), 60u);
 }
 
-/// Every variable that anything in the process asks for, but for those that the program documents.
-class AskedVariables : public Environment {
+/// Fixture for every variable that any library in the process reads, except the documented variables.
+class LibraryVariables : public Environment {
  protected:
   static std::set<std::string> asked() {
     const ScratchFolder folder;
@@ -193,7 +192,7 @@ class AskedVariables : public Environment {
   }
 };
 
-TEST_P(AskedVariables, ChangeNoByteOfWhatIsMade) {
+TEST_P(LibraryVariables, ChangeNoByteOfTheOutput) {
   POINSOT_NOT_SANITIZED("functions are put in the place of others");
   const std::set<std::string> names = asked();
   EXPECT_GT(names.size(), 20u) << "the watch sees them";
@@ -207,7 +206,7 @@ TEST_P(AskedVariables, ChangeNoByteOfWhatIsMade) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(As, AskedVariables, testing::Range(0, kGolden + 1), nameOf);
+INSTANTIATE_TEST_SUITE_P(Each, LibraryVariables, testing::Range(0, kGolden + 1), nameOf);
 
 }  // namespace
 }  // namespace poinsot::faults

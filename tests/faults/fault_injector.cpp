@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// A library to be preloaded: makes one system call of the program on files of one folder fail, cut short, or be
-// the last thing that its processes do. Told by the environment:
+// Library to preload that makes one system call of the program on files of one folder fail, take less, or be the
+// last call of the processes. Environment variables control it:
 //   FAULT_CALL    tell (a write to another process of the program), open, write, fsync, close, link, rename,
-//   remove or mkdir FAULT_KIND    an errno, "short" (a write takes one byte), "swap" (after a rename another
-//   program puts the file
-//                 .harness-other.png of FAULT_FOLDER there), "kill" (the process group, before the call) or
+//                 remove or mkdir
+//   FAULT_KIND    an errno, "short" (a write takes one byte), "swap" (after a rename, another program puts the
+//                 file .harness-other.png of FAULT_FOLDER there), "kill" (the process group, before the call) or
 //                 "interrupt" (SIGINT to the parent, a while before the call)
-//   FAULT_AT      which call of that name, from 1, in each process; with a + after it, that and all later ones
-//   FAULT_ROLE    worker or parent: in which processes
-//   FAULT_FOLDER  the folder, absolute; its files whose names begin with ".harness" do not count
-//   FAULT_MARK    a file to create when it has struck
-//   FAULT_WITHOUT what the file system cannot do: "link", or "link exchange"
+//   FAULT_AT      number of the call with that name in each process, from 1; a + after it includes all later calls
+//   FAULT_ROLE    worker or parent: the processes to affect
+//   FAULT_FOLDER  the folder, absolute; files whose names begin with ".harness" do not count
+//   FAULT_MARK    file to create when the fault has happened
+//   FAULT_WITHOUT abilities that the file system lacks: "link", or "link exchange"
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <pthread.h>
@@ -71,7 +71,7 @@ bool concernsDescriptor(int fd, bool alsoReaders) {
 std::atomic<long> count{0};
 bool isWorker = false;  // workers are forks of the program
 
-/// Whether it is a pipe between the program and a worker, whose reports go to its standard output.
+/// Returns whether `fd` is a pipe between the program and a worker. A worker reports on its standard output.
 bool leadsToAnother(int fd) {
   struct stat facts {};
   return (isWorker ? fd == STDOUT_FILENO : fd > STDERR_FILENO) && fstat(fd, &facts) == 0 &&
@@ -79,7 +79,7 @@ bool leadsToAnother(int fd) {
 }
 
 __attribute__((constructor)) void begin() {
-  plan();  // now, since the program clears its environment
+  plan();  // reads the settings now, because the program clears its environment
   pthread_atfork(nullptr, nullptr, [] {
     isWorker = true;
     count = 0;
@@ -88,7 +88,7 @@ __attribute__((constructor)) void begin() {
 
 enum class Strike { kNone, kFail, kShort, kSwap };
 
-/// Whether this call, which concerns us, is the one; sets errno for a failure.
+/// Counts a call and returns the fault that it suffers; sets errno for a failure.
 Strike strike(const char* call) {
   const Plan& p = plan();
   if (p.inWorkers != isWorker || p.call != call) return Strike::kNone;
@@ -137,7 +137,7 @@ int fsync(int fd) {
   return next(fd);
 }
 
-// As on Linux: the descriptor is gone even when close fails.
+// On Linux, the descriptor is closed even if close fails.
 int close(int fd) {
   static auto* const next = real<int(int)>("close");
   if (plan().call == "close" && concernsDescriptor(fd, false) && strike("close") == Strike::kFail) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several files of one output: whichever call goes wrong, exit 4 leaves what was there before, byte for byte; and
-// wherever a run is killed, no file stands beside one that it does not belong to. CI tries some calls of each
-// command, the night all of them.
+// Outputs of several files. If any call fails, exit code 4 leaves the earlier files, byte for byte. If a run is
+// killed at any point, no file stands beside a companion of another run. CI tries some calls of each command, the
+// nightly run tries all.
 #include <gmock/gmock.h>
 
 #include <cerrno>
@@ -17,14 +17,13 @@ namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 using Files = std::map<std::string, std::string>;
 
-/// A command that replaces its earlier outputs.
 struct Command {
   std::string name;
-  std::vector<Words> before;  ///< commands that make the earlier outputs, of old.toml
+  std::vector<Words> before;  ///< commands that make the earlier outputs from old.toml
   Words words;
-  /// Files that rest on the first of each group; what stands alone is a group of its own.
+  /// Groups of files; the files of a group depend on its first file. An independent file is a group of its own.
   std::vector<Words> groups;
-  int exitCode = 0;  ///< of a run that does its work
+  int exitCode = 0;  ///< exit code of a successful run
 };
 
 void PrintTo(const Command& command, std::ostream* out) { *out << command.name; }
@@ -47,7 +46,7 @@ const Words kBesides{"--manifest", "m.json", "--trace", "t.json"};
 
 const std::vector<Command> kCommands{
     {"Film", {joined(film("old.toml"), kBesides)}, joined(film("s.toml"), kBesides), {kFilmGroup}},
-    // Captions of an earlier film go with it.
+    // The captions of an earlier film are removed with it.
     {"FilmWithoutCaptions", {film("old.toml")}, film("mute.toml"), {{"o.mp4", "o.srt", "o.vtt"}}},
     {"Assemble",
      {film("old.toml"), joined(film("s.toml"), {"--shard", "1/1"})},
@@ -100,7 +99,7 @@ class OutputOfSeveralFiles : public testing::TestWithParam<Command> {
     old_ = files(before_);
   }
 
-  /// A film of two frames.
+  /// Shortens a film to two frames.
   static Words short_(Words words) {
     if (words[0] == "render") words.insert(words.end(), {"-D", "time.duration=0.2"});
     return words;
@@ -116,7 +115,6 @@ class OutputOfSeveralFiles : public testing::TestWithParam<Command> {
     return runIn(folder, short_(GetParam().words), environment);
   }
 
-  /// The files that are not hidden.
   static Files files(const ScratchFolder& folder) {
     Files all;
     for (const std::string& name : namesIn(folder.path()))
@@ -137,7 +135,8 @@ class OutputOfSeveralFiles : public testing::TestWithParam<Command> {
     return folder;
   }
 
-  /// Does it for the n-th call of a kind, for every n there is, or some. @returns how many there were.
+  /// Runs the command with the fault at the n-th call of a kind, and calls `check`. The nightly run tries every n,
+  /// CI only some. @returns the number of calls tried
   template <class Check>
   int forEachCall(const Fault& fault, int first, int step, const Check& check) const {
     int tried = 0;
@@ -155,7 +154,6 @@ class OutputOfSeveralFiles : public testing::TestWithParam<Command> {
     return found != now.end() && (before == old_.end() || found->second != before->second);
   }
 
-  /// All outputs are there and new, but for captions of a film that has none.
   void expectAllNew(const ScratchFolder& folder, const std::string& where) const {
     const Files now = files(folder);
     for (const Words& group : GetParam().groups)
@@ -170,10 +168,10 @@ class OutputOfSeveralFiles : public testing::TestWithParam<Command> {
   Files old_;
 };
 
-TEST_P(OutputOfSeveralFiles, IsAllNewOrAsBefore) {
+TEST_P(OutputOfSeveralFiles, IsReplacedCompletelyOrNotAtAll) {
   int tried = 0, refused = 0;
   const auto check = [&](const ScratchFolder& folder, const RunResult& told, const std::string& where) {
-    if (told.exitCode == GetParam().exitCode) return expectAllNew(folder, where);  // it could do without
+    if (told.exitCode == GetParam().exitCode) return expectAllNew(folder, where);  // the call was optional
     EXPECT_EQ(told.exitCode, 4) << where;
     EXPECT_TRUE(files(folder) == old_) << where;
     EXPECT_THAT(temporaryFiles(folder), testing::IsEmpty()) << where;
@@ -197,9 +195,9 @@ TEST_P(OutputOfSeveralFiles, IsAllNewOrAsBefore) {
   std::printf("%-20s %3d places, %3d of them exit 4\n", GetParam().name.c_str(), tried, refused);
 }
 
-class OutputThatIsKilled : public OutputOfSeveralFiles {};
+class KilledOutput : public OutputOfSeveralFiles {};
 
-/// Commands whose files rest on one another; by night all.
+/// Returns the commands with several dependent files; at night all commands.
 std::vector<Command> commandsToKill() {
   std::vector<Command> commands;
   for (const Command& command : kCommands)
@@ -207,8 +205,8 @@ std::vector<Command> commandsToKill() {
   return commands;
 }
 
-// Then the command is run again, which finds its way from there.
-TEST_P(OutputThatIsKilled, IsOfOneRun) {
+// After the kill, the command runs again and completes its outputs.
+TEST_P(KilledOutput, NeverMixesFilesOfTwoRuns) {
   int tried = 0;
   const auto check = [&](const ScratchFolder& folder, const RunResult& told, const std::string& where) {
     EXPECT_EQ(told.exitCode, 1000 + SIGKILL) << where;
@@ -222,12 +220,12 @@ TEST_P(OutputThatIsKilled, IsOfOneRun) {
       }
     }
     const RunResult again = runAgain(folder);
-    if (GetParam().name == "Assemble" && again.exitCode == 4) return;  // its segments were gone already
+    if (GetParam().name == "Assemble" && again.exitCode == 4) return;  // the segments were already removed
     EXPECT_EQ(again.exitCode, GetParam().exitCode) << where << again.err;
     expectAllNew(folder, where);
   };
   tried += forEachCall({"rename", "parent", "kill"}, 2, 3, check);
-  // Where a file has only one name, as on FAT, the old one and the new one change theirs.
+  // On file systems without second names, such as FAT, the old file and the new file change names.
   tried += forEachCall({"rename", "parent", "kill", false, "link"}, 2, 3, check);
   if (takesAll())
     for (const char* call : {"open", "write", "fsync", "close", "link"})
@@ -235,8 +233,8 @@ TEST_P(OutputThatIsKilled, IsOfOneRun) {
   std::printf("%-20s %3d kills\n", GetParam().name.c_str(), tried);
 }
 
-// Where a file system can do neither, one file is renamed over the other.
-TEST(OutputOfOneFile, KeepsItsNameWithoutLinksAndExchange) {
+// Without links and exchange, the new file is renamed over the old file.
+TEST(OutputOfOneFile, NeverDisappearsOnFileSystemsWithoutLinks) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   const auto words = [](const char* time) {
@@ -257,8 +255,8 @@ TEST(OutputOfOneFile, KeepsItsNameWithoutLinksAndExchange) {
 }
 
 const auto nameOf = [](const auto& one) { return one.param.name; };
-INSTANTIATE_TEST_SUITE_P(Of, OutputOfSeveralFiles, testing::ValuesIn(kCommands), nameOf);
-INSTANTIATE_TEST_SUITE_P(Of, OutputThatIsKilled, testing::ValuesIn(commandsToKill()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Each, OutputOfSeveralFiles, testing::ValuesIn(kCommands), nameOf);
+INSTANTIATE_TEST_SUITE_P(Each, KilledOutput, testing::ValuesIn(commandsToKill()), nameOf);
 
 }  // namespace
 }  // namespace poinsot::faults

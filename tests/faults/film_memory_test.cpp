@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Comparing films takes no more memory than it reckons, and what would take too much is refused before it is
-// taken. Films are made by ffmpeg, of every kind of pixels; what was taken is the kernel's figure.
+// Comparing films takes no more memory than estimated, and a comparison that would take too much is refused before
+// it starts. ffmpeg makes films with every kind of pixels. The kernel reports the memory used.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -21,14 +21,13 @@ constexpr double kMiB = 1 << 20;
 
 struct Kind {
   const char *name, *file, *encoder;
-  int frames = 24;  // more than any encoder here keeps
+  int frames = 24;  // more than any encoder here buffers
 };
 
-/// What GoogleTest and ctest print of a kind.
 void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
 
 const char* const kMost =
-    "-preset ultrafast -refs 16 -bf 8 -b_strategy 0 -level 6.2";  // that H.264 has of references
+    "-preset ultrafast -refs 16 -bf 8 -b_strategy 0 -level 6.2";  // the most reference frames that H.264 allows
 
 std::vector<Kind> allKinds() {
   static const std::string most = std::string("-c:v libx264 -pix_fmt yuv420p ") + kMost,
@@ -48,7 +47,8 @@ std::vector<Kind> allKinds() {
           {"Ffv1", "avi", "-c:v ffv1 -pix_fmt yuv420p", 4}};
 }
 
-/// Kinds and sizes of which a run of all tests has time for a few; the night has all, and larger.
+/// Returns whether this is the nightly run. It tests all kinds and larger sizes; an ordinary run has time for a
+/// few.
 bool isNight() { return std::getenv("POINSOT_ALL_FILMS") != nullptr; }
 
 std::vector<Kind> kinds() {
@@ -67,7 +67,7 @@ class FilmMemory : public testing::TestWithParam<Kind> {
  protected:
   void SetUp() override { POINSOT_NOT_SANITIZED("it takes more memory than is given"); }
 
-  /// Makes a film of moving stripes and digits, in other colours if `filter` says so.
+  /// Makes a film of moving stripes and digits, changed by an FFmpeg filter.
   std::string film(const std::string& name, image::PixelSize size, const std::string& filter) const {
     const Kind& kind = GetParam();
     const std::string file = fmt::format("{}.{}", name, kind.file);
@@ -88,8 +88,8 @@ class FilmMemory : public testing::TestWithParam<Kind> {
   ScratchFolder folder_;
 };
 
-// Measured at 1280x720 and 1920x1080: reckoned are 1.13 times the peak (AV1) to 2.2 times (FFV1).
-TEST_P(FilmMemory, IsNoMoreThanIsReckoned) {
+// Measured at 1280x720 and 1920x1080: the estimate is 1.13 times the peak (AV1) to 2.2 times (FFV1).
+TEST_P(FilmMemory, IsAtMostTheEstimate) {
   for (const image::PixelSize size : sizes()) {
     const std::string a = film("a", size, "null"), b = film("b", size, "negate,fade=in:0:3:alpha=1");
     for (const int together : jobs()) {
@@ -106,10 +106,9 @@ TEST_P(FilmMemory, IsNoMoreThanIsReckoned) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, FilmMemory, testing::ValuesIn(kinds()),
+INSTANTIATE_TEST_SUITE_P(Each, FilmMemory, testing::ValuesIn(kinds()),
                          [](const auto& each) { return std::string(each.param.name); });
 
-/// Two frames of one colour: a small file of large pictures.
 class LargeFilm : public testing::Test {
  protected:
   void SetUp() override { POINSOT_NOT_SANITIZED("it takes more memory than is given"); }
@@ -129,19 +128,19 @@ class LargeFilm : public testing::Test {
   ScratchFolder folder_;
 };
 
-// Measured 44 MiB: what the program takes with FFmpeg's libraries.
-TEST_F(LargeFilm, IsRefusedBeforeItsMemoryIsTaken) {
+// Measured 44 MiB, the memory of the program with FFmpeg's libraries.
+TEST_F(LargeFilm, IsRejectedBeforeMemoryIsAllocated) {
   make({4096, 1024});
   const ShellResult refused = diff("--max-memory 150MiB");
   EXPECT_EQ(refused.exitCode, 2) << refused.out;
   EXPECT_THAT(refused.out,
-              HasSubstr("comparing films of 4096x1024: about 0.2 GiB of memory, more than the 150 MiB"));
+              HasSubstr("comparing films of 4096x1024: about 0.2 GiB of memory, more than the allowed 150 MiB"));
   EXPECT_LE(refused.peak_MiB, 64);
 }
 
-// Its header says 64x64, its pictures are larger: in an MP4 the size stands in the description of the track
-// (ISO/IEC 14496-12, 12.1.3) as well as in the stream.
-TEST_F(LargeFilm, IsNotDecodedIfItsHeaderNamesASmallerOne) {
+// The header claims 64x64, but the pictures are larger. An MP4 states the size in the description of the track
+// (ISO/IEC 14496-12, 12.1.3) and in the stream.
+TEST_F(LargeFilm, IsNotDecodedIfItsHeaderClaimsASmallerSize) {
   make({4096, 1024});
   const ShellResult forged = runShell(folder_.path(),
                                       R"(python3 -c "
@@ -157,8 +156,8 @@ open('x.mp4', 'wb').write(b)
   EXPECT_LE(refused.peak_MiB, 64);
 }
 
-// One pair takes 0.2 GiB, sixteen would take 2.2.
-TEST_F(LargeFilm, IsComparedByAsManyAtATimeAsThereIsMemoryFor) {
+// One pair takes 0.2 GiB, sixteen pairs would take 2.2 GiB.
+TEST_F(LargeFilm, IsComparedInAsManyJobsAsMemoryAllows) {
   make({4096, 1024});
   const ShellResult compared = diff("-j 16 --max-memory 300MiB");
   EXPECT_EQ(compared.exitCode, 0) << compared.out;

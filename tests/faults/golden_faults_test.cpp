@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// References change together. A call fails, or the process is killed at it, at every place there is; then exit 0
-// means that all references are what an undisturbed run makes of them, and any other code that all are what they
-// were.
+// References change together. At every possible place, a call fails or the process is killed there. After exit
+// code 0, all references equal those of an undisturbed run; after any other code, all are as before.
 #include <gmock/gmock.h>
 #include <signal.h>
 
@@ -22,7 +21,6 @@ constexpr int kKilled = 1000 + SIGKILL;
 
 std::string errnoText(int why) { return std::to_string(why); }
 
-/// Files below a folder, and their bytes.
 using Files = std::map<std::string, std::string>;
 
 Files filesBelow(const fs::path& folder) {
@@ -32,14 +30,14 @@ Files filesBelow(const fs::path& folder) {
   return files;
 }
 
-/// A grey picture or animation. Those of two widths are different without a map, which keeps the runs short.
+/// Returns a grey picture or animation. Two of them with unequal widths differ without a map, which keeps the runs
+/// short.
 Bytes still(std::uint32_t width) { return pngBytes({width, 8, 8, 0, {}}, Bytes(width * std::size_t{8}, 90)); }
 Bytes film(std::uint32_t width) {
   const Bytes frame(width * std::size_t{8}, 90);
   return apngBytes({width, 8, 8, 0, {}}, {frame, frame}, {100, 100});
 }
 
-/// A command that changes the files of a folder together.
 struct Change {
   const char* name;
   std::vector<std::string> words;
@@ -54,8 +52,8 @@ RunResult apply(const Change& change, const ScratchFolder& folder, std::vector<s
   return run(folder, change.words, Stdout::kFile, environment);
 }
 
-/// A suite in which a picture and a film are to be replaced, a reference of another renderer is to be removed, and
-/// one in a folder of its own is the first of its test. Beside it two folders with the like.
+/// Makes a suite in which an update replaces a picture and a film, removes a reference of another renderer, and
+/// adds the first reference of a test in a subfolder. Beside the suite are two folders with similar files.
 void makeSuite(const ScratchFolder& folder) {
   const auto save = [&](const std::string& place, std::uint32_t width) {
     saveBytes(folder / (place + "/a.png"), still(width));
@@ -78,9 +76,9 @@ void makeSuite(const ScratchFolder& folder) {
   folder.put("golden.toml", suite + "[[test]]\nname = 'deep/n'\nimage = 'new/n.png'\n");
 }
 
-/// The references before and after an undisturbed run; made once for each command.
+/// References before and after an undisturbed run; made once for each command.
 struct Undisturbed {
-  Files all, before, after;  ///< `all`: before, of the whole folder
+  Files all, before, after;  ///< `all`: the whole folder before the run
 };
 
 const Undisturbed& undisturbed(const Change& change) {
@@ -106,7 +104,8 @@ void put(const ScratchFolder& folder, const Files& files) {
 
 class ChangesTogether : public testing::TestWithParam<std::tuple<Change, Fault>> {
  protected:
-  /// Calls `expect` with what became of it for the n-th call, for every n there is.
+  /// Runs the command with the fault at the n-th call and passes the result to `expect`, for every n until there
+  /// is no such call.
   template <class Expect>
   void atEachCall(Expect expect) const {
     const auto& [change, fault] = GetParam();
@@ -128,7 +127,7 @@ class ChangesTogether : public testing::TestWithParam<std::tuple<Change, Fault>>
 
 using GoldenFault = ChangesTogether;
 
-TEST_P(GoldenFault, LeavesAllOrNone) {
+TEST_P(GoldenFault, ChangesAllReferencesOrNone) {
   atEachCall([](const Change& change, const ScratchFolder& folder, const RunResult& result) {
     const Undisturbed& known = undisturbed(change);
     EXPECT_THAT(result.exitCode, testing::AnyOf(0, 4)) << result.err;
@@ -136,10 +135,10 @@ TEST_P(GoldenFault, LeavesAllOrNone) {
   });
 }
 
-// A drawing has to be written before it can be approved, and the file there has to be that drawing.
-class FaultOfADrawing : public testing::TestWithParam<Fault> {};
+// A drawing must be written before it can be approved, and the file must contain that drawing.
+class DrawingFault : public testing::TestWithParam<Fault> {};
 
-TEST_P(FaultOfADrawing, ApprovesNothing) {
+TEST_P(DrawingFault, PreventsAnyApproval) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   saveBytes(folder / "new.png", still(16));
@@ -147,7 +146,7 @@ TEST_P(FaultOfADrawing, ApprovesNothing) {
   const Change all{"Scene", {"golden", "--update"}, "golden"};
   ASSERT_EQ(apply(all, folder).exitCode, 0);
   saveBytes(folder / "new.png", still(20));
-  folder.put(".harness-other.png", bytesOf(folder / "golden/tiny.png"));  // of the scene before: would pass
+  folder.put(".harness-other.png", bytesOf(folder / "golden/tiny.png"));  // of the earlier scene
   folder.put("tiny.toml", std::string(kTinyScene) + "[style]\ntheme = 'dark'\n");
   const Files before = filesBelow(folder / "golden");
   const RunResult result = apply(all, folder, environmentOf(GetParam(), 1, folder));
@@ -163,7 +162,7 @@ std::string kindOfFault(const testing::TestParamInfo<Fault>& info) {
   return info.param.call + (info.param.kind == "swap" ? "_swap" : "_fails");
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, FaultOfADrawing,
+INSTANTIATE_TEST_SUITE_P(Each, DrawingFault,
                          Values(Fault{"write", "worker", errnoText(ENOSPC), true},
                                 Fault{"rename", "worker", errnoText(EIO)}, Fault{"rename", "worker", "swap"}),
                          kindOfFault);
@@ -173,13 +172,13 @@ std::string faultOf(const testing::TestParamInfo<std::tuple<Change, Fault>>& inf
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Of, GoldenFault,
+    Suite, GoldenFault,
     Combine(Values(kSuite),
             Values(Fault{"open", "parent", errnoText(EDQUOT)}, Fault{"write", "parent", errnoText(ENOSPC), true},
                    Fault{"fsync", "parent", errnoText(EIO)}, Fault{"close", "parent", errnoText(EIO)},
                    Fault{"rename", "parent", errnoText(EACCES)}, Fault{"mkdir", "parent", errnoText(EROFS)})),
     faultOf);
-INSTANTIATE_TEST_SUITE_P(OfPairs, GoldenFault,
+INSTANTIATE_TEST_SUITE_P(Pairs, GoldenFault,
                          Combine(Values(kPairs), Values(Fault{"write", "parent", errnoText(ENOSPC), true},
                                                         Fault{"fsync", "parent", errnoText(EIO)},
                                                         Fault{"rename", "parent", errnoText(EACCES)})),
@@ -187,21 +186,21 @@ INSTANTIATE_TEST_SUITE_P(OfPairs, GoldenFault,
 
 using GoldenWithoutLinks = ChangesTogether;
 
-// File systems that know no second names of a file, such as FAT: the old file is moved instead.
-TEST_P(GoldenWithoutLinks, ChangesAll) {
+// File systems without second names of a file, such as FAT: the old file is moved instead.
+TEST_P(GoldenWithoutLinks, ChangesAllReferences) {
   atEachCall([](const Change& change, const ScratchFolder& folder, const RunResult& result) {
     EXPECT_EQ(result.exitCode, 0) << result.err;
     EXPECT_EQ(filesBelow(folder / change.folder), undisturbed(change).after);
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, GoldenWithoutLinks,
+INSTANTIATE_TEST_SUITE_P(Each, GoldenWithoutLinks,
                          Combine(Values(kSuite), Values(Fault{"link", "parent", errnoText(EPERM), true})),
                          faultOf);
 
 using KilledApproval = ChangesTogether;
 
-/// Checks that a picture and its description, if it has one, are of one approval.
+/// Checks that a picture and its description, if any, belong to one approval.
 void expectOwnOrigin(const Files& now, const std::string& picture, const Undisturbed& known) {
   const std::string json = picture.substr(0, picture.rfind('.')) + ".json";
   const auto isOf = [&](const Files& files, const std::string& name) {
@@ -212,7 +211,7 @@ void expectOwnOrigin(const Files& now, const std::string& picture, const Undistu
   EXPECT_TRUE(!now.contains(json) || isOf(isOld ? known.before : known.after, json)) << json;
 }
 
-TEST_P(KilledApproval, LeavesNoPictureWithTheOriginOfAnother) {
+TEST_P(KilledApproval, LeavesNoReferenceWithTheDescriptionOfAnother) {
   atEachCall([](const Change& change, const ScratchFolder& folder, const RunResult& killed) {
     const Undisturbed& known = undisturbed(change);
     ASSERT_EQ(killed.exitCode, kKilled);
@@ -221,13 +220,13 @@ TEST_P(KilledApproval, LeavesNoPictureWithTheOriginOfAnother) {
       if (!name.ends_with(".json") && fs::path(name).filename().native().front() != '.')
         expectOwnOrigin(now, name, known);
     const RunResult again = apply(change, folder);
-    // A description that lost its picture is reported: it is of the reference that was to be removed.
+    // A description without its picture is reported. It belongs to the reference that was to be removed.
     EXPECT_EQ(again.exitCode, now.contains("a@x.json") && !now.contains("a@x.png") ? 1 : 0) << again.out;
     for (const auto& [name, bytes] : known.after) EXPECT_EQ(bytesOf(folder / change.folder / name), bytes) << name;
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, KilledApproval,
+INSTANTIATE_TEST_SUITE_P(Each, KilledApproval,
                          Combine(Values(kSuite),
                                  Values(Fault{"link", "parent", "kill"}, Fault{"rename", "parent", "kill"})),
                          faultOf);

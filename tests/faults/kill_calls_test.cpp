@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Killed at each call that changes something on disk, a render leaves what another goes on from.
+// If a render is killed at a call that changes the disk, another render can resume from the files left.
 #include <gmock/gmock.h>
 #include <signal.h>
 
@@ -12,7 +12,7 @@ constexpr int kKilled = 1000 + SIGKILL;
 
 class KillAtEachCall : public testing::TestWithParam<Fault> {};
 
-TEST_P(KillAtEachCall, GoesOn) {
+TEST_P(KillAtEachCall, LeavesARenderThatCanBeResumed) {
   for (int n = 1;; ++n) {
     const ScratchFolder folder;
     folder.put("tiny.toml", kTinyScene);
@@ -32,7 +32,7 @@ TEST_P(KillAtEachCall, GoesOn) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, KillAtEachCall,
+INSTANTIATE_TEST_SUITE_P(Each, KillAtEachCall,
                          testing::Values(Fault{"open", "worker", "kill"}, Fault{"write", "worker", "kill"},
                                          Fault{"fsync", "worker", "kill"}, Fault{"close", "worker", "kill"},
                                          Fault{"rename", "worker", "kill"}, Fault{"open", "parent", "kill"},

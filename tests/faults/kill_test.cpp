@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Killed at any moment, a render leaves nothing broken under a final name, and another goes on to the same bytes.
+// If a render is killed at any moment, no broken file has a final name, and another render resumes to the same
+// bytes.
 #include <gmock/gmock.h>
 #include <signal.h>
 #include <unistd.h>
@@ -18,14 +19,11 @@ using testing::StartsWith;
 
 constexpr int kKilled = 1000 + SIGKILL;
 
-/// "15 of them were there already" to 15.
 int reusedFrames(const std::string& err) {
   std::smatch found;
-  return std::regex_search(err, found, std::regex("([0-9]+) of them were there already")) ? std::stoi(found[1])
-                                                                                          : 0;
+  return std::regex_search(err, found, std::regex("([0-9]+) of them already existed")) ? std::stoi(found[1]) : 0;
 }
 
-/// Frames reported done before the end.
 int framesDone(const std::string& err) {
   int done = 0;
   const std::regex line("\"done\":([0-9]+)");
@@ -35,9 +33,9 @@ int framesDone(const std::string& err) {
 
 class Kill : public testing::TestWithParam<Output> {};
 
-// 20 moments drawn evenly over a run, by a fixed seed; the whole process group dies, as with a node of a cluster.
-// Of a film a segment counts when it is whole, of a sequence each frame does; two are being made.
-TEST_P(Kill, AtAnyMomentLosesAtMostASegmentAWorker) {
+// Tries 20 moments, spread evenly at random over a run with a fixed seed. The whole process group dies, as when a
+// node of a cluster is lost. A film keeps whole segments and a sequence keeps whole frames; two are in progress.
+TEST_P(Kill, LosesAtMostOneSegmentPerWorker) {
   const Output& output = GetParam();
   std::mt19937 random(20261121);
   std::uniform_real_distribution<double> moment_s(0.02, secondsOfARun(output));
@@ -60,13 +58,13 @@ TEST_P(Kill, AtAnyMomentLosesAtMostASegmentAWorker) {
     EXPECT_GE(reusedFrames(again.err), done - 2 * (output.isFilm() ? output.segmentFrames : 1)) << where;
     EXPECT_THAT(namesIn(folder.path()), Each(Not(StartsWith(".")))) << where;
   }
-  EXPECT_GE(midway, 5);  // else the moments were no good
+  EXPECT_GE(midway, 5);  // otherwise, the moments were badly chosen
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, Kill, testing::Values(kLongFilm, kLongSequence), kindOf);
 
-// A good film of before stands there until the new one is complete.
-TEST(KillFilm, LeavesTheOldFilmAlone) {
+// An earlier complete film stays until the new film is complete.
+TEST(KilledRender, KeepsTheOldFilmUnchanged) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   ASSERT_EQ(run(folder, renderArguments(kFilm, {"-D", "output.crf=40"})).exitCode, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// SIGKILL leaves temporary folders on the disk and in memory; the next start that makes one removes them.
+// SIGKILL leaves temporary folders on disk and in memory. The next program that makes such a folder removes them.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <signal.h>
@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::IsEmpty;
 
-/// Claimed folders in memory, of any program, whose processes have ended.
+/// Returns the claimed folders in memory, of any program, whose processes have ended.
 std::set<fs::path> abandonedInMemory() {
   std::set<fs::path> found;
   for (const auto& entry : fs::directory_iterator("/dev/shm")) {
@@ -33,7 +33,8 @@ std::set<fs::path> abandonedInMemory() {
   return found;
 }
 
-/// Whether a process of the group has not ended. Zombies have, and stay for ever where nobody waits for orphans.
+/// Returns whether a process of the group still runs. Zombies do not count, because they stay forever if nobody
+/// waits for orphans.
 bool anyLives(pid_t group) {
   for (const auto& entry : fs::directory_iterator("/proc")) {
     std::ifstream file(entry.path() / "stat");
@@ -58,7 +59,7 @@ class Leftovers : public testing::TestWithParam<std::vector<std::string>> {
                                         std::vector{"TMPDIR=" + temporary_.path().string()});
   }
 
-  /// The parent alone, as an impatient `timeout` does; its forks end with it.
+  /// Kills only the parent, as an impatient `timeout` does; its forks end with it.
   static void killHard(ProgramRun& running) {
     const pid_t group = running.pid();
     running.signal(SIGKILL);
@@ -69,11 +70,11 @@ class Leftovers : public testing::TestWithParam<std::vector<std::string>> {
   const ScratchFolder folder_, temporary_;
 };
 
-TEST_P(Leftovers, AreRemovedByTheNextStart) {
+TEST_P(Leftovers, AreRemovedByTheNextRun) {
   std::size_t most = 0;
   std::set<fs::path> inMemory;
-  // Machines differ in when the folders appear, and in when the film is ready: later and later, until all are
-  // left.
+  // The folders appear, and the film is complete, at different times on different machines. The test therefore
+  // waits longer and longer until all folders are left.
   for (int wait_ms = 5; wait_ms < 600 && (most == 0 || (isUntrusted() && inMemory.empty())); wait_ms += 15) {
     const auto running = start();
     usleep(1000 * wait_ms);
@@ -90,10 +91,10 @@ TEST_P(Leftovers, AreRemovedByTheNextStart) {
   for (const fs::path& folder : inMemory) EXPECT_TRUE(!isUntrusted() || !fs::exists(folder)) << folder;
 }
 
-// A folder that is hidden has no claim yet. If another run removes it, its maker makes another one.
+// A hidden folder is not claimed yet. If another run removes it, its maker makes a new one.
 bool isClaimed(const std::string& name) { return !name.starts_with('.'); }
 
-TEST_P(Leftovers, AreNotTakenFromARunThatLives) {
+TEST_P(Leftovers, AreKeptWhileTheirRunLives) {
   const auto living = start();
   while (std::ranges::none_of(namesIn(temporary_.path()), isClaimed)) usleep(1000);
   living->signal(SIGSTOP);
@@ -112,11 +113,11 @@ std::vector<std::string> toStream() {
 
 std::vector<std::vector<std::string>> runs() {
   std::vector<std::vector<std::string>> all{toStream()};
-  if (!kSanitized) all.push_back(renderArguments(kFilm, {"--untrusted", "--force"}));  // as in sandbox_test.cpp
+  if (!kSanitized) all.push_back(renderArguments(kFilm, {"--untrusted", "--force"}));  // see sandbox_test.cpp
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Leftovers, testing::ValuesIn(runs()),
+INSTANTIATE_TEST_SUITE_P(Each, Leftovers, testing::ValuesIn(runs()),
                          [](const auto& each) { return std::string(each.index == 0 ? "Stream" : "Untrusted"); });
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The memory of a worker, measured: at 4K over many frames, and against what request/memory.h says of each
-// encoder.
+// Measures the memory of a worker at 4K over many frames, and compares each encoder with the estimate of
+// request/memory.h.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -26,10 +26,10 @@ std::vector<std::string> arguments(const char* target, image::PixelSize size, in
           "-D",           "time.duration=" + std::to_string(frames / 10.0)};
 }
 
-// Segments of 10 frames: encoders come and go three times as often as by default. A picture of 12 MiB that each of
-// them left behind raised the medians by 48 MiB and the peak to 1108. How many pictures an encoder has in hand
-// depends on the machine's load: medians differed by up to 24 MiB, peaks by 76. Memory.DoesNotGrowWithTheFrames
-// finds leaks of a size that does not grow with the picture.
+// With segments of 10 frames, encoders are opened and closed three times as often as by default. If each encoder
+// leaked a picture of 12 MiB, the medians rose by 48 MiB and the peak to 1108 MiB. The number of pictures that an
+// encoder buffers depends on the machine's load: medians differed by up to 24 MiB, peaks by 76 MiB.
+// Memory.DoesNotGrowWithTheFrames finds leaks that do not grow with the picture.
 void expectFlatBelowAGibibyte(int frames) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
@@ -44,30 +44,30 @@ void expectFlatBelowAGibibyte(int frames) {
   EXPECT_LE(peak_MiB, 1024);
 }
 
-TEST(MemoryNightly, OfA4kFilmIsFlatBelowAGibibyte) { expectFlatBelowAGibibyte(240); }
+TEST(MemoryNightly, StaysConstantBelowAGibibyteFor4kFilms) { expectFlatBelowAGibibyte(240); }
 
-// Takes most of an hour, so only by name: --gtest_also_run_disabled_tests. Measured 960 and 950 MiB, parent 42.
-TEST(MemoryNightly, DISABLED_OfAWhole4kFilmIsFlatBelowAGibibyte) { expectFlatBelowAGibibyte(10'000); }
+// Takes most of an hour, so it runs only by name: --gtest_also_run_disabled_tests. Measured 960 and 950 MiB,
+// parent 42 MiB.
+TEST(MemoryNightly, DISABLED_StaysConstantBelowAGibibyteForALong4kFilm) { expectFlatBelowAGibibyte(10'000); }
 
 struct Measured {
   const char *name, *target;
   image::PixelSize size;
   output::FilmFormat format;
   std::vector<std::string> more = {};
-  int frames = 12;  // more than any encoder looks ahead, but for AV1's
+  int frames = 12;  // more than any encoder looks ahead, except AV1's
 };
 
-// What GoogleTest and ctest print of a case.
 void PrintTo(const Measured& measured, std::ostream* out) { *out << measured.target; }
 
 using output::Chroma, output::Effort, output::FilmCodec, output::FilmContainer;
 
-class Estimate : public testing::TestWithParam<Measured> {};
+class MemoryEstimate : public testing::TestWithParam<Measured> {};
 
-/// A body that fills the picture: what is drawn of solids takes the most memory then.
+/// Scene whose body fills the picture, for which drawing solids takes the most memory.
 const std::string kFullScene = std::string(kTinyScene) + "[camera]\nzoom = 6\n";
 
-TEST_P(Estimate, IsWithinAFifthOfThePeak) {
+TEST_P(MemoryEstimate, IsWithinAFifthOfThePeak) {
   const Measured& m = GetParam();
   const ScratchFolder folder;
   folder.put("tiny.toml", kFullScene);
@@ -84,7 +84,6 @@ TEST_P(Estimate, IsWithinAFifthOfThePeak) {
   EXPECT_GE(expected_MiB, peak_MiB / 1.2);
 }
 
-/// A wavy sphere of about so many triangles.
 std::string sphere(int triangles) {
   const int n = static_cast<int>(std::sqrt(triangles / 2));
   const auto vertex = [n](int i, int j) {
@@ -105,9 +104,9 @@ std::string sphere(int triangles) {
   return text;
 }
 
-// Measured 206 MiB of 300 000 triangles and 307 MiB of a million, where 209 and 342 are expected; as a binary STL,
-// whose vertices have to be found to be the same, 238 and 377.
-TEST(MemoryNightly, OfAMeshIsWithinAFifthOfThePeak) {
+// Measured 206 MiB for 300 000 triangles and 307 MiB for a million; the estimates are 209 and 342 MiB. A binary
+// STL, whose equal vertices must first be merged, took 238 and 377 MiB.
+TEST(MemoryNightly, IsEstimatedWithinAFifthForMeshes) {
   for (const int triangles : {300'000, 1'000'000}) {
     const ScratchFolder folder;
     folder.put("tiny.toml", std::string(kTinyScene) + "[show.body]\nshape = 'mesh'\nfile = 'm.obj'\n");
@@ -127,7 +126,7 @@ TEST(MemoryNightly, OfAMeshIsWithinAFifthOfThePeak) {
 constexpr image::PixelSize kHd{1920, 1080}, k4k{3840, 2160}, kLargest{8192, 8192};
 
 INSTANTIATE_TEST_SUITE_P(
-    Of, Estimate,
+    Each, MemoryEstimate,
     testing::Values(
         Measured{"Picture", "t_{frame}.png", kHd, {}, {}, 2},
         Measured{"SmallPicture", "t_{frame}.png", {640, 360}, {}, {}, 2},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a render takes of memory does not grow with its frames, and what cannot fit is refused before it begins.
+// The memory of a render does not grow with its frames. A render that cannot fit into memory is refused before it
+// begins.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <sys/prctl.h>
@@ -14,7 +15,8 @@
 namespace poinsot::faults {
 namespace {
 
-/// The least CPU time outside the kernel of three runs, each of which must end so: in it is that of the shell.
+/// Returns the least CPU time outside the kernel of three runs, s, including the shell. Expects each run to be
+/// refused with the message `says`.
 double refusal_s(const std::string& command, const std::string& says) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
@@ -30,7 +32,7 @@ double refusal_s(const std::string& command, const std::string& says) {
 }
 
 // Measured 0.03 to 0.05 s.
-TEST(Memory, ThatIsNotThereIsSaidAtOnce) {
+TEST(Memory, ShortageIsReportedBeforeRendering) {
   POINSOT_NOT_SANITIZED("it takes more memory than is given");
   const std::string program = "exec " POINSOT_PROGRAM;
   const std::string figures =
@@ -39,7 +41,7 @@ TEST(Memory, ThatIsNotThereIsSaidAtOnce) {
       refusal_s("ulimit -v 1048576; " + program + " still tiny.toml --max-memory 64GiB --size 8192x8192 -o t.png",
                 figures + "1.0 GiB are free"),
       0.1);
-  // No machine that runs this has 6 TiB. A default number of workers would be lowered, one that is asked for is
+  // No machine that runs this has 6 TiB. A default number of workers would be lowered, but an explicit number is
   // not.
   EXPECT_LE(refusal_s(program + " render tiny.toml --size 8192x8192 -o t.mp4 -j 1024 --segment 1 "
                                 "-D time.duration=1000 --fps 30 --max-memory 64GiB",
@@ -47,15 +49,14 @@ TEST(Memory, ThatIsNotThereIsSaidAtOnce) {
             0.1);
 }
 
-/// How a render ends for which the kernel gives a process so much address space.
 ShellResult renderWithin(int MiB, const ScratchFolder& folder) {
   return runShell(folder.path(), "ulimit -c 0; ulimit -v " + std::to_string(1024 * MiB) +
                                      "; exec " POINSOT_PROGRAM
                                      " render tiny.toml -o t.mp4 -j 1 --size 64x36 --segment 3 --quiet");
 }
 
-// LLVM aborts where it gets no memory: that is a worker's end, never the program's.
-TEST(Memory, TooLittleOfItIsSaidOrEnough) {
+// LLVM aborts if it gets no memory. This ends a worker, but never the program.
+TEST(Memory, ShortageIsReportedWhileRendering) {
   POINSOT_NOT_SANITIZED("it takes more memory than is given");
   int made = 0, refused = 0;
   for (int i = 1; i <= 16; ++i) {
@@ -73,13 +74,13 @@ TEST(Memory, TooLittleOfItIsSaidOrEnough) {
   EXPECT_GT(refused, 0);
 }
 
-// 10 000 frames of 64x36 through the whole program, which keeps something of each: its digest, its place in the
-// film's index. What is kept grows from third to third, but the heap also makes a step once, where an encoder's
-// blocks come to lie elsewhere: 0 to 1.1 MiB in 54 runs. Large pages would make that up to 4, and are not what is
-// asked about. Measured 108 to 110 MiB, 43 of the parent; a third of a kilobyte a frame would be found.
+// Renders 10 000 frames of 64x36 through the whole program, which keeps a digest and an index entry for each
+// frame. Memory grows from third to third, and the heap also grows once when an encoder's blocks move: 0 to 1.1
+// MiB in 54 runs. Large pages would make that up to 4 MiB, so the test disables them. Measured 108 to 110 MiB, 43
+// MiB of them in the parent. The test finds a leak of a third of a kilobyte per frame.
 TEST(Memory, DoesNotGrowWithTheFrames) {
   POINSOT_NOT_SANITIZED("it takes more memory than is given");
-  ASSERT_EQ(prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0), 0);  // what it starts inherits it
+  ASSERT_EQ(prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0), 0);  // child processes inherit this
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   const MemoryWatch watch(folder, {"render", "tiny.toml", "-o", "t.mp4", "--size", "64x36", "-j", "1",

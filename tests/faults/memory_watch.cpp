@@ -9,13 +9,12 @@
 namespace poinsot::faults {
 namespace {
 
-/// The number after the last of these words; 0 where there is none.
 double numberAfterLast(const std::string& text, const std::string& word) {
   const auto at = text.rfind(word);
   return at == std::string::npos ? 0 : std::strtod(text.c_str() + at + word.size(), nullptr);
 }
 
-/// Empty for a process that is gone.
+/// Returns a file of /proc for a process; empty if the process has ended.
 std::string ofProcess(pid_t process, const std::string& file) {
   std::ifstream stream("/proc/" + std::to_string(process) + "/" + file);
   return {std::istreambuf_iterator<char>(stream), {}};

@@ -9,17 +9,18 @@
 
 namespace poinsot::faults {
 
-/// What the processes of a render held of memory (VmRSS) while it ran, looked at every 20 ms.
+/// Memory (VmRSS) of the processes of a render, sampled every 20 ms.
 class MemoryWatch {
  public:
-  /// Runs it to its end, which must be a good one. @param arguments  with --progress json and -j 1.
+  /// Runs a render to its end and expects success.
+  /// @param arguments  with --progress json and -j 1
   MemoryWatch(const ScratchFolder& folder, const std::vector<std::string>& arguments);
 
   std::int64_t frames() const { return samples_.back().done; }
-  /// Most of the worker while `from` to `to` frames were done.
+  /// Returns the worker's peak while `from` to `to` frames were done.
   double workerPeak_MiB(std::int64_t from, std::int64_t to) const;
-  /// Half of the looks at the worker meanwhile found at most this: unlike the peak, it does not depend on how many
-  /// frames an encoder's threads once had in hand.
+  /// Returns the median of the worker's samples in that time. Unlike the peak, the median does not depend on the
+  /// number of frames that an encoder's threads buffered at one moment.
   double workerMedian_MiB(std::int64_t from, std::int64_t to) const;
   double parentPeak_MiB() const;
 

@@ -63,7 +63,7 @@ class Mutation {
     }
   }
 
-  /// Of a line that has one: all of it, or one of the numbers in it.
+  /// Changes the value of a random line that has one: the whole value, or its first number.
   void changeValue() {
     std::vector<std::size_t> withValue;
     for (std::size_t i = 0; i < lines_.size(); ++i)

@@ -7,11 +7,11 @@
 
 namespace poinsot::faults {
 
-/// The text of every scene of the gallery.
 std::vector<std::string> galleryScenes();
 
-/// One of them with one to three changes: numbers become extreme, values change their kind, lines go, come twice
-/// or from another scene, bytes are turned, the end is cut off. The same number is the same text.
+/// Returns one of the scenes with one to three changes. Numbers become extreme, values change their type, lines
+/// are removed, repeated or taken from another scene, bytes change, the end is cut off. Equal numbers give equal
+/// texts.
 std::string mutatedScene(const std::vector<std::string>& scenes, std::uint32_t number);
 
 }  // namespace poinsot::faults

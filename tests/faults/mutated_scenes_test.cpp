@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes of the gallery, changed at random, are rendered or refused: never a signal, never long (row F3 of the
-// promises in SECURITY.md). Forty in CI; POINSOT_MUTATIONS says how many others (2000 at night).
+// Scenes of the gallery with random changes are rendered or refused. No process ends by a signal or takes long
+// (row F3 of the promises in SECURITY.md). CI tries forty scenes; POINSOT_MUTATIONS sets another number (2000 at
+// night).
 #include "faults/mutated_scenes.h"
 
 #include <gmock/gmock.h>
@@ -22,7 +23,7 @@ std::uint32_t wanted() {
   return said ? static_cast<std::uint32_t>(std::atoi(said)) : 40;
 }
 
-// Of CPU time; measured 0.2 to 2.5 s. Exit codes: README.
+// CPU time, measured 0.2 to 2.5 s. README.md lists the exit codes.
 TEST(MutatedScenes, AreRenderedOrRefused) {
   const auto scenes = galleryScenes();
   ASSERT_GT(scenes.size(), 20u);
@@ -45,7 +46,7 @@ TEST(MutatedScenes, AreRenderedOrRefused) {
   }
   for (const auto& [code, count] : codes) std::printf("exit code %d: %d times\n", code, count);
   std::printf("longest: %.1f s\n", longest_s);
-  EXPECT_GT(codes[0], 0);  // else nothing was rendered
+  EXPECT_GT(codes[0], 0);  // otherwise, nothing was rendered
   EXPECT_GT(codes[2], 0);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names by which a stranger's scene would reach what is not its own. Whatever the name, the program ends with 2
-// and says where the name stands; strace, which sees every call, finds nothing opened outside the scene's folder
-// and no process started.
+// A stranger's scene names files outside its folder. For every name, the program exits with 2 and gives the place
+// of the name. strace, which sees every system call, finds no file opened outside the scene's folder and no
+// process started.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/socket.h>
@@ -30,7 +30,6 @@ using testing::Not;
 
 constexpr const char* kTable = "t,Nx,Ny,Nz\n0,0,0,1\n1,0,0,0\n";
 
-/// A TOML string of any bytes that are UTF-8.
 std::string quoted(const std::string& text) {
   std::string toml = "\"";
   for (const char c : text) {
@@ -60,7 +59,7 @@ class PathAttacks : public testing::Test {
     fs::create_directory_symlink("below", scene_ / "down");
     mkfifo((scene_ / "fifo.csv").c_str(), 0600);
     makeSocket(scene_ / "socket.csv");
-    if (mknod((scene_ / "zero.csv").c_str(), S_IFCHR | 0600, makedev(1, 5)) != 0)  // of root only
+    if (mknod((scene_ / "zero.csv").c_str(), S_IFCHR | 0600, makedev(1, 5)) != 0)  // mknod requires root
       mkfifo((scene_ / "zero.csv").c_str(), 0600);
   }
 
@@ -143,7 +142,7 @@ class PathAttacks : public testing::Test {
   const fs::path scene_;
 };
 
-/// What strace saw after the scene was opened: files that were opened, as /proc has their names, and processes.
+/// Files opened and processes started after the scene was opened, as strace and /proc report them.
 struct Seen {
   std::vector<std::string> opened, processes;
 };
@@ -166,7 +165,7 @@ Seen seenIn(const std::string& trace, const std::string& scene) {
 
 const char* const kKeys[] = {"torque.file", "style.file"};
 
-TEST_F(PathAttacks, AllEndWithTwoAndReachNothing) {
+TEST_F(PathAttacks, AreRejectedWithoutOpeningAFileOutside) {
   POINSOT_NOT_SANITIZED("strace watches, and one process cannot be watched by two");
   ASSERT_TRUE(isInstalled("strace")) << "apt-get install strace";
   const std::string scene = fs::canonical(scene_).string();
@@ -187,7 +186,7 @@ TEST_F(PathAttacks, AllEndWithTwoAndReachNothing) {
           ++outside;
           ADD_FAILURE() << "opened " << file;
         }
-      processes += static_cast<int>(seen.processes.size()) - 1;  // its own start
+      processes += static_cast<int>(seen.processes.size()) - 1;  // the program's own start
       EXPECT_EQ(seen.processes.size(), 1u) << testing::PrintToString(seen.processes);
     }
   const int tried = 2 * static_cast<int>(names().size());
@@ -199,8 +198,8 @@ TEST_F(PathAttacks, AllEndWithTwoAndReachNothing) {
   EXPECT_FALSE(fs::exists(scene_ / "pwned") || fs::exists(folder_ / "pwned"));
 }
 
-// The control: strace would have told.
-TEST_F(PathAttacks, AGoodNameIsReadAndSeen) {
+// Control: strace reports a file that is read.
+TEST_F(PathAttacks, StraceReportsAFileThatIsRead) {
   POINSOT_NOT_SANITIZED("strace watches, and one process cannot be watched by two");
   putScene("torque.file", "good.csv");
   const ShellResult result =
@@ -212,8 +211,8 @@ TEST_F(PathAttacks, AGoodNameIsReadAndSeen) {
               testing::Contains(scene + "/good.csv"));
 }
 
-// A folder without the file and a link to a folder that has it change places all the time.
-TEST_F(PathAttacks, ARaceReachesNothingEither) {
+// A folder without the file, and a link to a folder with the file, swap places all the time.
+TEST_F(PathAttacks, ReadNoOutsideFileInARace) {
   put("outside/race.csv", "this is outside\n");
   fs::create_directories(scene_ / "race");
   fs::create_directory_symlink("../outside", scene_ / "other");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where no output can be, that is said before the first frame; and streams that are closed do not become outputs.
+// A place that cannot hold an output is refused before the first frame. Closed streams do not become outputs.
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
@@ -19,20 +19,19 @@ struct BadPlace {
   const char* name;
   std::string target;
   const char* says;
-  const char* before = ":";  ///< what makes it so
+  const char* before = ":";  ///< commands that prepare the place
 };
 
-// What GoogleTest and ctest print of a case.
 void PrintTo(const BadPlace& place, std::ostream* out) { *out << place.says; }
 
-class BadPlaceTest : public testing::TestWithParam<BadPlace> {
+class BadOutputPath : public testing::TestWithParam<BadPlace> {
  protected:
   void SetUp() override {
     folder_.put("tiny.toml", kTinyScene);
     ::chmod(folder_.path().c_str(), 0755);
   }
 
-  /// As nobody, where there is a choice: root may write anywhere.
+  /// Returns the program, run as nobody if the test runs as root, because root may write anywhere.
   static std::string program() {
     const std::string other = "setpriv --reuid=65534 --regid=65534 --clear-groups ";
     return (::geteuid() == 0 ? other : "") + POINSOT_PROGRAM;
@@ -41,8 +40,8 @@ class BadPlaceTest : public testing::TestWithParam<BadPlace> {
   ScratchFolder folder_;
 };
 
-// CPU time, the least of three runs. Measured 0.04.
-TEST_P(BadPlaceTest, IsRefusedBeforeTheFirstFrame) {
+// Takes the least CPU time of three runs. Measured 0.04 s.
+TEST_P(BadOutputPath, IsRejectedBeforeTheFirstFrame) {
   const BadPlace& place = GetParam();
   ASSERT_EQ(runShell(folder_.path(), place.before).exitCode, 0);
   const std::string command =
@@ -54,13 +53,13 @@ TEST_P(BadPlaceTest, IsRefusedBeforeTheFirstFrame) {
     if (refused.exitCode == 126) GTEST_SKIP() << "nobody may run the program where it was built: " << refused.out;
     EXPECT_EQ(refused.exitCode, 4) << refused.out;
     EXPECT_THAT(refused.out, HasSubstr(place.says));
-    EXPECT_THAT(refused.out, Not(HasSubstr(R"("progress")")));  // no frame was reported
+    EXPECT_THAT(refused.out, Not(HasSubstr(R"("progress")")));
   }
   EXPECT_LE(least_s, 0.3);
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Is, BadPlaceTest,
+    Each, BadOutputPath,
     testing::Values(BadPlace{"NotOurs", "t.mp4", "cannot be written to: Permission denied"},
                     BadPlace{"NotOursForASequence", "t_{frame}.png", "cannot be written to: Permission denied"},
                     BadPlace{"NoFolder", "no/such/t.mp4", "no such folder; make it with: mkdir -p no/such"},
@@ -78,8 +77,8 @@ INSTANTIATE_TEST_SUITE_P(
                              "chmod 777 ."}),
     [](const auto& each) { return std::string(each.param.name); });
 
-// A name of 255 bytes is as long as a name may be; what stands beside it while it is made must not be longer.
-TEST(LongName, IsAFilmLikeAnyOther) {
+// A file name may have at most 255 bytes. Temporary files beside the output must not have longer names.
+TEST(LongFileName, IsAcceptedForAFilm) {
   for (const std::size_t length : {std::size_t{243}, std::size_t{251}}) {
     const ScratchFolder folder;
     folder.put("tiny.toml", kTinyScene);
@@ -89,8 +88,8 @@ TEST(LongName, IsAFilmLikeAnyOther) {
   }
 }
 
-// As in a chroot that nobody prepared.
-TEST(WithoutProc, AFilmIsMadeAllTheSame) {
+// A chroot may have no /proc.
+TEST(MissingProcFolder, DoesNotChangeTheFilm) {
   POINSOT_NOT_SANITIZED("its library reads /proc");
   if (::geteuid() != 0) GTEST_SKIP() << "only root may hide /proc";
   const ScratchFolder folder;
@@ -107,8 +106,8 @@ TEST(WithoutProc, AFilmIsMadeAllTheSame) {
 
 class ClosedStreams : public testing::TestWithParam<const char*> {};
 
-// An open() gets the lowest free number. Were it 1 or 2, messages would be written into the film.
-TEST_P(ClosedStreams, AreNobodyElses) {
+// open() returns the lowest free descriptor. If that were 1 or 2, messages would go into the film.
+TEST_P(ClosedStreams, AreNotReusedForOutputs) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   std::string command = POINSOT_PROGRAM;
@@ -123,7 +122,7 @@ std::string streamsOf(const testing::TestParamInfo<const char*>& info) {
   return names[info.index];
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, ClosedStreams, testing::Values("<&-", ">&-", "2>&-", "<&- >&- 2>&-"), streamsOf);
+INSTANTIATE_TEST_SUITE_P(Each, ClosedStreams, testing::Values("<&-", ">&-", "2>&-", "<&- >&- 2>&-"), streamsOf);
 
 }  // namespace
 }  // namespace poinsot::faults

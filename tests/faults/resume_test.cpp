@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A render that goes on where another stopped makes the bytes of one that was never disturbed.
+// A render that resumes another one makes the bytes of an undisturbed render.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -28,59 +28,59 @@ class Resume : public testing::TestWithParam<Output> {
   ScratchFolder folder_;
 };
 
-TEST_P(Resume, GoesOnAfterAnInterruption) {
-  // By Ctrl-C while the third segment's record is being written.
+TEST_P(Resume, ContinuesAfterAnInterruption) {
+  // Ctrl-C arrives while the third segment's record is being written.
   const auto environment = environmentOf({"rename", "worker", "interrupt"}, GetParam().isFilm() ? 6 : 12, folder_);
   const RunResult first = run(folder_, renderArguments(GetParam()), Stdout::kFile, environment);
   EXPECT_TRUE(struck(folder_));
   EXPECT_EQ(first.exitCode, 130);
-  EXPECT_THAT(first.err, HasSubstr(" of 18 frames are kept; the same command with --resume goes on from there"));
+  EXPECT_THAT(first.err, HasSubstr(" of 18 frames are kept; to continue, run the same command with --resume"));
   const RunResult second = render({"--resume"});
   EXPECT_EQ(second.exitCode, 0) << second.err;
   EXPECT_EQ(made(), undisturbed(GetParam()));
   EXPECT_THAT(namesIn(folder_.path()), testing::Not(testing::Contains(testing::EndsWith(".poinsot"))));
 }
 
-TEST_P(Resume, OfNothingStartsAfresh) {
+TEST_P(Resume, StartsFromTheBeginningIfNothingExists) {
   EXPECT_EQ(render({"--resume"}).exitCode, 0);
   EXPECT_EQ(made(), undisturbed(GetParam()));
 }
 
-TEST_P(Resume, OfWhatIsReadyMakesNothingAgain) {
+TEST_P(Resume, ReusesAllFramesOfAFinishedRender) {
   ASSERT_EQ(render({"--keep"}).exitCode, 0);
   const RunResult again = render({"--resume", "--keep", "--progress", "plain"});
   EXPECT_EQ(again.exitCode, 0);
-  EXPECT_THAT(again.err, HasSubstr("(18 frames, 18 of them were there already, "));
+  EXPECT_THAT(again.err, HasSubstr("(18 frames, 18 of them already existed, "));
   EXPECT_EQ(made(), undisturbed(GetParam()));
 }
 
-TEST_P(Resume, OfWhatWasStoppedWhilePuttingAwayMakesNothingAgain) {
+TEST_P(Resume, ReusesAllFramesIfStoppedWhileCleaningUp) {
   const auto environment = environmentOf({"remove", "parent", "kill"}, 4, folder_);
   run(folder_, renderArguments(GetParam()), Stdout::kFile, environment);
   EXPECT_TRUE(struck(folder_));
   EXPECT_EQ(made(), undisturbed(GetParam()));
   const RunResult again = render({"--resume", "--progress", "plain"});
   EXPECT_EQ(again.exitCode, 0);
-  EXPECT_THAT(again.err, HasSubstr("(18 frames, 18 of them were there already, "));
+  EXPECT_THAT(again.err, HasSubstr("(18 frames, 18 of them already existed, "));
   EXPECT_EQ(made(), undisturbed(GetParam()));
   EXPECT_THAT(namesIn(folder_.path()), testing::Not(testing::Contains(testing::EndsWith(".poinsot"))));
 }
 
-// The body goes at 1.15 s: that changes frames 12 to 17 and no other.
-TEST_P(Resume, OfAnEditedSceneMakesOnlyWhatChanged) {
+// The body disappears at 1.15 s, which changes frames 12 to 17 only.
+TEST_P(Resume, RendersOnlyChangedFramesOfAnEditedScene) {
   const std::string edited = std::string(kTinyScene) + "[[timeline]]\nat = 1.15\nhide = [\"body\"]\n";
   ASSERT_EQ(render({"--keep"}).exitCode, 0);
   folder_.put("tiny.toml", edited);
   const RunResult again = render({"--resume", "--progress", "plain"});
   EXPECT_EQ(again.exitCode, 0) << again.err;
-  EXPECT_THAT(again.err, HasSubstr("(18 frames, 12 of them were there already, "));
+  EXPECT_THAT(again.err, HasSubstr("(18 frames, 12 of them already existed, "));
   const ScratchFolder other;
   other.put("tiny.toml", edited);
   ASSERT_EQ(run(other, renderArguments(GetParam())).exitCode, 0);
   EXPECT_EQ(made(), filesOf(other.path()));
 }
 
-TEST_P(Resume, WithOtherSettingsMakesAllAgain) {
+TEST_P(Resume, RendersAllFramesWithOtherSettings) {
   ASSERT_EQ(render({"--keep"}).exitCode, 0);
   const RunResult again = render({"--resume", "--progress", "plain", "--size", "66x36"});
   EXPECT_EQ(again.exitCode, 0) << again.err;
@@ -90,7 +90,7 @@ TEST_P(Resume, WithOtherSettingsMakesAllAgain) {
 
 INSTANTIATE_TEST_SUITE_P(Each, Resume, testing::Values(kFilm, kSequence), kindOf);
 
-// ---- segments that are not what they were
+// ---- segments that were changed
 
 class Segments : public testing::Test {
  protected:
@@ -108,13 +108,13 @@ class Segments : public testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(Segments, AllAreDone) {
+TEST_F(Segments, AreReportedAsDone) {
   const RunResult told = status();
   EXPECT_EQ(told.exitCode, 0);
   EXPECT_EQ(told.out, "t.mp4: complete; 6 segments: 6 done\n");
 }
 
-TEST_F(Segments, ADamagedOneIsSeenAndMadeAgain) {
+TEST_F(Segments, AreRenderedAgainIfDamaged) {
   std::string bytes = bytesOf(segment());
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
   std::ofstream(segment(), std::ios::binary) << bytes;
@@ -126,11 +126,11 @@ TEST_F(Segments, ADamagedOneIsSeenAndMadeAgain) {
   EXPECT_EQ(joined.exitCode, 4);
   EXPECT_THAT(joined.err, HasSubstr("t.mp4: frames 3-5 are damaged"));
   const RunResult again = run(folder_, renderArguments(kFilm, {"--resume", "--progress", "plain"}));
-  EXPECT_THAT(again.err, HasSubstr("15 of them were there already"));
+  EXPECT_THAT(again.err, HasSubstr("15 of them already existed"));
   EXPECT_EQ(filesOf(folder_.path()), undisturbed(kFilm));
 }
 
-TEST_F(Segments, AMissingOneIsAGapThatIsNotJoinedOver) {
+TEST_F(Segments, AreNotJoinedIfOneIsMissing) {
   std::filesystem::remove(folder_ / ".t.mp4.poinsot/segment-000000003-000000005.json");
   std::filesystem::remove(folder_ / "t.mp4");
   EXPECT_EQ(status().out, "t.mp4: 6 segments: 5 done, 1 missing\nmissing: frames 3-5\n");
@@ -141,8 +141,8 @@ TEST_F(Segments, AMissingOneIsAGapThatIsNotJoinedOver) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "t.mp4"));
 }
 
-// A kill while the work folder is tidied up leaves any part of it.
-TEST_F(Segments, AreNotWantedAnyMoreOnceTheFilmIsWhole) {
+// A kill while the work folder is removed may leave any part of it.
+TEST_F(Segments, AreNotNeededOnceTheFilmIsComplete) {
   const std::filesystem::path work = folder_ / ".t.mp4.poinsot";
   const std::string before = bytesOf(folder_ / "t.mp4");
   const auto expectWhole = [&](const std::string& segments) {
@@ -153,7 +153,7 @@ TEST_F(Segments, AreNotWantedAnyMoreOnceTheFilmIsWhole) {
     for (const char* other : {"t.mp4", "other.mp4"}) {
       const RunResult joined = run(folder_, {"assemble", "t.mp4", "-o", other});
       EXPECT_EQ(joined.exitCode, 4);
-      EXPECT_THAT(joined.err, AllOf(HasSubstr(segments), EndsWith("; the film itself is whole\n")));
+      EXPECT_THAT(joined.err, AllOf(HasSubstr(segments), EndsWith("; the film itself is complete\n")));
     }
     EXPECT_EQ(bytesOf(folder_ / "t.mp4"), before);
   };
@@ -165,12 +165,12 @@ TEST_F(Segments, AreNotWantedAnyMoreOnceTheFilmIsWhole) {
     if (name != "job.json") std::filesystem::remove(work / name);
   expectWhole("t.mp4: ");
   const RunResult again = run(folder_, renderArguments(kFilm, {"--resume", "--progress", "plain"}));
-  EXPECT_THAT(again.err, HasSubstr("18 of them were there already"));
+  EXPECT_THAT(again.err, HasSubstr("18 of them already existed"));
   EXPECT_FALSE(std::filesystem::exists(work));
 }
 
-// What no render of this program leaves there: rubbish in place of a record, or of the job.
-TEST_F(Segments, RubbishIsNoRecord) {
+// Files that no render writes: rubbish instead of a record or of the job.
+TEST_F(Segments, AreMissingIfTheirRecordIsInvalid) {
   std::ofstream(folder_ / ".t.mp4.poinsot/segment-000000003-000000005.json") << "{\"frames\": [3, ";
   std::filesystem::remove(folder_ / "t.mp4");
   EXPECT_EQ(status().out, "t.mp4: 6 segments: 5 done, 1 missing\nmissing: frames 3-5\n");
@@ -183,31 +183,31 @@ TEST_F(Segments, RubbishIsNoRecord) {
                           "t.mp4 --resume writes it again and keeps whole segments\n"));
   }
   const RunResult again = run(folder_, renderArguments(kFilm, {"--resume", "--progress", "plain"}));
-  EXPECT_THAT(again.err, HasSubstr("15 of them were there already"));
+  EXPECT_THAT(again.err, HasSubstr("15 of them already existed"));
   EXPECT_EQ(filesOf(folder_.path()), undisturbed(kFilm));
 }
 
-TEST_F(Segments, ThoseOfAnotherSceneAreStale) {
+TEST_F(Segments, AreStaleIfFromAnotherScene) {
   ASSERT_EQ(run(folder_, renderArguments(kFilm, {"--shard", "1/2"})).exitCode,
-            0);  // reproducible: other pixels, maybe
+            0);  // --shard is reproducible, so pixels may differ
   const RunResult told = status({"--json"});
   EXPECT_EQ(told.exitCode, 1);
   EXPECT_THAT(told.out, HasSubstr("\"shards_to_run\": \"2\""));
   EXPECT_THAT(status().out, HasSubstr("3 done, 3 stale\nstale: frames 3-5, 9-11, 15-17\nshards to run: 2 of 2\n"));
   EXPECT_THAT(run(folder_, {"assemble", "t.mp4"}).err,
-              HasSubstr("frames 3-5, 9-11, 15-17 are of another scene or of other settings; make them: poinsot "
+              HasSubstr("frames 3-5, 9-11, 15-17 are from another scene or other settings; make them: poinsot "
                         "render SCENE -o t.mp4 --shard 2/2\n"));
 }
 
-TEST_F(Segments, AreJoinedUnderAnotherName) {
+TEST_F(Segments, CanBeJoinedUnderAnotherName) {
   EXPECT_EQ(run(folder_, {"assemble", "t.mp4", "-o", "other.mp4", "--keep"}).exitCode, 0);
   EXPECT_EQ(bytesOf(folder_ / "other.mp4"), bytesOf(folder_ / "t.mp4"));
   EXPECT_EQ(run(folder_, {"assemble", "t.mp4"}).exitCode, 0);
   EXPECT_EQ(status().out, "t.mp4: complete\n");
 }
 
-// Its digests are those of the files, by another program; a second run of the same says the same but for the time.
-TEST(Manifest, TellsOfAFilmAndItsFrames) {
+// Another program computes the digests of the files. A second run gives an equal manifest, except for the times.
+TEST(Manifest, DescribesAFilmAndItsFrames) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   const auto manifest = [&](const std::string& name) {
@@ -228,18 +228,17 @@ TEST(Manifest, TellsOfAFilmAndItsFrames) {
   EXPECT_EQ(manifest("n.json"), told);
 }
 
-TEST(Status, OfWhatWasNeverBegunIsAnError) {
+TEST(Status, ReportsAnErrorIfNothingExists) {
   const ScratchFolder folder;
   const RunResult told = run(folder, {"status", "t.mp4"});
   EXPECT_EQ(told.exitCode, 4);
-  EXPECT_EQ(
-      told.err,
-      "poinsot: error: t.mp4: no render of it is under way here; there is nothing of that name; make it: poinsot "
-      "render SCENE -o t.mp4\n");
+  EXPECT_EQ(told.err,
+            "poinsot: error: t.mp4: no render in progress here; nothing with that name exists; make it: poinsot "
+            "render SCENE -o t.mp4\n");
   EXPECT_EQ(run(folder, {"status", "t_{frame}.png"}).exitCode, 4);
 }
 
-TEST(Status, NamesAFileThatIsNoFilmOfOurs) {
+TEST(Status, ReportsAForeignFile) {
   const ScratchFolder folder;
   folder.put("t.mp4", "not a film");
   for (const std::string command : {"assemble", "status"}) {
@@ -250,8 +249,7 @@ TEST(Status, NamesAFileThatIsNoFilmOfOurs) {
   }
 }
 
-// A sequence that is ready keeps no record; its frames carry digests.
-TEST(Status, TellsAReadySequenceFromOneThatWasNeverBegun) {
+TEST(Status, ReportsFinishedAndMissingFramesOfASequence) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   ASSERT_EQ(run(folder, renderArguments(kShortSequence)).exitCode, 0);
@@ -260,21 +258,25 @@ TEST(Status, TellsAReadySequenceFromOneThatWasNeverBegun) {
     words.insert(words.end(), more.begin(), more.end());
     return run(folder, words);
   };
-  const std::string next = "for what a scene has besides: poinsot render SCENE -o 't_{frame:03}.png' --resume\n";
+  const std::string next =
+      "to make more frames of the scene: poinsot render SCENE -o 't_{frame:03}.png' --resume\n";
   EXPECT_EQ(status().exitCode, 0);
-  EXPECT_EQ(status().out, "t_{frame:03}.png: frames 0-5 are there\n" + next);
+  EXPECT_EQ(status().out, "t_{frame:03}.png: frames 0-5 exist\n" + next);
   EXPECT_EQ(status({"--shards"}).out, "\n");
   const auto json = nlohmann::json::parse(status({"--json"}).out);
   EXPECT_EQ(json.at("complete"), nullptr);
   EXPECT_EQ(json.at("frames"), nlohmann::json({0, 5}));
   EXPECT_THAT(run(folder, renderArguments(kShortSequence, {"--resume", "--progress", "plain"})).err,
-              HasSubstr("6 of them were there already"));
+              HasSubstr("6 of them already existed"));
 
   std::filesystem::remove(folder / "t_003.png");
   folder.put("t_004.png", "another picture");
-  folder.put("t_0009.png", bytesOf(folder / "t_000.png"));  // a name that is not of the pattern
+  folder.put("t_0009.png", bytesOf(folder / "t_000.png"));  // the name does not match the pattern
   EXPECT_EQ(status().exitCode, 1);
-  EXPECT_EQ(status().out, "t_{frame:03}.png: frames 0-2, 5-5 are there\nmissing: frames 3-4\n" + next);
+  EXPECT_EQ(status().out,
+            "t_{frame:03}.png: frames 0-2, 5-5 exist\n"
+            "missing: frames 3-4\n" +
+                next);
   EXPECT_EQ(nlohmann::json::parse(status({"--json"}).out).at("missing"), nlohmann::json({{3, 4}}));
   EXPECT_EQ(status({"--shards"}).exitCode, 1);
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A library to be preloaded: when the program first puts a file into its place, it does what a stranger who had
-// taken over the process would try, and says on stderr what came of each: "probe worker socket: Operation not
-// permitted", or "probe worker socket: done". Told by the environment:
-//   PROBE_OUTSIDE      a file that is none of the program's business
-//   PROBE_NO_LANDLOCK  set: the kernel is one without Landlock
+// Library to preload that tests the sandbox. When the program first renames a file into place, the library tries
+// the actions of a stranger who controls the process. It reports each result on stderr: "probe worker socket:
+// Operation not permitted", or "probe worker socket: done". Environment variables control it:
+//   PROBE_OUTSIDE      a file that the program does not need
+//   PROBE_NO_LANDLOCK  if set, the kernel behaves as one without Landlock
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <linux/landlock.h>
@@ -24,11 +24,11 @@
 
 namespace {
 
-/// Read when the library is loaded, since the program clears its environment.
+/// Settings, read when the library is loaded, because the program clears its environment.
 const char* const kOutside = std::getenv("PROBE_OUTSIDE");
 const char* const kNoLandlock = std::getenv("PROBE_NO_LANDLOCK");
 
-int depth = 0;  // of forks: the program, what it confines, its workers
+int depth = 0;  // number of forks: 0 in the program, 1 in the confined process, 2 in its workers
 
 __attribute__((constructor)) void countForks() {
   pthread_atfork(nullptr, nullptr, [] { ++depth; });
@@ -39,7 +39,7 @@ void tell(const char* what, long result) {
   dprintf(STDERR_FILENO, "probe %s %s: %s\n", who, what, result >= 0 ? "done" : std::strerror(errno));
 }
 
-/// Comes back only with an error.
+/// Returns only after an error.
 long execute() {
   char name[] = "/bin/true";
   char* const arguments[] = {name, nullptr};
@@ -57,7 +57,7 @@ void tryAll() {
   tell("environment", open("/proc/1/environ", O_RDONLY));
   tell("socket", socket(AF_INET, SOCK_STREAM, 0));
   tell("local-socket", socket(AF_UNIX, SOCK_STREAM, 0));
-  // The control does them too, as root: of what is not there, or nothing at all.
+  // The control run does these as root, so they affect missing files or nothing.
   tell("ptrace", ptrace(PTRACE_PEEKDATA, getpid(), nullptr, nullptr));
   tell("mount", mount("none", "/no/such", "tmpfs", 0, nullptr));
   tell("namespace", syscall(SYS_unshare, 0));
@@ -91,7 +91,7 @@ int rename(const char* from, const char* to) {
   return next(from, to);
 }
 
-// What glibc has no function for goes through this one.
+// Replaces syscall(), which serves system calls without a glibc function.
 long syscall(long number, ...) {
   static auto* const next = real<long(long, ...)>("syscall");
   va_list rest;

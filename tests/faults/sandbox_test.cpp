@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// --untrusted: the same bytes, and nothing else can be done from within (row B1 of the promises in SECURITY.md).
+// --untrusted gives the same bytes and prevents every other action (row B1 of the promises in SECURITY.md).
 #include <gmock/gmock.h>
 #include <signal.h>
 #include <unistd.h>
@@ -23,7 +23,6 @@ std::vector<std::string> untrusted(std::vector<std::string> arguments) {
   return arguments;
 }
 
-/// A folder with the scene, and one of its own for temporary files.
 class Sandboxed : public testing::Test {
  protected:
   void SetUp() override {
@@ -43,9 +42,9 @@ class Sandboxed : public testing::Test {
   ScratchFolder folder_, temporary_;
 };
 
-class SameBytes : public Sandboxed, public testing::WithParamInterface<const char*> {};
+class SandboxedOutput : public Sandboxed, public testing::WithParamInterface<const char*> {};
 
-TEST_P(SameBytes, AreMadeWithin) {
+TEST_P(SandboxedOutput, HasTheSameBytesAsWithoutTheSandbox) {
   const Output output{GetParam(), 0.6};
   const RunResult made = runIn(untrusted(renderArguments(output, {"-j", "2"})));
   ASSERT_EQ(made.exitCode, 0) << made.err;
@@ -53,11 +52,11 @@ TEST_P(SameBytes, AreMadeWithin) {
   EXPECT_THAT(namesIn(temporary_.path()), IsEmpty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, SameBytes,
+INSTANTIATE_TEST_SUITE_P(Each, SandboxedOutput,
                          testing::Values("t.mp4", "t.mov", "t.webm", "t.gif", "t.apng", "t_{frame:03}.png"),
                          [](const auto& each) { return std::to_string(each.index); });
 
-TEST_F(Sandboxed, StillsAndFiguresAreTheSame) {
+TEST_F(Sandboxed, MakesTheSameStillsAndFigures) {
   for (const std::string name : {"a.png", "a.pdf", "a.svg", "a.tex"}) {
     const std::vector<std::string> still{"still", "tiny.toml", "-o", name, "--quiet", "--force"};
     ASSERT_EQ(runIn(still).exitCode, 0);
@@ -68,13 +67,13 @@ TEST_F(Sandboxed, StillsAndFiguresAreTheSame) {
   }
 }
 
-TEST_F(Sandboxed, ASequenceMakesItsFolder) {
+TEST_F(Sandboxed, MakesTheFolderOfASequence) {
   const RunResult made = runIn(untrusted(renderArguments({"frames/t_{frame:03}.png", 0.6})));
   ASSERT_EQ(made.exitCode, 0) << made.err;
   EXPECT_EQ(filesOf(folder_ / "frames"), undisturbed(kShortSequence));
 }
 
-TEST_F(Sandboxed, ADryRunMakesNoFolder) {
+TEST_F(Sandboxed, DryRunMakesNoFolder) {
   for (const std::vector<std::string>& where : {std::vector<std::string>{}, {"-o", "new/{frame:03}.png"}}) {
     std::vector<std::string> words{"render", "tiny.toml", "--dry-run"};
     words.insert(words.end(), where.begin(), where.end());
@@ -84,7 +83,7 @@ TEST_F(Sandboxed, ADryRunMakesNoFolder) {
   }
 }
 
-TEST_F(Sandboxed, AFilmGoesToStandardOutput) {
+TEST_F(Sandboxed, WritesAFilmToStandardOutput) {
   const RunResult plain = runIn(renderArguments({"-", 0.6}, {"--format", "mp4"}));
   const RunResult made = runIn(untrusted(renderArguments({"-", 0.6}, {"--format", "mp4"})));
   ASSERT_EQ(made.exitCode, 0) << made.err;
@@ -92,7 +91,7 @@ TEST_F(Sandboxed, AFilmGoesToStandardOutput) {
   EXPECT_THAT(namesIn(temporary_.path()), IsEmpty());
 }
 
-/// "worker socket: Operation not permitted"
+/// Returns lines such as "worker socket: Operation not permitted".
 std::set<std::string> probesIn(const std::string& err) {
   std::set<std::string> lines;
   const std::regex line("probe ([^\n]*)\n");
@@ -100,8 +99,8 @@ std::set<std::string> probesIn(const std::string& err) {
   return lines;
 }
 
-// The control shows that a probe which nothing holds back does what it tries.
-TEST_F(Sandboxed, NothingElseCanBeDone) {
+// The control run shows that an unconfined probe succeeds in its actions.
+TEST_F(Sandboxed, CannotAccessFilesNetworkOrProcesses) {
   const ScratchFolder elsewhere;
   const std::vector<std::string> probe{"LD_PRELOAD=" POINSOT_SANDBOX_PROBE,
                                        "PROBE_OUTSIDE=" + elsewhere.put("secret", "secret").string()};
@@ -120,7 +119,7 @@ TEST_F(Sandboxed, NothingElseCanBeDone) {
   EXPECT_EQ(filesOf(folder_.path()), undisturbed(kShortFilm));
 }
 
-TEST_F(Sandboxed, TheProbeWouldSucceedWithoutIt) {
+TEST_F(Sandboxed, ProbeSucceedsWithoutTheSandbox) {
   const ScratchFolder elsewhere;
   const std::vector<std::string> probe{"LD_PRELOAD=" POINSOT_SANDBOX_PROBE,
                                        "PROBE_OUTSIDE=" + elsewhere.put("secret", "secret").string()};
@@ -129,23 +128,22 @@ TEST_F(Sandboxed, TheProbeWouldSucceedWithoutIt) {
     EXPECT_THAT(made.err, HasSubstr(" " + what + ": done"));
 }
 
-TEST_F(Sandboxed, WhereTheKernelCannotHoldItNothingIsBegun) {
+TEST_F(Sandboxed, RefusesToStartWithoutLandlock) {
   const RunResult made =
       runIn(untrusted(renderArguments(kShortFilm)), {"LD_PRELOAD=" POINSOT_SANDBOX_PROBE, "PROBE_NO_LANDLOCK=1"});
   EXPECT_EQ(made.exitCode, 3);
-  EXPECT_THAT(made.err, HasSubstr("--untrusted: this kernel cannot hold a process to its files (Function not "
-                                  "implemented); it takes Linux 5.19 with Landlock switched on"));
+  EXPECT_THAT(made.err, HasSubstr("--untrusted: this kernel cannot restrict a process to its files (Function not "
+                                  "implemented); Linux 5.19 or later with Landlock enabled is needed"));
   EXPECT_THAT(filesOf(folder_.path()), IsEmpty());
 }
 
-TEST_F(Sandboxed, WhatTheSceneLacksIsSaidAsEver) {
+TEST_F(Sandboxed, ReportsSceneErrorsAsUsual) {
   folder_.put("bad.toml", "[body]\nshape = 'no-such'\n");
   const RunResult plain = runIn({"check", "bad.toml"}), made = runIn({"check", "bad.toml", "--untrusted"});
   EXPECT_EQ(made.exitCode, 2);
   EXPECT_EQ(made.err, plain.err);
 }
 
-/// The first child of a process, once it has one.
 pid_t childOf(pid_t program) {
   for (int i = 0; i < 500; ++i) {
     std::ifstream children("/proc/" + std::to_string(program) + "/task/" + std::to_string(program) + "/children");
@@ -155,14 +153,14 @@ pid_t childOf(pid_t program) {
   return -1;
 }
 
-TEST_F(Sandboxed, WhatItMayTakeIsWhatIsAllowed) {
+TEST_F(Sandboxed, SetsTheResourceLimitsOfTheOptions) {
   ProgramRun running(folder_,
                      untrusted(renderArguments(
                          kLongFilm, {"--max-memory", "1GiB", "--max-seconds", "100", "--limit", "output=1MiB"})),
                      Stdout::kFile, environment());
   const pid_t confined = childOf(running.pid());
   ASSERT_GT(confined, 0);
-  const pid_t worker = childOf(confined);  // once there is one, its parent is in the sandbox
+  const pid_t worker = childOf(confined);  // a worker exists only after its parent has entered the sandbox
   ASSERT_GT(worker, 0);
   for (const pid_t process : {confined, worker}) {
     std::ostringstream limits;
@@ -174,8 +172,8 @@ TEST_F(Sandboxed, WhatItMayTakeIsWhatIsAllowed) {
   }
 }
 
-// libseccomp 2.5 crashes if memory runs out while it makes its filter. When that happens depends on what lies in
-// the heap.
+// libseccomp 2.5 crashes if memory runs out while it builds its filter. The exact moment depends on the heap's
+// content.
 TEST_F(Sandboxed, ReportsMissingMemoryAtAnyLimit) {
   std::filesystem::copy_file(POINSOT_SOURCE_DIR "/scenes/football.toml", folder_ / "football.toml");
   std::filesystem::create_directory(folder_ / "home");
@@ -190,7 +188,7 @@ TEST_F(Sandboxed, ReportsMissingMemoryAtAnyLimit) {
       }
 }
 
-TEST_F(Sandboxed, ASignalEndsItAndLeavesNothingBehind) {
+TEST_F(Sandboxed, EndsCleanlyOnASignal) {
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
     ProgramRun running(folder_, untrusted(renderArguments(kLongFilm)), Stdout::kFile, environment());
     ASSERT_GT(childOf(running.pid()), 0);
@@ -201,7 +199,7 @@ TEST_F(Sandboxed, ASignalEndsItAndLeavesNothingBehind) {
   }
 }
 
-TEST_F(Sandboxed, WhatKillsItIsTold) {
+TEST_F(Sandboxed, ExitsWithTheSignalThatKilledIt) {
   ProgramRun running(folder_, untrusted(renderArguments(kLongFilm)), Stdout::kFile, environment());
   const pid_t confined = childOf(running.pid());
   ASSERT_GT(confined, 0);
@@ -210,7 +208,7 @@ TEST_F(Sandboxed, WhatKillsItIsTold) {
   EXPECT_THAT(namesIn(temporary_.path()), IsEmpty());
 }
 
-TEST_F(Sandboxed, TheOtherCommandsWorkWithin) {
+TEST_F(Sandboxed, RunsTheOtherCommands) {
   ASSERT_EQ(runIn({"still", "tiny.toml", "-o", "a.png", "--quiet"}).exitCode, 0);
   const std::vector<std::vector<std::string>> commands{
       {"check", "tiny.toml"},
@@ -226,7 +224,7 @@ TEST_F(Sandboxed, TheOtherCommandsWorkWithin) {
   }
 }
 
-TEST_F(Sandboxed, FilesOfAnAssetRootAreReadWithin) {
+TEST_F(Sandboxed, ReadsFilesOfAnAssetRoot) {
   const ScratchFolder elsewhere;
   elsewhere.put("torque.csv", "0,0,0,0\n2,0,0,1\n");
   folder_.put("driven.toml", std::string(kTinyScene) + "[motion.torque]\nfile = 'torque.csv'\n");
@@ -235,7 +233,7 @@ TEST_F(Sandboxed, FilesOfAnAssetRootAreReadWithin) {
   EXPECT_EQ(runIn(untrusted({"check", "driven.toml"})).exitCode, 2);
 }
 
-TEST_F(Sandboxed, GoldenPicturesAreComparedWithin) {
+TEST_F(Sandboxed, ComparesGoldenPictures) {
   folder_.put("golden.toml", "[[test]]\nname = 'tiny'\nscene = 'tiny.toml'\nsize = [64, 36]\n");
   const RunResult approved = runIn({"golden", "--update", "--quiet"}, {"CI="});
   ASSERT_EQ(approved.exitCode, 0) << approved.err;
@@ -244,7 +242,8 @@ TEST_F(Sandboxed, GoldenPicturesAreComparedWithin) {
   EXPECT_THAT(made.out, HasSubstr("1 identical"));
   const RunResult refused = runIn({"golden", "--untrusted", "--update"}, {"CI="});
   EXPECT_EQ(refused.exitCode, 2);
-  EXPECT_THAT(refused.err, HasSubstr("--update: nothing that is not trusted is approved"));
+  EXPECT_THAT(refused.err,
+              HasSubstr("--update: not possible with --untrusted, because untrusted pictures are never approved"));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Mesa keeps of compiled shaders changes no byte, whatever became of it.
+// Mesa's cache of compiled shaders changes no byte, even if the cache is damaged.
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
@@ -12,7 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files of the cache that hold something.
 std::vector<fs::path> filesBeneath(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -22,7 +21,7 @@ std::vector<fs::path> filesBeneath(const fs::path& folder) {
 
 class ShaderCache : public testing::Test {
  protected:
-  /// The bytes of a film, made with that folder (or word) for a cache.
+  /// Returns the bytes of a film made with a cache: a folder, or a word such as off.
   static std::string filmWith(const std::string& cache) {
     const ScratchFolder folder;
     const RunResult made = run(folder,
@@ -42,8 +41,8 @@ class ShaderCache : public testing::Test {
 TEST_F(ShaderCache, ChangesNoByteWhetherColdOrWarm) {
   EXPECT_EQ(filmWith(kept_), without_);
   EXPECT_GT(filesBeneath(kept_).size(), 10u);
-  // The last ones are not on disk yet when a process ends: 2 of 56 on a quiet machine, 8 on a busy one. The second
-  // finds the others and leaves fewer.
+  // When a process ends, its last files are not on disk yet: 2 of 56 on a quiet machine, 8 on a busy one. The
+  // second run finds the other files and leaves fewer.
   EXPECT_EQ(filmWith(kept_), without_);
   const auto files = filesBeneath(kept_);
   EXPECT_EQ(filmWith(kept_), without_);
@@ -66,7 +65,7 @@ TEST_F(ShaderCache, ChangesNoByteWhenItIsCutShort) {
   EXPECT_EQ(filmWith(kept_), without_);
 }
 
-TEST_F(ShaderCache, IsDoneWithoutWhereItCannotBe) {
+TEST_F(ShaderCache, IsSkippedIfItsFolderCannotBeCreated) {
   EXPECT_EQ(filmWith("/dev/null"), without_);
   EXPECT_EQ(filmWith("/proc/no/such/folder"), without_);
 }

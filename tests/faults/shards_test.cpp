@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who makes which frames, and where, does not change a byte.
+// The distribution of frames over shards and machines changes no byte.
 #include <gmock/gmock.h>
 
 #include <map>
@@ -16,7 +16,7 @@ using testing::StartsWith;
 
 using Files = std::vector<std::pair<std::string, std::string>>;
 
-/// What one process makes of it in the profile of clusters.
+/// Returns the files that one process makes with --reproducible.
 const Files& reproducible(const Output& output) {
   static std::map<std::string, Files> made;
   const auto [place, isNew] = made.try_emplace(output.name);
@@ -38,7 +38,7 @@ class Shards : public testing::TestWithParam<int> {
       const std::string shard = std::to_string(k) + "/" + std::to_string(GetParam());
       const RunResult made = run(folder, renderArguments(output, {"--shard", shard}));
       ASSERT_EQ(made.exitCode, 0) << made.err;
-      // A film has still to be joined, and the record of a sequence to be closed.
+      // A film still needs joining, and a sequence still needs its record closed.
       EXPECT_EQ(run(folder, {"status", output.name}).exitCode, 1) << k;
     }
     const RunResult joined = run(folder, {"assemble", output.name});
@@ -48,26 +48,28 @@ class Shards : public testing::TestWithParam<int> {
   }
 };
 
-TEST_P(Shards, OfAFilmMakeItsBytes) { expectSameBytes(kFilm); }
-TEST_P(Shards, OfASequenceMakeItsBytes) { expectSameBytes(kSequence); }
+TEST_P(Shards, GiveTheBytesOfAFilmRenderedAtOnce) { expectSameBytes(kFilm); }
+TEST_P(Shards, GiveTheBytesOfASequenceRenderedAtOnce) { expectSameBytes(kSequence); }
 
-// Of 7, one has nothing to do: there are six segments.
-INSTANTIATE_TEST_SUITE_P(Of, Shards, testing::Values(1, 2, 3, 7), testing::PrintToStringParamName());
+// There are six segments, so one of 7 shards has nothing to do.
+INSTANTIATE_TEST_SUITE_P(Each, Shards, testing::Values(1, 2, 3, 7), testing::PrintToStringParamName());
 
-TEST(Shards, AreJoinedToWhatTheyWereMadeFor) {
+TEST(Shards, AreJoinedOnlyIntoAnOutputOfTheirFormat) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   for (const Output* output : {&kFilm, &kSequence})
     EXPECT_EQ(run(folder, renderArguments(*output, {"--shard", "1/1"})).exitCode, 0);
   const RunResult kind = run(folder, {"assemble", kFilm.name, "-o", "other.webm"});
   EXPECT_EQ(kind.exitCode, 2);
-  EXPECT_EQ(kind.err, "poinsot: error: -o other.webm: the segments are those of a .mp4\n");
+  EXPECT_EQ(kind.err,
+            "poinsot: error: -o other.webm: the segments belong to a .mp4 film; choose a name with the same "
+            "extension\n");
   const RunResult frames = run(folder, {"assemble", kSequence.name, "-o", "other.mp4"});
   EXPECT_EQ(frames.exitCode, 2);
-  EXPECT_EQ(frames.err, "poinsot: error: -o names another place for a film; frames stay where they are\n");
+  EXPECT_EQ(frames.err, "poinsot: error: -o: possible only for a film; numbered frames stay where they are\n");
 }
 
-TEST(Shards, TellWhichHaveWorkLeft) {
+TEST(Shards, ReportUnfinishedShardsInStatus) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   ASSERT_EQ(run(folder, renderArguments(kFilm, {"--shard", "2/5"})).exitCode, 0);
@@ -79,13 +81,15 @@ TEST(Shards, TellWhichHaveWorkLeft) {
   EXPECT_EQ(run(folder, renderArguments(kFilm, {"--shard", "1"})).exitCode, 2);
 }
 
-TEST(Shards, AreToldWhenOnlyTheJoiningIsLeft) {
+TEST(Shards, AreReportedAsDoneButNotJoined) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   ASSERT_EQ(run(folder, renderArguments(kFilm, {"--shard", "1/1"})).exitCode, 0);
   const RunResult made = run(folder, {"status", "t.mp4"});
   EXPECT_EQ(made.exitCode, 1);
-  EXPECT_EQ(made.out, "t.mp4: 6 segments: 6 done\nmade, not joined: poinsot assemble t.mp4\n");
+  EXPECT_EQ(made.out,
+            "t.mp4: 6 segments: 6 done\n"
+            "not joined yet; run: poinsot assemble t.mp4\n");
   const RunResult json = run(folder, {"status", "t.mp4", "--json"});
   EXPECT_EQ(json.exitCode, 1);
   const auto told = nlohmann::json::parse(json.out);
@@ -98,7 +102,7 @@ TEST(Shards, AreToldWhenOnlyTheJoiningIsLeft) {
   EXPECT_EQ(shards.out, "\n");
 }
 
-TEST(Shards, HaveTheSameKeysInJsonWhenTheFilmIsFinished) {
+TEST(Shards, HaveTheSameStatusKeysInJsonWhenFinished) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   const auto status = [&] { return nlohmann::json::parse(run(folder, {"status", "t.mp4", "--json"}).out); };
@@ -117,7 +121,7 @@ TEST(Shards, HaveTheSameKeysInJsonWhenTheFilmIsFinished) {
   EXPECT_EQ(keys(finished), keys(open));
 }
 
-TEST(Shards, MakeNothingOfAFinishedFilmAndLeaveItComplete) {
+TEST(Shards, DoNothingIfTheFilmIsComplete) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   ASSERT_EQ(run(folder, renderArguments(kFilm, {"--reproducible"})).exitCode, 0);
@@ -130,15 +134,14 @@ TEST(Shards, MakeNothingOfAFinishedFilmAndLeaveItComplete) {
     EXPECT_EQ(namesIn(folder.path()), before);
     EXPECT_EQ(run(folder, {"status", "t.mp4"}).out, "t.mp4: complete\n");
   }
-  // It could be a film of an earlier scene, so it is no success.
+  // The film could belong to an earlier scene, so the exit code is not 0.
   const RunResult joined = run(folder, {"assemble", "t.mp4"});
   EXPECT_EQ(joined.exitCode, 4);
-  EXPECT_EQ(joined.err, "poinsot: error: t.mp4: there are no segments of it here; the film itself is whole\n");
+  EXPECT_EQ(joined.err, "poinsot: error: t.mp4: no segments found; the film itself is complete\n");
   EXPECT_EQ(std::filesystem::last_write_time(folder / "t.mp4"), written);
   EXPECT_EQ(filesOf(folder.path()), reproducible(kFilm));
 }
 
-/// Returns the last report of a run with --progress=json.
 nlohmann::json lastProgress(const RunResult& run) {
   const std::string& lines = run.err;
   const std::size_t at = lines.rfind("{\"event\"");
@@ -155,18 +158,18 @@ TEST(Shards, ReportProgressAndEstimatesOfTheirOwnFrames) {
     auto dry = words;
     dry.push_back("--dry-run");
     EXPECT_THAT(run(folder, dry).out, StartsWith("t.mp4, shard " + shard + ": " + own + " of 18 frames (0-17), "));
-    EXPECT_THAT(run(folder, dry).out, EndsWith(", 0 frames are there already\n"));
+    EXPECT_THAT(run(folder, dry).out, EndsWith(", 0 frames already exist\n"));
     const auto last = lastProgress(run(folder, words));
     EXPECT_EQ(last.at("total"), frames);
     EXPECT_EQ(last.at("done"), frames);
     EXPECT_EQ(last.at("left_s"), 0);
-    EXPECT_THAT(run(folder, dry).out, EndsWith(", " + own + " frames are there already\n"));
+    EXPECT_THAT(run(folder, dry).out, EndsWith(", " + own + " frames already exist\n"));
   }
   const RunResult bar = run(folder, renderArguments(kFilm, {"--shard", "3/4", "--progress", "plain"}));
   EXPECT_THAT(bar.err, HasSubstr("3 of 3 frames (100 %)"));
 }
 
-TEST(Shards, ArePrintedThatHaveWorkLeftForThisScene) {
+TEST(Shards, AreListedByOptionShardsLeftIfUnfinished) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   const auto left = [&](const std::vector<std::string>& more = {}) {
@@ -187,8 +190,8 @@ TEST(Shards, ArePrintedThatHaveWorkLeftForThisScene) {
   EXPECT_EQ(left({"-D", "show.L=true"}), "1 1-4\n") << "the film is of another scene";
 }
 
-// Without a cache each task of a cluster compiles for seconds.
-TEST(Shards, NoteThatTheyCannotKeepCompiledShaders) {
+// Without a cache, each task of a cluster compiles for seconds.
+TEST(Shards, NoteAMissingShaderCache) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   const auto said = [&](const std::vector<std::string>& environment, const std::vector<std::string>& more) {
@@ -198,7 +201,7 @@ TEST(Shards, NoteThatTheyCannotKeepCompiledShaders) {
   };
   const std::vector<std::string> none{"HOME=", "XDG_CACHE_HOME=", "POINSOT_CACHE="}, plain{"--progress", "plain"},
       shard{"--progress", "plain", "--shard", "1/2"};
-  const auto note = HasSubstr("note: each shard compiles its shaders anew");
+  const auto note = HasSubstr("note: each shard compiles its shaders again");
   EXPECT_THAT(said(none, shard), note);
   EXPECT_THAT(said({"HOME=/proc/nowhere", "XDG_CACHE_HOME=", "POINSOT_CACHE="}, shard), note);
   EXPECT_EQ(said(none, plain), "");
@@ -206,8 +209,7 @@ TEST(Shards, NoteThatTheyCannotKeepCompiledShaders) {
   EXPECT_EQ(said({"HOME=" + folder.path().string(), "XDG_CACHE_HOME=", "POINSOT_CACHE="}, shard), "");
 }
 
-// Two at once, as on two machines with one disk.
-TEST(Shards, WorkSideBySide) {
+TEST(Shards, CanRenderAtTheSameTime) {
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   ProgramRun one(folder, renderArguments(kFilm, {"--shard", "1/2"}));
@@ -218,15 +220,15 @@ TEST(Shards, WorkSideBySide) {
   EXPECT_EQ(filesOf(folder.path()), reproducible(kFilm));
 }
 
-/// No home can be made below a file, by root either.
+/// Environment and arguments of a run. Not even root can make a home folder below a file.
 struct Surroundings {
   const char* name;
   std::vector<std::string> environment, arguments;
 };
 
-class Anywhere : public testing::TestWithParam<Surroundings> {};
+class RenderedOutput : public testing::TestWithParam<Surroundings> {};
 
-TEST_P(Anywhere, TheBytesAreTheSame) {
+TEST_P(RenderedOutput, HasTheSameBytesWithAnyWorkersAndEnvironment) {
   for (const Output& output : {kFilm, kSequence}) {
     const ScratchFolder folder;
     folder.put("tiny.toml", kTinyScene);
@@ -238,7 +240,7 @@ TEST_P(Anywhere, TheBytesAreTheSame) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    In, Anywhere,
+    Each, RenderedOutput,
     testing::Values(Surroundings{"TwoWorkers", {}, {"-j", "2"}}, Surroundings{"FourWorkers", {}, {"-j", "4"}},
                     Surroundings{"RasterThreads", {"LP_NUM_THREADS=7"}, {}},
                     Surroundings{"NoRasterThreads", {"LP_NUM_THREADS=0"}, {"-j", "2"}},

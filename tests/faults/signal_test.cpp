@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Asked to end at any moment, a render ends at once, says how to go on, and another goes on to the same bytes.
+// If a signal asks a render to end at any moment, it ends at once and prints how to go on. Another render resumes
+// to the same bytes.
 #include <gmock/gmock.h>
 #include <signal.h>
 #include <unistd.h>
@@ -22,8 +23,8 @@ double secondsSince(steady_clock::time_point start) {
 
 class Signal : public testing::TestWithParam<int> {};
 
-// Seven moments of a run for each of the three, by a fixed seed.
-TEST_P(Signal, AtAnyMomentEndsItInTwoSecondsAndIsGoneOnFrom) {
+// Tries seven moments of a run for each of the three signals, with a fixed seed.
+TEST_P(Signal, EndsARenderInTwoSecondsAndAllowsResume) {
   std::mt19937 random(static_cast<unsigned>(20261121 + GetParam()));
   std::uniform_real_distribution<double> moment_s(0.05, secondsOfARun(kLongFilm));
   int midway = 0;
@@ -36,7 +37,8 @@ TEST_P(Signal, AtAnyMomentEndsItInTwoSecondsAndIsGoneOnFrom) {
     running.signal(GetParam());
     const RunResult first = running.wait();
     EXPECT_LT(secondsSince(sent), 2.0);
-    // Killed outright, which a shell tells as 128 + it too, only before it listens: nothing is begun then.
+    // Before the program handles the signal, it may be killed outright, which a shell also reports as 128 +
+    // signal. No file exists then.
     const bool begun = filesOf(folder.path()).size() > 1;
     const int unheard = begun ? 0 : 1000 + GetParam();
     EXPECT_THAT(first.exitCode, AnyOf(128 + GetParam(), 0, unheard));
@@ -45,7 +47,7 @@ TEST_P(Signal, AtAnyMomentEndsItInTwoSecondsAndIsGoneOnFrom) {
     ASSERT_EQ(run(folder, renderArguments(kLongFilm, {"--resume"})).exitCode, 0);
     EXPECT_EQ(filesOf(folder.path()), undisturbed(kLongFilm));
   }
-  EXPECT_GE(midway, 2);  // else the moments were no good
+  EXPECT_GE(midway, 2);  // otherwise, the moments were badly chosen
 }
 
 // 30000 s under a torque take a quarter of a minute.
@@ -57,7 +59,7 @@ TEST(SignalWhileIntegrating, EndsTheProgramInASecond) {
   const auto sent = steady_clock::now();
   running.signal(SIGINT);
   EXPECT_EQ(running.wait().exitCode, 128 + SIGINT);
-  EXPECT_LT(secondsSince(sent), 1.0);  // 0.05
+  EXPECT_LT(secondsSince(sent), 1.0);  // measured 0.05
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, Signal, testing::Values(SIGINT, SIGTERM, SIGHUP),

@@ -15,7 +15,6 @@
 namespace poinsot::faults {
 namespace {
 
-/// Ports that nobody listens on, all different.
 std::vector<int> freePorts(int count) {
   std::vector<int> sockets, ports;
   for (int i = 0; i < count; ++i) {
@@ -67,7 +66,7 @@ SlurmCluster::~SlurmCluster() {
   for (const pid_t pid : daemons_) kill(pid, SIGTERM);
   for (const pid_t pid : daemons_) {
     waitFor(5, [&] { return waitpid(pid, nullptr, WNOHANG) != 0; });
-    kill(-pid, SIGKILL);  // what a daemon left; its group has its number
+    kill(-pid, SIGKILL);  // kills processes left by a daemon; their group has the daemon's number
   }
 }
 
@@ -102,8 +101,8 @@ std::vector<int> SlurmCluster::restarts(int tasks) const {
   return counts;
 }
 
-/// AuthInfo: how long a job waits that was put back into the queue; two minutes in real life, 5 s are the least.
-/// sched_interval: how often Slurm looks for such jobs; a minute in real life.
+/// AuthInfo sets the wait of a requeued job: two minutes by default, at least 5 s. sched_interval sets how often
+/// Slurm looks for such jobs: every minute by default.
 void SlurmCluster::writeSettings() const {
   const std::vector<int> ports = freePorts(3);
   const std::string folder = folder_.path().string(), user = getpwuid(getuid())->pw_name;
@@ -155,7 +154,7 @@ void SlurmCluster::writeSettings() const {
                   "PartitionName=all Nodes=n1,n2 Default=YES MaxTime=60 State=UP\n");
 }
 
-/// In a process group of its own; what it says goes to a file.
+/// Starts a daemon in its own process group; its output goes to a file.
 void SlurmCluster::start(const std::string& command) {
   const std::string log = (folder_ / ("daemon" + std::to_string(daemons_.size()) + ".log")).string();
   const std::string line = "PATH=$PATH:/usr/sbin exec " + command + " >" + log + " 2>&1 </dev/null";

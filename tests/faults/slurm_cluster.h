@@ -11,30 +11,28 @@
 
 namespace poinsot::faults {
 
-/// A Slurm of two nodes with two CPUs each, both on this machine: the real slurmctld and slurmd, on free ports of
-/// the loopback interface, with nothing outside a folder of its own. Ends with this object.
+/// Slurm of two nodes with two CPUs each, both on this machine. The real slurmctld and slurmd listen on free ports
+/// of the loopback interface and write only into a scratch folder. Ends with this object.
 class SlurmCluster {
  public:
-  /// @throws std::runtime_error with what the daemons say if they do not come up in half a minute.
+  /// @throws std::runtime_error with the daemons' output if they are not ready within half a minute
   SlurmCluster();
   ~SlurmCluster();
   SlurmCluster(const SlurmCluster&) = delete;
 
   static bool isInstalled();
 
-  /// What the commands of Slurm need in order to find it.
+  /// Returns the variables with which Slurm's commands find this cluster.
   std::vector<std::string> environment(const std::vector<std::string>& more = {}) const;
 
-  /// Runs a command of Slurm, such as "squeue -h".
   ShellResult run(const std::string& command) const;
 
-  /// Waits until a command of bash succeeds. False after so long.
+  /// Waits until a bash command succeeds. Returns false after `most_s` seconds.
   bool waitUntil(const std::string& command, double most_s) const;
 
-  /// Waits until nothing is in the queue. False after so long.
   bool waitUntilEmpty(double most_s) const;
 
-  /// How often each task of an array was put back into the queue, by its number from 1.
+  /// Returns how often each task of an array was requeued, by its number from 1.
   std::vector<int> restarts(int tasks) const;
 
  private:

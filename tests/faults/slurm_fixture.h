@@ -10,8 +10,8 @@
 
 namespace poinsot::faults {
 
-/// A Slurm of its own, and a film to be made by it. The oracle of each film is the one that one process makes
-/// here: render --reproducible.
+/// Fixture with its own Slurm, and a film to render on it. Oracle of each film: the film that one local process
+/// makes with render --reproducible.
 class Slurm : public testing::Test {
  protected:
   void SetUp() override {
@@ -19,14 +19,12 @@ class Slurm : public testing::Test {
     cluster_ = std::make_unique<SlurmCluster>();
   }
 
-  /// Runs the commands, which submit jobs. @returns what they say
   std::string submit(const std::string& commands) {
     const ShellResult submitted = film_.shell(commands, cluster_->environment(film_.broken()));
     EXPECT_EQ(submitted.exitCode, 0) << submitted.out;
     return submitted.out;
   }
 
-  /// Waits until a task's program stands still.
   void waitUntilItHangs() {
     ASSERT_TRUE(film_.waitUntilDied(30)) << said();
     ASSERT_TRUE(cluster_->waitUntil("[[ $(squeue -h -t RUNNING -o %K) == 2 ]]", 30))
@@ -39,7 +37,7 @@ class Slurm : public testing::Test {
 
   void expectTheBytesOfALocalRun() { film_.expectTheBytesOfALocalRun(said()); }
 
-  /// Of the tasks, for when they did not do as they should.
+  /// Returns the tasks' output, for messages of failed tests.
   std::string said() const { return film_.shell("tail -n +1 film.mp4.tasks/*").out; }
 
   SubmittedFilm film_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A real disk that is full: a tmpfs of a few kilobytes in a mount namespace of the test's own. Needs root.
+// Uses a real disk that is full: a tmpfs of a few kilobytes in a mount namespace of the test. Needs root.
 #include <gmock/gmock.h>
 #include <unistd.h>
 
@@ -11,7 +11,6 @@
 namespace poinsot::faults {
 namespace {
 
-/// A word as a shell needs it.
 std::string quoted(const std::string& word) { return "'" + word + "'"; }
 
 std::string commandLine(const Output& output, const std::vector<std::string>& more) {
@@ -20,7 +19,6 @@ std::string commandLine(const Output& output, const std::vector<std::string>& mo
   return line;
 }
 
-/// Runs a script in a mount namespace; its exit code.
 int inNamespace(const ScratchFolder& folder, const std::string& script) {
   folder.put("script.sh", script);
   const std::string line = "unshare -m sh " + quoted((folder / "script.sh").string());
@@ -36,7 +34,7 @@ std::vector<int> numbersOf(const std::string& text) {
 
 class SmallDisk : public testing::TestWithParam<Output> {};
 
-TEST_P(SmallDisk, IsNeverExitZeroAndIsGoneOnFromOnceItIsLarger) {
+TEST_P(SmallDisk, ExitsWith4AndAllowsResumeOnceEnlarged) {
   const ScratchFolder probe;
   if (geteuid() != 0 || inNamespace(probe, "mount -t tmpfs none /mnt\n") != 0)
     GTEST_SKIP() << "mounting needs root and a kernel that lets it";
@@ -60,7 +58,7 @@ TEST_P(SmallDisk, IsNeverExitZeroAndIsGoneOnFromOnceItIsLarger) {
     EXPECT_EQ(filesOf(folder / "made"), undisturbed(GetParam())) << size_k << " KiB";
     full += codes[0] == 4 ? 1 : 0;
   }
-  EXPECT_GE(full, 2);  // else the disks were too large to say anything
+  EXPECT_GE(full, 2);  // otherwise, the disks were too large for this test
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, SmallDisk, testing::Values(kFilm, kSequence), kindOf);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What goes to standard output while it is made has the pictures of what is written to files, and ends as well.
+// A film or sequence on standard output has the same pictures as one in files, and ends as cleanly.
 #include <gmock/gmock.h>
 #include <signal.h>
 #include <unistd.h>
@@ -32,13 +32,13 @@ class Stream : public testing::Test {
                    Stdout to = Stdout::kFile) const {
     return run(folder_, arguments(format, more), to, environment());
   }
-  /// Parts wait for their turn under TMPDIR; at the end none is there.
+  /// Expects that no parts of the output are left under TMPDIR.
   void expectNothingLeft() const { EXPECT_THAT(namesIn(folder_ / "tmp"), IsEmpty()); }
 
   ScratchFolder folder_;
 };
 
-// ffmpeg's sum of each decoded frame and its time; the file's lines about itself left out.
+// Returns ffmpeg's checksum of each decoded frame with its time.
 std::string decodedSums(const std::filesystem::path& film) {
   const std::string command = "ffmpeg -v error -i '" + film.string() + "' -f framemd5 - | grep -v '^#'";
   std::FILE* pipe = popen(command.c_str(), "r");
@@ -49,7 +49,7 @@ std::string decodedSums(const std::filesystem::path& film) {
 }
 
 // Oracle: the files of an ordinary run, one after the other.
-TEST_F(Stream, OfPicturesIsTheirFilesOneAfterTheOther) {
+TEST_F(Stream, ContainsThePngFilesOfASequenceInOrder) {
   std::string all;
   for (const auto& [name, bytes] : undisturbed(kSequence)) all += bytes;
   for (const char* jobs : {"1", "2", "4"}) {
@@ -61,7 +61,7 @@ TEST_F(Stream, OfPicturesIsTheirFilesOneAfterTheOther) {
 }
 
 // Oracle: the film of an ordinary run, as ffmpeg decodes both.
-TEST_F(Stream, OfAFilmHasTheFilmsPicturesAtTheFilmsTimes) {
+TEST_F(Stream, ContainsThePicturesAndTimesOfAFilm) {
   const RunResult told = stream("mp4");
   ASSERT_EQ(told.exitCode, 0) << told.err;
   folder_.put("streamed.mp4", told.out);
@@ -69,12 +69,12 @@ TEST_F(Stream, OfAFilmHasTheFilmsPicturesAtTheFilmsTimes) {
   const std::string sums = decodedSums(folder_ / "film.mp4");
   EXPECT_THAT(sums, HasSubstr("\n0,         17,         17,"));
   EXPECT_EQ(decodedSums(folder_ / "streamed.mp4"), sums);
-  EXPECT_LT(told.out.find("moof"), told.out.find("mdat"));  // in pieces, each with its own index
+  EXPECT_LT(told.out.find("moof"), told.out.find("mdat"));  // fragments with their own index
   for (const char* jobs : {"2", "4"}) EXPECT_EQ(stream("mp4", {"-j", jobs}).out, told.out) << jobs;
   expectNothingLeft();
 }
 
-TEST_F(Stream, WithoutAReaderEndsQuietly) {
+TEST_F(Stream, EndsQuietlyWithoutAReader) {
   for (const char* format : {"png", "mp4"}) {
     const RunResult told = stream(format, {"--progress", "none"}, Stdout::kBrokenPipe);
     EXPECT_EQ(told.exitCode, 141) << format;
@@ -83,7 +83,7 @@ TEST_F(Stream, WithoutAReaderEndsQuietly) {
   expectNothingLeft();
 }
 
-TEST_F(Stream, ToAFullDiskSaysSo) {
+TEST_F(Stream, ReportsAFullDisk) {
   for (const char* format : {"png", "mp4"}) {
     const RunResult told = stream(format, {"--progress", "none"}, Stdout::kFull);
     EXPECT_EQ(told.exitCode, 4) << format;
@@ -94,7 +94,7 @@ TEST_F(Stream, ToAFullDiskSaysSo) {
 }
 
 // The pipe is full after 64 KiB, and the program waits for room.
-TEST_F(Stream, ToAReaderThatDoesNotReadStillHeedsASignal) {
+TEST_F(Stream, EndsOnASignalIfTheReaderDoesNotRead) {
   std::vector<std::string> words = renderArguments({"-", 30, "320x180", 10}, {"--format", "png"});
   ProgramRun running(folder_, words, Stdout::kUnread, environment());
   sleep(2);
@@ -105,23 +105,22 @@ TEST_F(Stream, ToAReaderThatDoesNotReadStillHeedsASignal) {
   expectNothingLeft();
 }
 
-TEST_F(Stream, RefusesWhatIsForFiles) {
+TEST_F(Stream, RejectsOptionsForFiles) {
   const auto refusal = [&](const std::vector<std::string>& words) {
     const RunResult told = run(folder_, words);
     EXPECT_EQ(told.exitCode, 2);
     return told.err;
   };
-  EXPECT_THAT(refusal({"render", "tiny.toml", "-o", "-"}),
-              HasSubstr("say what, with --format png or --format mp4"));
+  EXPECT_THAT(refusal({"render", "tiny.toml", "-o", "-"}), HasSubstr("choose --format png or --format mp4"));
   EXPECT_THAT(refusal({"render", "tiny.toml", "-o", "-", "--format", "gif"}), HasSubstr("got 'gif'"));
-  EXPECT_THAT(refusal({"render", "tiny.toml", "-o", "a.mp4", "--format", "mp4"}), HasSubstr("goes with -o -"));
+  EXPECT_THAT(refusal({"render", "tiny.toml", "-o", "a.mp4", "--format", "mp4"}),
+              HasSubstr("possible only with -o -"));
   for (const char* option : {"--resume", "--keep", "--shard=1/2", "--manifest=m.json"})
-    EXPECT_THAT(refusal({"render", "tiny.toml", "-o", "-", "--format", "png", option}),
-                HasSubstr("are for files"));
+    EXPECT_THAT(refusal({"render", "tiny.toml", "-o", "-", "--format", "png", option}), HasSubstr("need a file"));
   EXPECT_THAT(refusal({"submit", "tiny.toml", "-o", "-", "--format", "png"}), HasSubstr("write files"));
 }
 
-TEST_F(Stream, IsNotForATerminal) {
+TEST_F(Stream, RejectsATerminal) {
   const ShellResult told =
       runShell(folder_.path(), "script -qec '" POINSOT_PROGRAM " render tiny.toml -o - --format png' /dev/null");
   EXPECT_EQ(told.exitCode, 2);

@@ -7,7 +7,7 @@
 namespace poinsot::faults {
 SubmittedFilm::SubmittedFilm(const std::string& folder) : folder_(scratch_ / folder) {
   put("tiny.toml", kTinyScene);
-  // In a session of its own, or the kill would take the task's script with it.
+  // The program runs in its own session; otherwise the kill would also end the task's script.
   scratch_.put(
       "dying",
       "#!/bin/bash\n"
@@ -48,7 +48,7 @@ ShellResult SubmittedFilm::shell(const std::string& commands, const std::vector<
 void SubmittedFilm::breakShard(int k, bool onlyOnce) const {
   std::filesystem::remove(scratch_ / "died");
   scratch_.put("shard", std::to_string(k));
-  scratch_.put("at", onlyOnce ? "3" : "1");  // a segment and its record are a rename each
+  scratch_.put("at", onlyOnce ? "3" : "1");  // a segment and its record take one rename each
   if (onlyOnce) scratch_.put("once", "");
 }
 

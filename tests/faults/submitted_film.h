@@ -8,10 +8,8 @@
 #include "support/scratch_folder.h"
 #include "support/shell_run.h"
 
-/// Films made by the scripts that `submit` prints.
 namespace poinsot::faults {
 
-/// Wall time since it was made.
 class Watch {
  public:
   double seconds() const {
@@ -22,45 +20,44 @@ class Watch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// The tiny film, of six segments, in a folder whose name is as bad as a name can be for a script; a program
-/// besides in place of poinsot whose render of one shard is killed.
+/// Tiny film of six segments, in a folder whose name is as difficult as possible for a script. Beside it is a
+/// stand-in for poinsot whose render of one shard can be killed.
 class SubmittedFilm {
  public:
   static constexpr int kTasks = 3;
 
-  /// Of the characters of a name GNU make cannot hold %.
+  /// Names with difficult characters. GNU make cannot handle % in a name.
   static constexpr const char* kFolder = "a film's $HOME {} {1} #1 \"100%A\" `x`=\u00e9";
   static constexpr const char* kFolderForMake = "a film's $HOME {} #1 \"100\" `x`=\u00e9: *?[y]";
 
   explicit SubmittedFilm(const std::string& folder = kFolder);
 
-  /// Writes a file of the folder.
   void put(const std::string& name, const std::string& text) const;
 
-  /// Prints the script of an engine. @param more  options of submit
+  /// Writes the script that `submit` prints for an engine. @param more  options of submit
   void writeScript(const std::string& engine, const std::string& more = "") const;
 
-  /// Runs commands in the folder; the script is "$script" in them, the program $poinsot, the film film.mp4.
+  /// Runs commands in the folder. They can use "$script" for the script and $poinsot for the program; the film is
+  /// film.mp4.
   ShellResult shell(const std::string& commands, const std::vector<std::string>& environment = {}) const;
 
-  /// From now on the render of that shard dies by SIGKILL, all its processes: once, while it makes its second
-  /// segment, or always, with its first.
+  /// Makes SIGKILL end all processes of that shard's render from now on: once, in its second segment, or always,
+  /// in its first.
   void breakShard(int k, bool onlyOnce) const;
-  /// The next joining fails.
   void breakJoining() const;
-  /// From now on that shard's program stands still, once, as on a node that is lost; died() once it does.
+  /// Makes that shard's program hang once, as on a lost node; died() then returns true.
   void hangShard(int k) const;
   void repair() const;
-  /// Whether one died or stands still since the last call of breakShard() or hangShard().
+  /// Returns whether a program has died or hangs since the last call of breakShard() or hangShard().
   bool died() const;
   bool waitUntilDied(double most_s) const;
-  /// Lets a script run the program that dies.
+  /// Returns variables with which a script runs the stand-in.
   std::vector<std::string> broken() const;
 
   bool hasFilm() const;
-  /// The oracle: what one process makes of it here, told --reproducible. @param said  told when it differs
+  /// Compares the film with its oracle, which one local process makes with --reproducible.
+  /// @param said  printed if the bytes differ
   void expectTheBytesOfALocalRun(const std::string& said);
-  /// How long that took.
   double local_s() const { return local_s_; }
 
  private:

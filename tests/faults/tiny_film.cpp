@@ -83,7 +83,7 @@ const std::vector<std::pair<std::string, std::string>>& undisturbed(const Output
 }
 
 double secondsOfARun(const Output& output) {
-  undisturbed(output);  // the first run of all is longer: it compiles the shaders
+  undisturbed(output);  // the first run takes longer, because it compiles the shaders
   const ScratchFolder folder;
   folder.put("tiny.toml", kTinyScene);
   const auto before = std::chrono::steady_clock::now();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A library to be preloaded: writes the name of each environment variable that is asked for, one a line, to the
+// Library to preload: writes the name of each environment variable that the process reads, one per line, to the
 // file that VARIABLES_ASKED names.
 #include <fcntl.h>
 #include <unistd.h>
@@ -17,7 +17,8 @@ char* valueOf(const char* name) {
 }
 
 void note(const char* name) {
-  static const char* const file = valueOf("VARIABLES_ASKED");  // first by a library, before the program clears it
+  // Libraries call this function before the program clears its environment.
+  static const char* const file = valueOf("VARIABLES_ASKED");
   const int fd = file ? open(file, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600) : -1;
   if (fd < 0) return;
   const std::string line = std::string(name) + '\n';

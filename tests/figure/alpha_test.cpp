@@ -13,7 +13,7 @@ namespace {
 
 using Pixel = std::array<int, 4>;
 
-/// IEC 61966-2-1, written out.
+/// Returns the light of an encoded value, by the formula of IEC 61966-2-1.
 double light(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
@@ -30,7 +30,7 @@ Pixel fitted(const Pixel& pixel, const draw::Color& paper) {
   return result;
 }
 
-/// How far, of 255, a viewer's mix over the paper is from light's: the worst channel.
+/// Returns how far, of 255, a viewer's mix over the paper is from the mix of light, in the worst channel.
 double error(const Pixel& drawn, const Pixel& fit, double paper) {
   double worst = 0;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -41,14 +41,14 @@ double error(const Pixel& drawn, const Pixel& fit, double paper) {
   return 255 * worst;
 }
 
-TEST(FitAlpha, HalfOfBlackOverWhiteIsALittle) {
+TEST(FitAlpha, MatchesHandValuesOnBlackAndWhite) {
   // 127/255 of the light is 187 of 255 when encoded, 128/255 of it 188.
   EXPECT_EQ(fitted({0, 0, 0, 128}, draw::Color(1)), (Pixel{0, 0, 0, 68}));
   EXPECT_EQ(fitted({255, 255, 255, 128}, draw::Color(0)), (Pixel{255, 255, 255, 188}));
 }
 
-// The same with 16 bits, worked out by hand: 32768/65535 of the light is 48191.3 of 65535, so 17343.7 are dark.
-TEST(FitAlpha, SixteenBitsAreFittedAsExactly) {
+// With 16 bits, by hand: 32768/65535 of the light is 48191.3 of 65535, so that 17343.7 are dark.
+TEST(FitAlpha, MatchesHandValuesForSixteenBits) {
   image::DeepImage pixel({1, 1}, 4);
   pixel.pixels = {0, 0, 0, 32768};
   fitAlpha(pixel, draw::Color(1));
@@ -62,16 +62,16 @@ TEST(FitAlpha, SixteenBitsAreFittedAsExactly) {
   EXPECT_EQ(pixel.pixels, (std::vector<std::uint16_t>{0, 0, 0, 0}));
 }
 
-TEST(FitAlpha, OpaquePixelsAndInkOfThePapersColorStay) {
+TEST(FitAlpha, KeepsOpaquePixelsAndInkOfThePapersColour) {
   for (const Pixel& p : {Pixel{1, 2, 3, 255}, Pixel{255, 255, 255, 77}}) EXPECT_EQ(fitted(p, draw::Color(1)), p);
 }
 
-TEST(FitAlpha, HiddenColorsAreCleared) {
+TEST(FitAlpha, ClearsColoursOfInvisiblePixels) {
   for (const float paper : {0.0f, 1.0f}) EXPECT_EQ(fitted({200, 90, 10, 0}, draw::Color(paper)), Pixel{});
 }
 
-// Measured, the worst of 2000: 0.970 of 255, which is rounding, twice.
-TEST(FitAlpha, GreysLookAsLightMixesThem) {
+// Measured, the worst of 2000: 0.970 of 255, from rounding twice.
+TEST(FitAlpha, GivesGreysTheLookOfLinearBlending) {
   std::mt19937 random(7);
   for (int i = 0; i < 2000; ++i) {
     const int grey = static_cast<int>(random() % 256), alpha = static_cast<int>(random() % 256);
@@ -86,10 +86,10 @@ TEST(FitAlpha, GreysLookAsLightMixesThem) {
   }
 }
 
-// Glass and edges of the palette at every alpha. Measured, of 255: over their paper at most 0.82 off (73.2 with
-// the alpha as drawn); the ink itself, from half on, at most 39 off its colour, so that other paper shows no
-// fringe.
-TEST(FitAlpha, ColoursLookAsLightMixesThemAndStayThemselves) {
+// Glass and edges have colours of the palette, at every alpha. Measured, of 255: over their own paper at most 0.82
+// off (73.2 with the alpha as drawn). From half alpha on, the ink itself is at most 39 off its colour, so that
+// other paper shows no fringe.
+TEST(FitAlpha, GivesColoursTheLookOfLinearBlending) {
   const std::array<Pixel, 3> palette{{{0xd5, 0x5e, 0x00, 0}, {0x00, 0x72, 0xb2, 0}, {0x00, 0x9e, 0x73, 0}}};
   for (Pixel drawn : palette) {
     double fit = 0, asDrawn = 0;

@@ -31,7 +31,7 @@ image::Image withoutAlpha(const image::Image& picture) {
   return rgb;
 }
 
-/// Areas, dashes, half-transparent lines and a formula on plain paper.
+/// Returns a plot with areas, dashes, half-transparent lines and a formula on plain paper.
 draw::Picture plot() {
   draw::Picture picture;
   picture.size_px = {600, 400};
@@ -58,20 +58,19 @@ draw::Picture plot() {
 }
 
 // ---- the picture
-// ------------------------------------------------------------------------------------------------
 
 struct Shown {
   const char* scene;
   double filmTime_s;
 };
 
-// The bar is a mean FLIP of 0.02. Measured, svg and pdf: 0.0078 and 0.0058, 0.0069 and 0.0061, 0.0035 and 0.0032,
-// 0.0016 and 0.0016; the plot below, all edges, 0.0175 and 0.0181. What remains is that viewers blend soft edges
-// in encoded values, a trace darker.
+// The limit is a mean FLIP of 0.02. Measured, svg and pdf: 0.0078 and 0.0058, 0.0069 and 0.0061, 0.0035 and
+// 0.0032, 0.0016 and 0.0016; plot(), all edges, 0.0175 and 0.0181. The remaining difference is that viewers blend
+// soft edges in encoded values, a trace darker.
 const Shown kShown[] = {{"poinsot_rolling", 7}, {"tennis_racket", 5.2},    {"football", 3},
                         {"explorer_1", 5},      {"football_two_views", 2}, {"cones_prolate", 2}};
 
-TEST_F(FigureTest, SvgIsThePngsPicture) {
+TEST_F(FigureTest, SvgLooksLikeThePng) {
   POINSOT_NEEDS("rsvg-convert");
   for (const Shown& shown : kShown) {
     const draw::Picture picture = sceneAt(shown.scene, shown.filmTime_s);
@@ -82,7 +81,7 @@ TEST_F(FigureTest, SvgIsThePngsPicture) {
   }
 }
 
-TEST_F(FigureTest, PdfIsThePngsPicture) {
+TEST_F(FigureTest, PdfLooksLikeThePng) {
   POINSOT_NEEDS("pdftocairo");
   for (const Shown& shown : kShown) {
     const draw::Picture picture = sceneAt(shown.scene, shown.filmTime_s);
@@ -93,7 +92,7 @@ TEST_F(FigureTest, PdfIsThePngsPicture) {
   }
 }
 
-TEST_F(FigureTest, PlotsAreThePngsPicture) {
+TEST_F(FigureTest, PlotsLookLikeThePng) {
   POINSOT_NEEDS("pdftocairo");
   POINSOT_NEEDS("rsvg-convert");
   const draw::Picture picture = plot();
@@ -105,9 +104,8 @@ TEST_F(FigureTest, PlotsAreThePngsPicture) {
 }
 
 // ---- text
-// -------------------------------------------------------------------------------------------------------
 
-TEST_F(FigureTest, PdfTextIsFound) {
+TEST_F(FigureTest, PdfTextCanBeSearched) {
   POINSOT_NEEDS("pdftotext");
   const auto text = spoken("pdftotext '" + written(plot(), "words.pdf").string() + "' -").text;
   EXPECT_THAT(text, HasSubstr("Precession"));
@@ -122,9 +120,9 @@ TEST_F(FigureTest, PdfTextIsFound) {
   EXPECT_THAT(scene, HasSubstr("L"));
 }
 
-// Regular and bold, with letters of three fonts: glyphs are drawn from the font that they are of. Nothing but
-// edges of large type: measured 0.021 and 0.018, and 0.038 of a line in other letters.
-TEST_F(FigureTest, AccentedTypeIsThePngsPicture) {
+// Regular and bold lines have letters of three fonts, and each glyph is drawn from its own font. The picture has
+// nothing but edges of large type: measured 0.021 and 0.018, and 0.038 if one line has other letters.
+TEST_F(FigureTest, AccentedTextLooksLikeThePng) {
   POINSOT_NEEDS("pdftocairo");
   POINSOT_NEEDS("pdftotext");
   POINSOT_NEEDS("rsvg-convert");
@@ -152,8 +150,8 @@ TEST_F(FigureTest, AccentedTypeIsThePngsPicture) {
   for (const char* word : {"Größe", "Übung", "řeč"}) EXPECT_THAT(words, HasSubstr(word));
 }
 
-// Without regard to where the words stand: as the file has them, for those who have it read to them.
-TEST_F(FigureTest, PdfTextIsReadFromTheTitleOn) {
+// `pdftotext -raw` prints words in the order of the file, independent of their places, as screen readers do.
+TEST_F(FigureTest, PdfTextBeginsWithTheTitle) {
   POINSOT_NEEDS("pdftotext");
   const auto file = written(sceneAt("football_two_views", 2), "order.pdf");
   const auto text = spoken("pdftotext -raw '" + file.string() + "' -").text;
@@ -167,28 +165,27 @@ TEST_F(FigureTest, PdfFontsAreEmbeddedSubsets) {
   POINSOT_NEEDS("pdffonts");
   const std::string fonts = spoken("pdffonts '" + written(plot(), "fonts.pdf").string() + "' | tail -n +3").text;
   EXPECT_THAT(fonts, HasSubstr("+LatinModernMath-Regular"));
-  // Columns emb, sub, uni of every font say yes.
+  // Columns emb, sub and uni must be "yes" for every font.
   const std::regex line(R"(.*\+LatinModernMath-Regular .* yes yes yes .*)");
   std::istringstream lines(fonts);
   for (std::string font; std::getline(lines, font);) EXPECT_TRUE(std::regex_match(font, line)) << font;
 }
 
-TEST_F(FigureTest, SvgTextIsThereToBeSelected) {
+TEST_F(FigureTest, SvgTextCanBeSelected) {
   const std::string svg = content(written(plot(), "words.svg"));
   EXPECT_THAT(svg, HasSubstr(">Precession Ω_p = I₃ω₃/I₁ √(1 + k̂₂)</text>"));
   EXPECT_THAT(svg, HasSubstr("fill-opacity=\"0\""));
   EXPECT_THAT(svg, Not(HasSubstr("@font-face")));
 }
 
-// ---- where the labels are
-// -----------------------------------------------------------------------------------------
+// ---- places of the labels
 
-/// How much darkness there is, and its centre.
 struct Ink {
   double mass = 0, x = 0, y = 0;
 };
 
-// Where ink covers a pixel in part, the renderer mixes light and a viewer encoded values.
+// Returns the ink of a picture. Where ink covers a pixel in part, the renderer mixes light and a viewer encoded
+// values.
 Ink inkOf(const image::Image& picture, bool mixedAsLight) {
   Ink ink;
   for (int y = 0; y < picture.size.height; ++y)
@@ -214,8 +211,8 @@ draw::Picture oneLabel(const std::string& tex, glm::vec2 baseline_px) {
   return picture;
 }
 
-// The centre of the ink moves with the anchor. Measured: pdf 0.058 px, svg 0.010 px at most. Looked at 8 times as
-// large: viewers put glyphs on whole pixels.
+// The centre of the ink moves with the anchor. Measured: at most 0.058 px in pdf and 0.010 px in svg. Figures are
+// drawn 8 times as large here, because viewers put glyphs on whole pixels.
 TEST_F(FigureTest, LabelsAreWhereThePngHasThem) {
   POINSOT_NEEDS("pdftocairo");
   POINSOT_NEEDS("rsvg-convert");
@@ -240,7 +237,8 @@ std::vector<glm::dvec2> pairsIn(const std::string& text, const char* pattern) {
   return found;
 }
 
-// The numbers in the files, in pixels, against labelsOf: 0.5 px is asked, three decimals of a unit are kept.
+// Compares the numbers in the files, in pixels, with labelsOf(). 0.5 px is required; three decimals of a unit are
+// kept.
 TEST_F(FigureTest, AnchorsInTheFilesAreThoseOfThePicture) {
   for (const Shown& shown : kShown) {
     const draw::Picture picture = sceneAt(shown.scene, shown.filmTime_s);
@@ -262,8 +260,7 @@ TEST_F(FigureTest, AnchorsInTheFilesAreThoseOfThePicture) {
   }
 }
 
-// ---- what the files say of themselves
-// -----------------------------------------------------------------------------
+// ---- titles and descriptions in the files
 
 TEST_F(FigureTest, TitleAndDescriptionAreInTheFiles) {
   FigureOptions options;
@@ -318,7 +315,7 @@ image::Image laidOn(const draw::Color& paper, const image::Image& picture) {
   return whole;
 }
 
-/// The same picture on paper of another colour, halos of labels included.
+/// Returns the same picture on paper of another colour, which halos of labels have, too.
 draw::Picture onPaper(draw::Picture picture, const draw::Color& paper) {
   picture.background = paper;
   for (draw::Panel& panel : picture.panels) {
@@ -328,10 +325,10 @@ draw::Picture onPaper(draw::Picture picture, const draw::Color& paper) {
   return picture;
 }
 
-// On its own paper a picture without paper is the opaque one; on other paper, mixed by a program that mixes
-// encoded values, nearly the one that is drawn on it, and no rim or halo of white shows. Measured, of the two:
-// 0.002 and 0.001 on white, 0.050 and 0.010 on yellow.
-TEST_F(FigureTest, WithoutPaperThePictureGoesOnAnyPaper) {
+// On its own paper, a picture without paper equals the opaque picture. On other paper, mixed by a program that
+// mixes encoded values, it is nearly the picture drawn on that paper, without white rims or halos. Measured, of
+// the two scenes: 0.002 and 0.001 on white, 0.050 and 0.010 on yellow.
+TEST_F(FigureTest, TransparentPicturesFitAnyBackground) {
   for (const Shown& shown : {kShown[0], kShown[4]}) {
     const draw::Picture picture = sceneAt(shown.scene, shown.filmTime_s);
     const image::Image clear = rendered(picture, true);
@@ -345,9 +342,8 @@ TEST_F(FigureTest, WithoutPaperThePictureGoesOnAnyPaper) {
 }
 
 // ---- LaTeX
-// --------------------------------------------------------------------------------------------------------
 
-// TeX takes 218 MB, and the launcher does not install it for one test.
+// TeX takes 218 MB, so that the launcher does not install it for one test.
 TEST_F(FigureTest, TikzCompiles) {
   if (!present("pdflatex")) GTEST_SKIP() << "pdflatex is not installed";
   const auto file = written(sceneAt("poinsot_rolling", 7), "tikz.tex");
@@ -359,9 +355,9 @@ TEST_F(FigureTest, TikzCompiles) {
   EXPECT_EQ(said.status, 0) << said.text;
 }
 
-// Babel's active characters: those that its language files declare (grep initiate@active@char *.ldf, TeX Live
+// Babel's active characters are those that its language files declare (grep initiate@active@char *.ldf, TeX Live
 // 2022).
-TEST_F(FigureTest, TikzTakesSignsAsTheyAreInEveryLanguage) {
+TEST_F(FigureTest, TikzPrintsSpecialCharactersInEveryLanguage) {
   const std::string tex = content(written(plot(), "signs.tex"));
   const auto begin = tex.find("\\begingroup\n"), picture = tex.find("\\begin{tikzpicture}"),
              end = tex.find("\\end{tikzpicture}%\n\\endgroup\n");
@@ -391,14 +387,13 @@ TEST_F(FigureTest, NamesThatLatexCannotLoadAreRefused) {
 }
 
 // ---- the same bytes
-// ---------------------------------------------------------------------------------------------
 
-TEST_F(FigureTest, TheSamePictureIsTheSameBytes) {
+TEST_F(FigureTest, TheSamePictureGivesTheSameBytes) {
   const draw::Picture picture = sceneAt("poinsot_rolling", 7);
   for (const std::string name : {"twice.pdf", "twice.svg", "twice.tex"}) {
     const std::string first = content(written(picture, name));
     ::sleep(1);                                                     // a date of the clock would show
-    EXPECT_TRUE(content(written(picture, name)) == first) << name;  // not _EQ: it would print them
+    EXPECT_TRUE(content(written(picture, name)) == first) << name;  // not _EQ, which would print the files
   }
 }
 

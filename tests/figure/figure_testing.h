@@ -19,7 +19,6 @@
 
 namespace poinsot::figure {
 
-/// What a shell command prints, and how it ends.
 struct Spoken {
   std::string text;
   int status = -1;
@@ -38,22 +37,23 @@ inline Spoken spoken(const std::string& command) {
 
 inline bool present(const std::string& program) { return spoken("command -v " + program).status == 0; }
 
-/// Fails the test that says it where a program is missing that the launcher installs for the tests.
+/// Fails the test if a program is missing; the launcher installs these programs for the tests.
 #define POINSOT_NEEDS(program) ASSERT_TRUE(present(program)) << program << " is not installed"
 
-/// Pictures composed, rendered and written as figures. They stay in build/figure-review/, to be looked at.
+/// Fixture that composes, renders and writes pictures as figures. The files stay in build/figure-review/ for
+/// inspection.
 class FigureTest : public testing::Test {
  protected:
   static constexpr int kWidth = 1016, kHeight = 640;  // 86 mm at 300 dpi across
   static constexpr double kWidth_mm = 86;
 
-  /// As `poinsot still` composes it for print.
+  /// Returns a scene's picture, composed for print as by `poinsot still`.
   static draw::Picture sceneAt(const std::string& name, double filmTime_s) {
     const auto file = std::filesystem::path(POINSOT_SOURCE_DIR) / "scenes" / (name + ".toml");
     return stage::Stage(scene::loadScene(file)).compose(filmTime_s, {kWidth, kHeight}, stage::printSizing(300));
   }
 
-  /// Without paper with the alpha that other programs mix as light mixes.
+  /// Renders a picture. If `transparent` is set, alpha is fitted so that other programs mix as light mixes.
   static image::Image rendered(const draw::Picture& picture, bool transparent = false) {
     gl::pinEnvironment(true);
     static const auto context = gl::openContext(gl::Backend::kAuto);
@@ -74,7 +74,7 @@ class FigureTest : public testing::Test {
     return folder / name;
   }
 
-  /// The figure as another program sees it on white paper, `times` as large as the picture.
+  /// Returns the figure as another program draws it on white paper, `times` as large as the picture.
   static image::Image seen(const std::filesystem::path& figure, const draw::Picture& picture, int times = 1) {
     const std::string base =
         (figure.parent_path() / figure.stem()).string() + figure.extension().string().substr(1);

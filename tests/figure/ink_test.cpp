@@ -6,8 +6,8 @@
 namespace poinsot::figure {
 namespace {
 
-// What a viewer makes of the ink over the paper, in encoded values, must be the blend of light, encoded.
-TEST(FigureInk, OverThePaperLooksAsLightBlends) {
+// A viewer blends the ink over the paper in encoded values. The result must be the blend of light, encoded.
+TEST(FigureInk, LooksOnThePaperLikeLinearBlending) {
   for (const std::uint32_t paper : {0xffffffu, 0x101418u, 0x808080u, 0x000000u})
     for (const std::uint32_t color : {0x000000u, 0xffffffu, 0xd55e00u, 0x0072b2u})
       for (const float opacity : {0.05f, 0.2f, 0.5f, 0.9f, 1.0f}) {
@@ -24,7 +24,7 @@ TEST(FigureInk, OverThePaperLooksAsLightBlends) {
       }
 }
 
-TEST(FigureInk, OpaqueInkIsItsColour) {
+TEST(FigureInk, KeepsItsColourIfOpaque) {
   EXPECT_EQ(hexOf(inkOver(draw::Color(1), draw::fromSrgb(0xd55e00), 1)), "#d55e00");
   EXPECT_EQ(inkOver(draw::Color(0), draw::fromSrgb(0xd55e00), 1).alpha, 1);
 }

@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 
 class FigureMarkTest : public FolderTest {
  protected:
-  /// A small figure, without OpenGL: its image part is blank.
+  /// Writes a small figure without OpenGL; its image part is blank.
   std::filesystem::path figure(const std::string& name) const {
     draw::Picture picture;
     picture.size_px = {160, 90};
@@ -35,12 +35,12 @@ class FigureMarkTest : public FolderTest {
   }
 };
 
-TEST_F(FigureMarkTest, KnowsWhatThisProgramWrote) {
+TEST_F(FigureMarkTest, RecognisesFiguresOfThisProgram) {
   for (const char* name : {"a.pdf", "a.svg", "a.tex"}) EXPECT_TRUE(isOwnFigure(figure(name))) << name;
   EXPECT_NO_THROW(output::checkTarget(in("a.pdf"), false));
 }
 
-TEST_F(FigureMarkTest, WhatWasEditedIsItsEditors) {
+TEST_F(FigureMarkTest, DoesNotClaimEditedFigures) {
   EXPECT_FALSE(isOwnFigure(edited(figure("a.tex"), "base west", "base east")));
   EXPECT_FALSE(isOwnFigure(edited(figure("a.svg"), "</svg>", "<circle r=\"9\"/></svg>")));
   EXPECT_FALSE(isOwnFigure(edited(figure("b.svg"), "A title", "My title")));
@@ -48,7 +48,7 @@ TEST_F(FigureMarkTest, WhatWasEditedIsItsEditors) {
               HasSubstr("--force"));
 }
 
-TEST_F(FigureMarkTest, WhatOthersWroteIsNot) {
+TEST_F(FigureMarkTest, DoesNotClaimFilesOfOtherPrograms) {
   save("notes.tex", "% poinsot rolls\n\\documentclass{article}");
   save("drawing.svg", "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- poinsot 0.1.0 -->\n<svg/>");
   save("empty.svg", "");

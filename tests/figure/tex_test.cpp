@@ -8,21 +8,21 @@
 namespace poinsot::figure {
 namespace {
 
-TEST(FigureTex, PassesWhatLatexKnows) {
+TEST(FigureTex, KeepsCommandsThatLatexKnows) {
   for (const char* tex :
        {R"($\boldsymbol{\omega}$)", R"($\hat{\mathbf{e}}_1 = \frac{L}{I_1}$)", R"(100\,\% \& \textbf{more})"})
     EXPECT_EQ(latexOf(tex), tex);
 }
 
-// By hand, from what LaTeX does with these signs: % begins a comment, # and & are errors in running text, < is an
-// inverted exclamation mark in the old text font.
-TEST(FigureTex, ProtectsWhatLatexWouldReadOtherwise) {
+// Expected by hand, from LaTeX's treatment of these signs: % begins a comment, # and & are errors in running text,
+// < is an inverted exclamation mark in the old text font.
+TEST(FigureTex, EscapesSpecialCharactersOfLatex) {
   EXPECT_EQ(latexOf("50% & #1"), R"(50\% \& \#1)");
   EXPECT_EQ(latexOf(R"(50\%)"), R"(50\%)");
   EXPECT_EQ(latexOf("$a<b$"), R"($a\ensuremath{<}b$)");
 }
 
-TEST(FigureTex, SpellsCharactersByTheirCommands) {
+TEST(FigureTex, WritesCharactersAsCommands) {
   EXPECT_EQ(latexOf("$ω−θ̇$"), R"($\ensuremath{\omega}\ensuremath{-}\ensuremath{\dot{\theta}}$)");
   EXPECT_EQ(latexOf("Kreisel für Anfänger"), "Kreisel für Anfänger");
 }
@@ -34,20 +34,20 @@ TEST(FigureTex, WritesDegreesWithoutACommandOfPackages) {
   EXPECT_EQ(latexOf(R"($x^\degree$)"), R"($x^{\ensuremath{^{\circ}}}$)");
 }
 
-// Active in babel's German and Spanish, among others.
-TEST(FigureTex, SpellsCharactersThatBabelMakesCommands) {
+// These characters are active in babel's German and Spanish, among others.
+TEST(FigureTex, ProtectsCharactersThatBabelMakesActive) {
   EXPECT_EQ(latexOf(R"("a" und $"$)"), R"({\char34}a{\char34} und ${\char34}$)");
   EXPECT_EQ(latexOf("3~n"), R"(3\nobreakspace{}n)");
 }
 
-// Accent commands of source2e, "Font encodings", and of The TeXbook, chapter 16. pdflatex has no other way to a
-// letter that is not in T1.
-TEST(FigureTex, SpellsLettersThatLatexLacksByTheirAccents) {
+// The accent commands are those of source2e, "Font encodings", and of The TeXbook, chapter 16. pdflatex has no
+// other way to write a letter that is not in T1.
+TEST(FigureTex, WritesAccentCommandsForLettersLatexLacks) {
   EXPECT_EQ(latexOf("ẋ Ẍ ǐ ế ḥ"), R"(\.{x} \"{X} \v{\i} \'{\^{e}} \d{h})");
   EXPECT_EQ(latexOf("$ẋ \\mathrm{é} \\text{é ẋ} ǐ ḥ$"),
             R"($\dot{x} \mathrm{\acute{e}} \text{é \.{x}} \check{\imath} \text{\d{\ensuremath{h}}}$)");
   EXPECT_EQ(latexOf("v\u20D7 ή"), R"(\ensuremath{\vec{\text{v}}} \ensuremath{\acute{\eta}})");
-  EXPECT_EQ(latexOf("ả"), "ả");  // LaTeX's hook above is of an encoding for Vietnamese
+  EXPECT_EQ(latexOf("ả"), "ả");  // LaTeX has the hook above in an encoding for Vietnamese only
 }
 
 TEST(FigureTex, WritesTheSameForDecomposedText) {
@@ -64,7 +64,7 @@ TEST(FigureTex, KeepsTheIndexOfARoot) {
   EXPECT_EQ(latexOf(R"($\sqrt[{\sqrt[3]{2}}]{x}$)"), R"($\sqrt[{\sqrt[3]{2}}]{x}$)");
 }
 
-TEST(FigureTex, DefinesWhatLatexLacks) {
+TEST(FigureTex, DefinesCommandsThatLatexLacks) {
   EXPECT_EQ(latexDefinitionsFor(R"($\omega$)"), "");
   EXPECT_EQ(latexDefinitionsFor(R"($\varkappa$)"), "\\providecommand*\\varkappa{\\kappa}%\n");
   EXPECT_EQ(latexDefinitionsFor(R"(\\varkappa)"), "");  // a line break and a word
@@ -72,7 +72,7 @@ TEST(FigureTex, DefinesWhatLatexLacks) {
             "\\providecommand*\\Mu{\\mathrm{M}}%\n\\providecommand*\\Nu{\\mathrm{N}}%\n");
 }
 
-TEST(FigureTex, LetsNoOtherCommandThrough) {
+TEST(FigureTex, RejectsUnknownCommands) {
   EXPECT_THROW(latexOf(R"(\input{/etc/passwd})"), core::Error);
   EXPECT_THROW(latexOf(R"($\write18{ls}$)"), core::Error);
 }

@@ -11,7 +11,7 @@
 namespace poinsot::figure {
 namespace {
 
-/// From 10 away along x.
+/// Returns an empty list, seen from 10 away along x.
 draw::DrawList emptyList() {
   draw::DrawList list;
   list.camera = draw::lookAt({10, 0, 0}, {0, 0, 0}, {0, 0, 1}, 0.8f, {600, 400});
@@ -41,7 +41,7 @@ double lengthOf(const SeenLine& seen) {
   return length;
 }
 
-TEST(SeenLines, AStraightLineIsTwoPoints) {
+TEST(SeenLines, AStraightLineKeepsTwoPoints) {
   draw::DrawList list = emptyList();
   list.curves.push_back(line({0, -2, 0}, {0, 2, 0.5f}));
   const auto seen = seenLines(list);
@@ -52,10 +52,10 @@ TEST(SeenLines, AStraightLineIsTwoPoints) {
   EXPECT_EQ(seen[0].color, draw::Color(0));
 }
 
-// The line pierces the ellipsoid x² + y²/4 + z²/0.25 = 1 where (1.5 s)² + (3 s)²/4 = 1, and comes out of its
-// shadow where it meets the tangent from the eye (10, 0, 0), which touches at x = 1/10: 3 s = y0 (10 + 1.5 s)
-// / 9.9.
-TEST(SeenLines, ACurveThroughAnEllipsoidIsSplitWhereItEntersAndWhereItReappears) {
+// The line pierces the ellipsoid x² + y²/4 + z²/0.25 = 1 where (1.5 s)² + (3 s)²/4 = 1. The line leaves the
+// ellipsoid's shadow at the tangent from the eye (10, 0, 0), which touches at x = 1/10: 3 s = y0 (10 + 1.5 s) /
+// 9.9.
+TEST(SeenLines, ACurveThroughAnEllipsoidIsSplitWhereItIsHidden) {
   draw::DrawList list = emptyList();
   list.ellipsoids.push_back(solid({1, 2, 0.5f}));
   list.curves.push_back(line({1.5f, -3, 0}, {-1.5f, 3, 0}));
@@ -63,14 +63,14 @@ TEST(SeenLines, ACurveThroughAnEllipsoidIsSplitWhereItEntersAndWhereItReappears)
   ASSERT_EQ(seen.size(), 2u);
   const double entry = -1 / std::sqrt(4.5), k = 2 * std::sqrt(0.99) / 9.9, exit = 10 * k / (3 - 1.5 * k);
   const auto at = [&](double s) { return pixel(list, {-1.5 * s, 3 * s, 0}); };
-  // Measured 0.04 and 0.094 px: cuts are bisected to 0.1 px, and the end is the seen side of it.
+  // Measured 0.04 and 0.094 px: cuts are bisected to 0.1 px, and a piece ends on the seen side of its cut.
   EXPECT_LT(glm::distance(seen[0].points_px.back(), at(entry)), 0.1);
   EXPECT_LT(glm::distance(seen[1].points_px.front(), at(exit)), 0.1);
   EXPECT_NEAR(glm::distance(seen[0].points_px.front(), at(-1)), 0, 1e-9);
   EXPECT_NEAR(glm::distance(seen[1].points_px.back(), at(1)), 0, 1e-9);
 }
 
-TEST(SeenLines, BehindGlassALineIsThereInItsDimmedColour) {
+TEST(SeenLines, ALineBehindGlassHasADimmedColour) {
   draw::DrawList list = emptyList();
   draw::GlassEllipsoid glass;
   glass.color = {0.1f, 0.2f, 0.9f};
@@ -82,13 +82,14 @@ TEST(SeenLines, BehindGlassALineIsThereInItsDimmedColour) {
   const auto& middle = seen[1];
   EXPECT_NEAR(middle.color.r, 0.25 * 1 + 0.75 * 0.1, 1e-6);
   EXPECT_NEAR(middle.color.b, 0.75 * 0.9, 1e-6);
-  // Behind the sphere as far as the tangent from the eye: y = 13 * 0.1 / sqrt(0.99). Ends overlap by 0.3 px.
+  // The sphere hides the line as far as the tangent from the eye: y = 13 * 0.1 / sqrt(0.99). Ends overlap by 0.3
+  // px.
   const double edge = 13 * 0.1 / std::sqrt(0.99);
   EXPECT_NEAR(middle.points_px.front().x, pixel(list, {-3, -edge, 0}).x, 0.4);
   EXPECT_NEAR(middle.points_px.back().x, pixel(list, {-3, edge, 0}).x, 0.4);
 }
 
-TEST(SeenLines, AClosedCurveInViewStaysClosedAndOneHalfHiddenIsOnePiece) {
+TEST(SeenLines, AHalfHiddenClosedCurveIsOnePiece) {
   draw::Curve ring;
   ring.closed = true;
   for (int i = 0; i < 200; ++i) {
@@ -100,15 +101,16 @@ TEST(SeenLines, AClosedCurveInViewStaysClosedAndOneHalfHiddenIsOnePiece) {
   auto seen = seenLines(list);
   ASSERT_EQ(seen.size(), 1u);
   EXPECT_TRUE(seen[0].closed);
-  // The ring starts in front of the ball and passes behind it: what is seen is one piece across its start.
+  // The ring starts in front of the ball and passes behind it, so that its seen part is one piece across its
+  // start.
   list.ellipsoids.push_back(solid({1, 1, 1}));
   seen = seenLines(list);
   ASSERT_EQ(seen.size(), 1u);
   EXPECT_FALSE(seen[0].closed);
 }
 
-// Every point of the line must lie within the tolerance of the circle's picture; 0.05 px is the promise.
-TEST(SeenLines, PointsAreLeftOutOnlyWhereTheyAreNotMissed) {
+// Every point of the line must lie within the tolerance of the circle's picture; 0.05 px is promised.
+TEST(SeenLines, DropsPointsOnlyWithinTheTolerance) {
   draw::Curve ring;
   ring.closed = true;
   for (int i = 0; i < 5000; ++i) {
@@ -128,8 +130,8 @@ TEST(SeenLines, PointsAreLeftOutOnlyWhereTheyAreNotMissed) {
   }
 }
 
-// Two crossings, each line over the other in one of them: no order of whole lines is right.
-TEST(SeenLines, LinesThatPassOverEachOtherArePaintedFarOnesFirst) {
+// Two lines cross twice, and each is once over the other: no order of whole lines is right.
+TEST(SeenLines, CrossingLinesArePaintedFromFarToNear) {
   draw::DrawList list = emptyList();
   list.curves.push_back(line({0, -2, 0}, {0, 2, 0}, {1, 0, 0}));
   draw::Curve woven;  // in front of the first at y = -1, behind it at y = 1
@@ -151,7 +153,7 @@ TEST(SeenLines, LinesThatPassOverEachOtherArePaintedFarOnesFirst) {
       }
     return top;
   };
-  // In perspective the second crosses the first's picture where its z is 0, at |y| = 1.
+  // In perspective, the second line crosses the first line's picture where its z is 0, at |y| = 1.
   EXPECT_EQ(paintedLast(pixel(list, {0.5, -1, 0})), draw::Color(0, 0, 1));
   EXPECT_EQ(paintedLast(pixel(list, {-0.5, 1, 0})), draw::Color(1, 0, 0));
   double red = 0;
@@ -168,7 +170,7 @@ TEST(SeenLines, PartsBehindTheCameraAreLeftOut) {
   EXPECT_EQ(seenLines(list).size(), 2u);
 }
 
-TEST(SeenLines, TubesAreSurfacesAndNoLines) {
+TEST(SeenLines, TubesAreOmittedBecauseTheyAreSurfaces) {
   draw::DrawList list = emptyList();
   list.curves.push_back(line({0, -2, 0}, {0, 2, 0}));
   list.curves[0].radius_V = 0.1f;

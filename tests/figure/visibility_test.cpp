@@ -12,7 +12,7 @@
 namespace poinsot::figure {
 namespace {
 
-/// From 10 away along x.
+/// Returns an empty list, seen from 10 away along x.
 draw::DrawList emptyList() {
   draw::DrawList list;
   list.camera = draw::lookAt({10, 0, 0}, {0, 0, 0}, {0, 0, 1}, 0.6f, {600, 400});
@@ -33,7 +33,7 @@ draw::Mesh placed(std::shared_ptr<const draw::TriangleMesh> mesh, glm::vec3 orig
   return result;
 }
 
-/// Facing the eye, 1 to either side.
+/// Returns a plane that faces the eye and extends by 1 to either side.
 draw::GridPlane tinted(glm::vec3 centre_V, draw::Color color, float opacity) {
   draw::GridPlane plane;
   plane.centre_V = centre_V;
@@ -53,8 +53,7 @@ class Random {
   std::mt19937 engine_{7};
 };
 
-// ---- solids, against points tried one by one along the line of sight: an oracle that knows only "inside"
-// ---------
+// ---- solids, compared with points that are tried one by one along the line of sight
 
 using Inside = std::function<bool(glm::dvec3 p_V)>;
 
@@ -65,8 +64,8 @@ bool insideOnTheWay(const draw::DrawList& list, const Inside& inside, glm::dvec3
   return false;
 }
 
-/// Points around and behind what is at the origin. What the samples meet must hide; what hides and is not met by
-/// 2000 samples is a grazed edge, which 100 times as many meet.
+/// Checks points around and behind a solid at the origin. A point must be hidden if the samples meet the solid. If
+/// a point is hidden and 2000 samples miss the solid, an edge is grazed, which 100 times as many samples meet.
 void expectHides(const draw::DrawList& list, const Inside& inside) {
   const Visibility visibility(list);
   Random random;
@@ -86,14 +85,14 @@ void expectHides(const draw::DrawList& list, const Inside& inside) {
 
 const glm::mat3 kSkewed{{1.2f, 0.3f, -0.2f}, {-0.4f, 0.9f, 0.5f}, {0.1f, -0.3f, 0.8f}};
 
-TEST(Visibility, EllipsoidsHide) {
+TEST(Visibility, EllipsoidsHidePointsBehindThem) {
   draw::DrawList list = emptyList();
   list.ellipsoids.push_back(ellipsoid({0.2f, -0.1f, 0.3f}, kSkewed));
   const glm::dmat3 toSphere = glm::inverse(glm::dmat3(kSkewed));
   expectHides(list, [&](glm::dvec3 p) { return glm::length(toSphere * (p - glm::dvec3(0.2, -0.1, 0.3))) < 1; });
 }
 
-TEST(Visibility, BoxesHide) {
+TEST(Visibility, BoxesHidePointsBehindThem) {
   draw::DrawList list = emptyList();
   list.boxes.push_back(box({0.2f, -0.1f, 0.3f}, kSkewed));
   const glm::dmat3 toCube = glm::inverse(glm::dmat3(kSkewed));
@@ -112,7 +111,7 @@ Inside insideFrustum(const draw::Frustum& f) {
   };
 }
 
-TEST(Visibility, FrustumsHide) {
+TEST(Visibility, FrustumsHidePointsBehindThem) {
   const draw::Frustum kinds[] = {{{0, -0.5f, -1}, {0.3f, 0.5f, 1}, 0.8f, 0.8f, {}},
                                  {{0, -0.5f, -1}, {0.3f, 0.5f, 1}, 1.1f, 0.0f, {}},
                                  {{-1, 0.2f, -0.1f}, {1, 0.1f, 0}, 0.4f, 1.2f, {}},
@@ -124,7 +123,7 @@ TEST(Visibility, FrustumsHide) {
   }
 }
 
-TEST(Visibility, MeshesHide) {
+TEST(Visibility, MeshesHidePointsBehindThem) {
   auto octahedron = std::make_shared<draw::TriangleMesh>();
   octahedron->vertices_M = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   octahedron->triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
@@ -137,7 +136,7 @@ TEST(Visibility, MeshesHide) {
   });
 }
 
-TEST(Visibility, TubesHide) {
+TEST(Visibility, TubesHidePointsBehindThem) {
   draw::Curve tube;
   for (int i = 0; i < 40; ++i) {
     const float a = 0.16f * static_cast<float>(i);
@@ -157,7 +156,7 @@ TEST(Visibility, TubesHide) {
 }
 
 TEST(Visibility, NoLineOfSightSlipsThroughTheSeamsOfAMesh) {
-  // A square of 40 x 40 cells, looked at exactly along edges and through corners.
+  // A square of 40 x 40 cells is seen exactly along edges and through corners.
   auto sheet = std::make_shared<draw::TriangleMesh>();
   constexpr std::uint32_t kCells = 40;
   for (std::uint32_t i = 0; i <= kCells; ++i)
@@ -180,7 +179,6 @@ TEST(Visibility, NoLineOfSightSlipsThroughTheSeamsOfAMesh) {
 }
 
 // ---- what counts as in front
-// --------------------------------------------------------------------------------------
 
 TEST(Visibility, PointsOnASurfaceAreSeenOnTheNearSideOnly) {
   draw::DrawList list = emptyList();
@@ -191,7 +189,7 @@ TEST(Visibility, PointsOnASurfaceAreSeenOnTheNearSideOnly) {
   EXPECT_TRUE(visibility.of({0, 0, 0}).hidden);
 }
 
-TEST(Visibility, LiftBringsALineBeforeWhatItLiesUnder) {
+TEST(Visibility, ALiftedPointIsNotHiddenByItsSurface) {
   draw::DrawList list = emptyList();
   list.ellipsoids.push_back(ellipsoid({0, 0, 0}, glm::mat3(1)));
   const Visibility visibility(list);
@@ -214,9 +212,8 @@ TEST(Visibility, SolidsTooNearToBeDrawnHideNothing) {
 }
 
 // ---- sheets
-// -------------------------------------------------------------------------------------------------------
 
-/// Glass as thick at its rim as flat-on: its opacity does not depend on the angle.
+/// Returns glass that is as opaque at its rim as flat-on, so that its opacity does not depend on the angle.
 draw::GlassEllipsoid evenGlass() {
   draw::GlassEllipsoid glass;
   glass.color = {0.2f, 0.4f, 0.8f};
@@ -241,7 +238,7 @@ TEST(Visibility, GlassDimsAndTintsByTheSheetsInFront) {
   EXPECT_EQ(before.sheets, beside.sheets);
 }
 
-TEST(Visibility, APlaneDimsWithinItsEdgesAndMoreInItsShadow) {
+TEST(Visibility, APlaneDimsPointsBehindItMoreInItsShadow) {
   draw::DrawList list = emptyList();
   draw::GridPlane plane = tinted({0, 0, 0}, {1, 1, 1}, 0.12f);
   plane.v_V = {0, 0, 2};
@@ -249,17 +246,17 @@ TEST(Visibility, APlaneDimsWithinItsEdgesAndMoreInItsShadow) {
   plane.shadowOpacity = 0.5f;
   list.planes.push_back(plane);
   const Visibility visibility(list);
-  // Seen through (0, 0.9, 1.8), 3.7 shadow radii out, where there is none.
+  // The line of sight passes (0, 0.9, 1.8), which is 3.7 shadow radii out and beyond the shadow.
   EXPECT_NEAR(visibility.of({-10, 1.8, 3.6}).transmittance, 0.88, 1e-6);
   EXPECT_EQ(visibility.of({-10, 2.2, 3.6}).transmittance, 1);
   EXPECT_EQ(visibility.of({-10, 1.8, 4.2}).transmittance, 1);
   EXPECT_EQ(visibility.of({2, 0, 0}).transmittance, 1);
   EXPECT_NEAR(visibility.of({-2, 0, 0}).transmittance, 0.88 * (1 - 0.5 * (1 - 1.0 / 512)), 1e-6);
-  // Through (0, 0.5, 0): one radius out.
+  // The line of sight passes (0, 0.5, 0), one radius out.
   EXPECT_NEAR(visibility.of({-10, 1, 0}).transmittance, 0.88 * (1 - 0.5 * (0.25 - 1.0 / 512)), 1e-6);
 }
 
-TEST(Visibility, OfSheetsTheNearerTintsMore) {
+TEST(Visibility, TheNearerOfTwoSheetsTintsMore) {
   draw::DrawList list = emptyList();
   list.planes.push_back(tinted({-1, 0, 0}, {1, 0, 0}, 0.5f));
   list.planes.push_back(tinted({1, 0, 0}, {0, 1, 0}, 0.5f));
@@ -269,8 +266,9 @@ TEST(Visibility, OfSheetsTheNearerTintsMore) {
   EXPECT_DOUBLE_EQ(sight.transmittance, 0.25);
 }
 
-// The cone opens along -z under its apex at (0, 0, 1): at z = 0 it has radius 1. Flat-on it has no rim: even.
-TEST(Visibility, AConeIsTwoSheetsBetweenItsApexAndItsBase) {
+// The cone opens along -z under its apex at (0, 0, 1) and has radius 1 at z = 0. Its rim is as opaque as its
+// sheets flat-on.
+TEST(Visibility, AConeDimsLikeTwoSheets) {
   draw::DrawList list = emptyList();
   draw::GlassCone cone;
   cone.apex_V = {0, 0, 1};
@@ -285,11 +283,11 @@ TEST(Visibility, AConeIsTwoSheetsBetweenItsApexAndItsBase) {
   EXPECT_DOUBLE_EQ(visibility.of({0.9, 0, 0}).transmittance, 0.75);
   EXPECT_DOUBLE_EQ(visibility.of({-0.9, 0, 0}).transmittance, 0.75);
   EXPECT_DOUBLE_EQ(visibility.of({-1.1, 0, 0}).transmittance, 0.75 * 0.75);
-  EXPECT_DOUBLE_EQ(visibility.of({-1, 0, 1.3}).transmittance, 1);  // over the apex: the other half is not there
+  EXPECT_DOUBLE_EQ(visibility.of({-1, 0, 1.3}).transmittance, 1);  // over the apex: no second half
   EXPECT_DOUBLE_EQ(visibility.of({-3, 0, -2}).transmittance, 1);   // under the base
 }
 
-TEST(Visibility, APolygonIsASheetWithinItsEdges) {
+TEST(Visibility, APolygonDimsLikeASheetInsideItsEdges) {
   for (const bool turned : {false, true}) {
     draw::DrawList list = emptyList();
     draw::GlassPolygon triangle;
@@ -306,10 +304,9 @@ TEST(Visibility, APolygonIsASheetWithinItsEdges) {
 }
 
 // ---- parallel rays
-// ------------------------------------------------------------------------------------------------
 
-// What is seen through a very long lens is seen with parallel rays: the oracle is the perspective above.
-TEST(Visibility, ParallelRaysAreThoseOfADistantEye) {
+// A very long lens sees what parallel rays see. Expected: the perspective above.
+TEST(Visibility, ParallelProjectionMatchesADistantCamera) {
   draw::DrawList list = emptyList();
   list.ellipsoids.push_back(ellipsoid({0.2f, -1.1f, 0.3f}, 0.5f * kSkewed));
   list.boxes.push_back(box({-0.4f, 1.2f, 0.8f}, 0.4f * kSkewed));
@@ -333,8 +330,8 @@ TEST(Visibility, ParallelRaysAreThoseOfADistantEye) {
     dimmed += a.transmittance < 0.9;
     differing += a.hidden != b.hidden || (!a.hidden && std::abs(a.transmittance - b.transmittance) > 1e-6);
   }
-  // From there rays within the cube are up to 2e-3 off, and what lies 3e-3 behind a surface counts as on it:
-  // points so near to an edge or a surface may differ. Measured 6 of 2000.
+  // For the distant eye, rays within the cube are up to 2e-3 off, and a point up to 3e-3 behind a surface counts
+  // as on it. Points so near to an edge or a surface may differ. Measured 6 of 2000.
   EXPECT_LE(differing, 20);
   EXPECT_GT(hidden, 100);
   EXPECT_GT(dimmed, 100);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the programs of tests/fuzz, which a build folder has: see --help. Writes into that folder and nowhere else."""
+"""Runs the fuzz programs of a build folder. Writes only into that folder."""
 
 import argparse
 import concurrent.futures
@@ -14,22 +14,22 @@ from pathlib import Path
 import seeds
 
 SCENE_RUNS, OTHER_RUNS = 10_000_000, 2_000_000
-# Longest input in bytes: texts are 4 KiB, which is more than any scene of the gallery has.
+# Longest input in bytes. For other targets it is 4 KiB, which is more than any scene of the gallery has.
 LONGEST = {"mesh": 65536, "png": 65536}
-ABSENT = 77  # what CTest takes for "skipped"
-INTERRUPTED = 72  # libFuzzer's own code for Ctrl-C
+ABSENT = 77  # exit code that CTest reports as "skipped"
+INTERRUPTED = 72  # libFuzzer's exit code for Ctrl-C
 
 
 def words():
     parser = argparse.ArgumentParser(prog="poinsot fuzz", description=__doc__)
-    parser.add_argument("target", nargs="*", help=f"of {', '.join(seeds.TARGETS)}; all if none is named")
+    parser.add_argument("target", nargs="*", help=f"{', '.join(seeds.TARGETS)} (default: all)")
     parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
     amount = parser.add_mutually_exclusive_group()
-    amount.add_argument("--runs", type=int, help=f"of each; {SCENE_RUNS:,} of scene and {OTHER_RUNS:,} of others if not said")
-    amount.add_argument("--seconds", type=float, help="of all together, in place of a number of runs")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="targets at a time; one per CPU if not said")
-    parser.add_argument("--afresh", action="store_true", help="begin with the seeds alone, not with what earlier runs found")
-    parser.add_argument("--built", action="store_true", help=argparse.SUPPRESS)  # all that are built
+    amount.add_argument("--runs", type=int, help=f"runs of each target (default: {SCENE_RUNS:,} of scene, {OTHER_RUNS:,} of the others)")
+    amount.add_argument("--seconds", type=float, help="time for all targets together, instead of a number of runs")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="targets that run at a time (default: one per CPU)")
+    parser.add_argument("--afresh", action="store_true", help="begin with the seeds only, without inputs that earlier runs found")
+    parser.add_argument("--built", action="store_true", help=argparse.SUPPRESS)  # only the targets that are built
     asked = parser.parse_args()
     unknown = set(asked.target) - set(seeds.TARGETS)
     if unknown:
@@ -43,7 +43,7 @@ def program(asked, target):
 
 
 def prepare(folder, target, afresh):
-    """Its folders: what to begin with, what was learnt, what was found."""
+    """Makes the folders of a target: seeds, corpus for inputs that runs find useful, and found for failures."""
     if afresh:
         shutil.rmtree(folder / "corpus", ignore_errors=True)
     shutil.rmtree(folder / "seeds", ignore_errors=True)
@@ -64,12 +64,12 @@ def command(asked, target):
 
 
 def run(asked, target):
-    """True if nothing was found."""
+    """Runs a target. Returns whether it found nothing."""
     folder = asked.build / "runs" / target
     prepare(folder, target, asked.afresh)
     begin = time.monotonic()
     with open(folder / "log", "wb") as log:
-        # Stacks of allocations cost a tenth of the time, and the report of a leak needs them: it is repeated by hand.
+        # Without stacks of allocations, which cost a tenth of the time. To see the stack of a leak, repeat the run by hand.
         environment = {**os.environ, "ASAN_OPTIONS": "quarantine_size_mb=32:malloc_context_size=0"}
         code = subprocess.call(command(asked, target), cwd=folder, env=environment, stdin=subprocess.DEVNULL, stdout=log, stderr=log)
     spent = time.monotonic() - begin
@@ -84,7 +84,7 @@ def run(asked, target):
 def main():
     asked = words()
     if not asked.target or not all(program(asked, target).exists() for target in asked.target):
-        print(f"the programs are not in {asked.build}: ./poinsot fuzz builds them", file=sys.stderr)
+        print(f"the programs do not exist in {asked.build}; ./poinsot fuzz builds them", file=sys.stderr)
         return ABSENT
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
         return 0 if all(list(pool.map(lambda target: run(asked, target), asked.target))) else 1

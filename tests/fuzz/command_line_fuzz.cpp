@@ -22,7 +22,7 @@ void attempt(const Parse& parse) {
   }
 }
 
-/// What the values of options are read by, once a command runs.
+/// Calls every parser of option values that commands use.
 void readValue(const std::string& word) {
   attempt([&] { request::parseTarget(word); });
   attempt([&] { request::parseStillTarget(word); });
@@ -39,7 +39,7 @@ void readValue(const std::string& word) {
 
 }  // namespace
 
-// The words after the program's name, each on a line. Nothing is run.
+// The input is the words after the program's name, one on each line. No command runs.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::vector<std::string> words = fuzz::wordsOf({data, size}, '\n');
   attempt([&] { const cli::CommandLine line(words); });

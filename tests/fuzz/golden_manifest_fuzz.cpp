@@ -3,7 +3,7 @@
 #include "scene/document/problem.h"
 #include "suite/manifest.h"
 
-// Of a folder that is not there.
+// Parses the input as a golden.toml in a folder that does not exist.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     poinsot::suite::parseGoldenManifest(std::string(poinsot::fuzz::textOf({data, size})), "/nowhere/golden.toml");

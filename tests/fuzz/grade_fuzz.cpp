@@ -9,19 +9,19 @@ using namespace poinsot;
 
 namespace {
 
-constexpr std::size_t kMostRows = 100;  // a search goes over all of them a few hundred times
+constexpr std::size_t kMostRows = 100;  // a search reads all rows a few hundred times
 constexpr double kMostSteps = 200;
 
 struct Body {
   Eigen::Vector3d moments, omega;
 };
 
-/// At rest, sphere, top, about an axis, beside the separatrix, steady, needle.
+/// Bodies: at rest, sphere, symmetric, asymmetric, near the separatrix, steady, needle.
 const Body kBodies[] = {{{2, 2, 2}, {0, 0, 0}},         {{2, 2, 2}, {1, 2, 3}},     {{1, 1, 2}, {0.1, 0.2, 3}},
                         {{1, 2, 3}, {0.5, 0.1, 2}},     {{1, 2, 3}, {1e-12, 1, 0}}, {{1, 2, 3}, {0, 0, -2}},
                         {{1e-8, 1, 1}, {1, 1e-3, 2e-3}}};
 
-/// Nothing, drag of one rate, a torque, a loss of energy.
+/// Returns no forcing, isotropic drag, a torque or dissipation for kinds 0 to 3.
 physics::Forcing forcingOf(unsigned kind) {
   physics::Forcing forcing;
   if (kind == 1) forcing.dragRate_P.setConstant(0.5);
@@ -32,7 +32,7 @@ physics::Forcing forcingOf(unsigned kind) {
 
 }  // namespace
 
-// The kind of the motion, then a table that is graded against it.
+// The input is a byte that selects the motion, then a table that is graded against it.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const Body& body = kBodies[data[0] % std::size(kBodies)];
@@ -46,7 +46,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const reference::TrajectoryTable theirs =
         reference::parseTrajectoryTable(fuzz::textOf({data + 1, size - 1}), "theirs.csv");
     if (theirs.rows() > kMostRows) return 0;
-    // A late start is looked for at some ten thousand times, which in closed form take no time.
+    // The search for a late start evaluates ten thousand times, so it runs only with motions in closed form.
     reference::grade(*maker(reference::spanOf(theirs)), theirs, driven < 2 ? maker : reference::MotionMaker());
   } catch (const core::Error& error) {
     fuzz::expectPrintable(error.what());

@@ -10,15 +10,15 @@
 
 #include "core/text.h"
 
-/// What the targets have in common. A target catches the errors that are documented; any other ends it, and is
-/// found.
+/// Code that the targets share. A target catches documented errors; any other exception ends the target and is
+/// reported as found.
 namespace poinsot::fuzz {
 
 using Bytes = std::span<const std::uint8_t>;
 
 inline std::string_view textOf(Bytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
-/// At least one.
+/// Splits bytes at a separator. Returns at least one word, which may be empty.
 inline std::vector<std::string> wordsOf(Bytes bytes, char between) {
   std::vector<std::string> words{""};
   for (const std::uint8_t byte : bytes)
@@ -29,7 +29,7 @@ inline std::vector<std::string> wordsOf(Bytes bytes, char between) {
   return words;
 }
 
-/// What a message shows of an input cannot move a terminal's cursor, colour it or turn its text round.
+/// Aborts if a message has characters that could move a terminal's cursor, colour it or reverse its text.
 inline void expectPrintable(std::string_view message) {
   for (std::size_t i = 0; i < message.size();) {
     if (message[i] == '\n' || (message[i] >= ' ' && message[i] <= '~')) {

@@ -4,7 +4,7 @@
 #include "geometry/mesh_file.h"
 #include "geometry/mesh_integrals.h"
 
-// A byte that says which format, then the file.
+// The input is a byte that selects the format, then the file.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using poinsot::geometry::MeshFormat;
   if (size == 0) return 0;

@@ -7,8 +7,8 @@ namespace {
 
 using poinsot::fuzz::Bytes;
 
-/// Large pictures cost time in clearing their memory and nothing else: those that the limits let through are left
-/// out.
+/// Reports whether a picture is large but within the limits. Such pictures are skipped, because they only cost
+/// time for clearing memory.
 bool isLarge(Bytes png) {
   constexpr std::size_t kWidthAt = 16, kHeightAt = 20, kEnd = 24;
   if (png.size() < kEnd) return false;
@@ -29,8 +29,8 @@ std::uint32_t crc32(Bytes bytes) {
   return ~sum;
 }
 
-/// With the checksum of each chunk made right, as it is in a file that is meant to do harm: else nearly all would
-/// be refused by the first.
+/// Returns the file with correct checksums in all chunks, as in a malicious file. Without this, the first checksum
+/// would reject nearly all inputs.
 std::vector<std::uint8_t> repaired(Bytes png) {
   std::vector<std::uint8_t> fixed(png.begin(), png.end());
   constexpr std::size_t kSignature = 8, kAround = 12;

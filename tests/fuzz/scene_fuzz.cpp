@@ -5,7 +5,7 @@
 #include "fuzz/input.h"
 #include "scene/scene_file.h"
 
-// A scene file, then the words after -D, each after a NUL. The files beside it are those of the scene tests.
+// The input is a scene file, then overrides (-D), each after a NUL. The scene can refer to tests/scene/data.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::vector<std::string> words = poinsot::fuzz::wordsOf({data, size}, '\0');
   const std::string text = std::move(words.front());

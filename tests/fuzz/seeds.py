@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What each target begins with: real inputs of this repository, and small ones of every kind there is. TARGETS has for
-each target the function that gives its seeds, as bytes."""
+"""Seeds of the fuzz targets: real inputs of this repository, and small inputs of every kind. TARGETS has the function of each
+target that yields its seeds, as bytes."""
 
 import itertools
 import json
@@ -36,7 +36,7 @@ def tex():
     yield r"$\text{if } \sin\theta \le 1, \boldsymbol{\omega} \mathrm{d} \mathit{x} \times \cdot \Omega ω = -1$".encode()
 
 
-# A tetrahedron.
+# Vertices and faces of a tetrahedron.
 VERTICES = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
 FACES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
 
@@ -67,7 +67,7 @@ def meshes():
 
 def png(depth, color, interlaced=False, chunks=()):
     side, samples = 5, {0: 1, 2: 3, 3: 1, 4: 2, 6: 4}[color]
-    # Adam7's passes of a picture of five by five: width and height of each.
+    # Width and height of each Adam7 pass of a picture of 5x5.
     passes = [(1, 1), (1, 1), (2, 1), (1, 2), (3, 1), (2, 3), (5, 2)] if interlaced else [(side, side)]
     rows = b"".join((bytes([height % 5]) + bytes(range(1, (width * samples * depth + 7) // 8 + 1))) * height for width, height in passes)
 
@@ -107,7 +107,7 @@ def trajectory_tables():
 
 
 def grades():
-    """The kind of a motion and a table: times of every size, in the columns that an engine may write."""
+    """Yields the byte of a motion and a table: times of every magnitude, in the columns of various engines."""
     times = ["0", "0.5", "1", "1e14", "1e154", "1e289", "1e291", "1e300", "1e308", "-1e300", "4.9e-324", "-0"]
     for kind in range(28):
         yield bytes([kind]) + ("t,q_w,q_x,q_y,q_z\n" + "".join(f"{t},1,0,0,0\n" for t in times[kind % 6:kind % 6 + 7])).encode()
@@ -145,7 +145,7 @@ def command_lines():
         try:
             found.add("\n".join(shlex.split(line, comments=True)))
         except ValueError:
-            pass  # prose, with an apostrophe
+            pass  # prose with an apostrophe, not a command
     yield from (line.encode() for line in sorted(found))
     yield from (word.encode() for word in ("--version", "--help", "help\nrender", "f_{frame:05}.png", "5-7", "2/7", "640x360", "0,90 ms", "0-3"))
 
@@ -159,7 +159,7 @@ NUMBERS = ["nan", "inf", "1e999", "-0", "1e-320", "9223372036854775807", "-92233
 
 
 def strings(pattern, kind=r"[A-Za-z_][\w./^-]{0,30}"):
-    """What stands between quotes in sources of the program."""
+    """Returns the string literals of the program's sources that match `kind`."""
     paths = sorted((ROOT / "src").glob(pattern))
     assert paths, f"src/{pattern}: there is no such file"
     text = "\n".join(path.read_text() for path in paths)
@@ -182,6 +182,6 @@ def vocabulary(target):
 
 
 def dictionary(target):
-    """For libFuzzer's -dict: what its mutations put in."""
+    """Returns the text of libFuzzer's dictionary (-dict): words that its mutations insert."""
     escaped = (word if word.startswith("\\") else word.replace("\\", "\\\\").replace('"', '\\"') for word in vocabulary(target))
     return "".join(f'"{word}"\n' for word in dict.fromkeys(escaped))

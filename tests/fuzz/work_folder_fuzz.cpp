@@ -16,7 +16,7 @@ const request::OutputTarget kSequence{request::OutputKind::kSequence, "f_{frame:
 void readJob(std::string_view text, const request::OutputTarget& target) {
   const auto job = job::parseJobRecord(text, target);
   if (!job) return;
-  // With a million of them each input would take a second.
+  // A million segments would take a second.
   if (job->frames.count() / job->segmentFrames < 1000) request::segmentsOf({1, 1}, job->segments());
 }
 
@@ -30,8 +30,8 @@ void readRecord(std::string_view text, const request::OutputTarget& target) {
 
 }  // namespace
 
-// A byte that says what it is, then a file of JSON that lies in a work folder or beside a reference picture. What
-// cannot be understood is as good as missing: nothing is thrown.
+// The input is a byte that selects the kind of file, then a JSON file of a work folder or of a reference picture.
+// A malformed file counts as missing: nothing is thrown.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const std::string_view text = fuzz::textOf({data + 1, size - 1});

@@ -13,7 +13,7 @@ std::string verdict(const Mesh& mesh) {
   return refusal([&] { checkClosed(mesh); });
 }
 
-TEST(MeshCheck, AnOpenMeshNamesTheEdge) {
+TEST(MeshCheck, NamesTheOpenEdgeOfAMesh) {
   Mesh mesh = boxMesh({2, 4, 6});
   mesh.triangles.pop_back();  // half of the face z = -3
   EXPECT_EQ(verdict(mesh),
@@ -22,7 +22,7 @@ TEST(MeshCheck, AnOpenMeshNamesTheEdge) {
   EXPECT_EQ(verdict(Mesh{}), "the mesh has no triangles; a body is bounded by triangles");
 }
 
-TEST(MeshCheck, EveryMissingTriangleIsFound) {
+TEST(MeshCheck, FindsEveryMissingOrFlippedTriangle) {
   for (const Sample& sample : primitives(7))
     for (std::size_t i = 0; i < sample.mesh.triangles.size(); ++i) {
       Mesh open = sample.mesh;
@@ -34,7 +34,7 @@ TEST(MeshCheck, EveryMissingTriangleIsFound) {
     }
 }
 
-TEST(MeshCheck, ATriangleFacingInwardNamesTheEdge) {
+TEST(MeshCheck, NamesTheEdgeOfATriangleFacingInward) {
   Mesh mesh = boxMesh({2, 4, 6});
   std::swap(mesh.triangles[0][0], mesh.triangles[0][1]);
   EXPECT_EQ(verdict(mesh),
@@ -42,17 +42,17 @@ TEST(MeshCheck, ATriangleFacingInwardNamesTheEdge) {
             "one of them faces inward: swap two of its corners");
 }
 
-TEST(MeshCheck, InsideOutIsRefusedWithTheRepair) {
+TEST(MeshCheck, RejectsAMeshThatIsInsideOut) {
   EXPECT_EQ(verdict(flipped(boxMesh({2, 4, 6}))),
             "the mesh is inside out: its volume is -48 m³; flip its triangles (swap two corners of each)");
 }
 
 Mesh moved(Mesh mesh, const Vector3d& by) { return transformed(std::move(mesh), Eigen::Matrix3d::Identity(), by); }
 
-// Of a cube of mass 1 about its centre: 1/6. Each centre is (±1/2, ±1/2, 0) from that of both.
+// A cube of mass 1 has the moment 1/6 about its centre. Each cube's centre is (±1/2, ±1/2, 0) from the common one.
 TEST(MeshCheck, AcceptsFourTrianglesAtAnEdge) {
   const Mesh two = welded(joined(cubeMesh(1), moved(cubeMesh(1), {1, 1, 0})));
-  EXPECT_EQ(two.vertices_M.size(), 14U);  // they share two corners
+  EXPECT_EQ(two.vertices_M.size(), 14U);  // the cubes share two corners
   EXPECT_EQ(verdict(two), "accepted");
   Eigen::Matrix3d expected = Vector3d(1. / 6 + 1. / 4, 1. / 6 + 1. / 4, 1. / 6 + 1. / 2).asDiagonal();
   expected(0, 1) = expected(1, 0) = -1. / 4;
@@ -81,19 +81,19 @@ TEST(MeshCheck, AcceptsATetrahedronThatTouchesAnotherAtAnEdge) {
   EXPECT_NEAR(integrals(mesh).volume_m3, 1. / 3, 1e-16);  // measured 0
 }
 
-TEST(MeshCheck, RejectsAFin) {
+TEST(MeshCheck, RejectsATriangleThatSticksOut) {
   Mesh mesh = cubeMesh(1);
   const auto [a, b, c] = mesh.triangles[0];
   const auto tip = static_cast<std::uint32_t>(mesh.vertices_M.size());
   mesh.vertices_M.emplace_back(2, 2, 2);
   mesh.triangles.push_back({a, b, tip});
   EXPECT_NE(verdict(mesh), "accepted");
-  mesh.triangles.push_back({b, a, tip});  // seen from both sides it bounds nothing
+  mesh.triangles.push_back({b, a, tip});  // a fin with two sides bounds nothing
   EXPECT_EQ(verdict(mesh), "accepted");
   EXPECT_NEAR(integrals(mesh).volume_m3, 1, 1e-15);  // measured 0
 }
 
-TEST(MeshCheck, NamesAnEdgeWithMoreTrianglesOneWay) {
+TEST(MeshCheck, NamesAnEdgeWhoseTrianglesDoNotPairUp) {
   Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}},
             {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {1, 2, 0}, {2, 0, 1}}};
   EXPECT_EQ(verdict(mesh),
@@ -105,16 +105,16 @@ TEST(MeshCheck, NamesAnEdgeWithMoreTrianglesOneWay) {
       "closed surface has as many of each: remove a triangle, or add what is missing, in a mesh program");
 }
 
-TEST(MeshCheck, RejectsASurfaceThatIsThereTwice) {
+TEST(MeshCheck, RejectsADuplicatedSurface) {
   const Mesh twice = welded(joined(cubeMesh(1), cubeMesh(1)));  // every edge is balanced
   EXPECT_EQ(verdict(twice).substr(0, 29), "the mesh has the triangle (0.");
   EXPECT_TRUE(verdict(twice).ends_with(") more than once; remove all but one")) << verdict(twice);
-  Mesh cancelled = twice;  // and once more, inside out
+  Mesh cancelled = twice;  // a third time, inside out
   for (const auto& [a, b, c] : cubeMesh(1).triangles) cancelled.triangles.push_back({c, b, a});
   EXPECT_EQ(verdict(cancelled), "accepted");
 }
 
-TEST(MeshCheck, NamesThePlacesInTheFile) {
+TEST(MeshCheck, NamesTheLineOrByteOfTheFaultyTriangle) {
   Mesh mesh = tetrahedronMesh(1);
   for (std::uint64_t line = 10; line < 14; ++line) mesh.places.push_back(atLine(line));
   Mesh open = mesh;
@@ -130,7 +130,7 @@ TEST(MeshCheck, NamesThePlacesInTheFile) {
   EXPECT_NE(verdict(mesh).find("line 12"), std::string::npos) << verdict(mesh);
 }
 
-TEST(MeshCheck, AFoldedSheetHasNoVolume) {
+TEST(MeshCheck, RejectsAFoldedSheetWithoutVolume) {
   Mesh sheet;
   sheet.vertices_M = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {.3, .7, 0}};
   sheet.triangles = {{0, 1, 3}, {0, 3, 2}, {0, 3, 1}, {0, 2, 3}};
@@ -142,11 +142,11 @@ TEST(MeshCheck, AFoldedSheetHasNoVolume) {
       "remove the triangles that face inward, or give the surface a thickness");
 }
 
-TEST(MeshCheck, TrianglesWithoutAreaDoNoHarm) {
+TEST(MeshCheck, AcceptsTrianglesWithoutArea) {
   Mesh mesh = cubeMesh(1);
   const auto [a, b, c] = mesh.triangles[0];
   mesh.triangles.push_back({a, a, b});  // a corner repeated
-  // A new vertex on an edge, with a sliver that fills the crack it makes.
+  // Adds a vertex on an edge, and a sliver that fills the crack.
   const auto middle = static_cast<std::uint32_t>(mesh.vertices_M.size());
   mesh.vertices_M.push_back((mesh.vertices_M[a] + mesh.vertices_M[b]) / 2);
   mesh.triangles[0] = {a, middle, c};
@@ -156,23 +156,23 @@ TEST(MeshCheck, TrianglesWithoutAreaDoNoHarm) {
   EXPECT_NEAR(integrals(mesh).volume_m3, 1, 1e-15);
 }
 
-TEST(MeshCheck, ACavityIsAMeshInsideOut) {
+TEST(MeshCheck, AcceptsACavity) {
   EXPECT_EQ(verdict(joined(boxMesh({1.2, .9, .5}), flipped(boxMesh({1.1, .8, .4})))), "accepted");
 }
 
-TEST(MeshCheck, RejectsWhatIsTooLargeForANumber) {
+TEST(MeshCheck, RejectsAVolumeBeyondTheRangeOfADouble) {
   EXPECT_EQ(verdict(cubeMesh(1e110)),
-            "the mesh is too large for its volume to be a number; give its lengths in a larger unit");
+            "the volume of the mesh is beyond the range of a double; give its lengths in a larger unit");
 }
 
-TEST(MeshCheck, IndicesAreAContract) {
+TEST(MeshCheck, ThrowsALogicErrorForIndicesOutOfRange) {
   Mesh mesh = cubeMesh(1);
   mesh.triangles[3][1] = 8;
   EXPECT_THROW(checkClosed(mesh), std::logic_error);
 }
 
-TEST(Mesh, WeldingSharesCornersAndDropsStrays) {
-  Mesh soup;  // as an STL file has it, with a stray vertex
+TEST(Mesh, WeldingMergesCornersAndDropsUnusedVertices) {
+  Mesh soup;  // triangles with separate corners, as in an STL file, and a stray vertex
   const Mesh cube = cubeMesh(1);
   soup.vertices_M.emplace_back(9, 9, 9);
   for (const Mesh::Triangle& t : cube.triangles) {
@@ -186,10 +186,10 @@ TEST(Mesh, WeldingSharesCornersAndDropsStrays) {
   EXPECT_EQ(mesh.vertices_M.size(), 8U);
   EXPECT_EQ(mesh.triangles.size(), 12U);
   EXPECT_EQ(verdict(mesh), "accepted");
-  EXPECT_EQ(mesh.vertices_M[0], soup.vertices_M[1]);  // in the order of the first
+  EXPECT_EQ(mesh.vertices_M[0], soup.vertices_M[1]);  // ordered by first use
 }
 
-TEST(Mesh, WeldingKnowsNoSignOfZero) {
+TEST(Mesh, WeldingIgnoresTheSignOfZero) {
   Mesh mesh{{{0., 1, 0}, {1, 0, 0}, {0, 0, 1}, {-0., 1, 0}}, {{0, 1, 2}, {3, 2, 1}}};
   EXPECT_EQ(welded(mesh).vertices_M.size(), 3U);
 }

@@ -6,8 +6,8 @@
 #include "geometry/mesh_samples.h"
 #include "geometry/mesh_writers.h"
 
-// Damaged files are refused or read, whatever the damage: no crash, no exception of another kind, and what is read
-// is a mesh whose indices hold.
+// A damaged file must be either refused with core::Error or read as a mesh with valid indices, without a crash or
+// another exception.
 
 namespace poinsot::geometry {
 namespace {
@@ -30,7 +30,7 @@ std::vector<File> files() {
   return result;
 }
 
-/// True if it was read.
+/// Returns whether the bytes were read as a closed mesh.
 bool attempt(const std::string& bytes, MeshFormat format) {
   try {
     const Mesh mesh = parseMesh(bytes, format, "damaged").mesh;
@@ -44,7 +44,7 @@ bool attempt(const std::string& bytes, MeshFormat format) {
   }
 }
 
-TEST(MeshFuzz, EveryTruncation) {
+TEST(MeshFuzz, SurvivesEveryTruncation) {
   for (const File& file : files()) {
     EXPECT_TRUE(attempt(file.bytes, file.format));
     for (std::size_t length = 0; length < file.bytes.size(); ++length)
@@ -78,16 +78,16 @@ std::string mutated(std::string bytes, Draw& draw) {
   return bytes;
 }
 
-TEST(MeshFuzz, RandomDamage) {
+TEST(MeshFuzz, SurvivesRandomDamage) {
   Draw draw(77);
   int read = 0, refused = 0;
   for (const File& file : files())
     for (int i = 0; i < 1500; ++i) ++(attempt(mutated(file.bytes, draw), file.format) ? read : refused);
-  EXPECT_GT(read, 300);      // measured 924 of 18000: closed after all, so that the readers are entered deeply
+  EXPECT_GT(read, 300);      // measured 924 of 18000: files that stay closed reach deep into the readers
   EXPECT_GT(refused, 9000);  // measured 17076
 }
 
-TEST(MeshFuzz, OneFormatTakenForAnother) {
+TEST(MeshFuzz, RejectsOneFormatReadAsAnother) {
   for (const File& file : files())
     for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kStl, MeshFormat::kPly})
       EXPECT_EQ(attempt(file.bytes, format), format == file.format);

@@ -27,7 +27,7 @@ Matrix3d boxInertia(const Vector3d& e) {
   return Vector3d((s[1] + s[2]) / 12, (s[2] + s[0]) / 12, (s[0] + s[1]) / 12).asDiagonal();
 }
 
-// Expected values: PHYSICS 3.1, per unit mass.
+// Expected moments: closed forms per unit mass, evaluated apart from the code.
 TEST(MeshIntegrals, CubeTetrahedronAndLPrismAreExact) {
   expectResidual("cube", worst(integrals(cubeMesh(1)).inertiaPerMass_M, Matrix3d::Identity() / 6),
                  1e-15);  // measured 1.7e-16
@@ -44,7 +44,7 @@ TEST(MeshIntegrals, CubeTetrahedronAndLPrismAreExact) {
   expectResidual("its volume", std::abs(prism.volume_m3 - 2.25 * .25), 1e-15);                    // measured 0
 }
 
-/// The same surface with its triangles split at random points of their edges and insides.
+/// Splits triangles of a surface at random points inside them.
 Mesh resplit(Mesh mesh, Draw& draw) {
   for (int round = 0; round < 200; ++round) {
     const std::size_t at = draw.below(mesh.triangles.size());
@@ -69,7 +69,7 @@ TEST(MeshIntegrals, DoNotDependOnTheTriangulation) {
   }
 }
 
-TEST(MeshIntegrals, TurnAsTheirBody) {
+TEST(MeshIntegrals, TurnWithTheBody) {
   const Matrix3d R = Eigen::AngleAxisd(.7, Vector3d(1, -2, .5).normalized()).toRotationMatrix();
   const Vector3d e(1.2, .9, .5), offset(3, -4, 5);
   const MeshIntegrals turned = integrals(transformed(boxMesh(e), R, offset));
@@ -78,14 +78,13 @@ TEST(MeshIntegrals, TurnAsTheirBody) {
   expectResidual("turned centre", (turned.centre_M - offset).norm(), 3e-15);  // measured 0
 }
 
-TEST(MeshIntegrals, FlippedIsNegative) {
+TEST(MeshIntegrals, HaveNegativeVolumeForAFlippedMesh) {
   EXPECT_EQ(integrals(flipped(cubeMesh(1))).volume_m3, -integrals(cubeMesh(1)).volume_m3);
   EXPECT_LT(integrals(flipped(torusMesh(1.1, .35, 12))).volume_m3, 0);
 }
 
-// The trap of PHYSICS 3.1: integrals taken about a far origin lose everything. Offsets that leave the corners
-// exact.
-TEST(MeshIntegrals, KeepTheirDigitsFarFromTheOrigin) {
+// Integrals about a far origin would lose all digits. The offsets leave the corners exact.
+TEST(MeshIntegrals, StayAccurateFarFromTheOrigin) {
   const Vector3d e(1.25, .875, .5);
   for (const double far : {1e3, 1e6, 0x1p40}) {
     const MeshIntegrals moved = integrals(transformed(boxMesh(e), Matrix3d::Identity(), {far, -far, far / 2}));
@@ -94,9 +93,9 @@ TEST(MeshIntegrals, KeepTheirDigitsFarFromTheOrigin) {
   }
 }
 
-// A body whose centre is 500 of its lengths from the middle of the bounding box, for a speck at the other end: one
-// pass loses six digits, the second finds them.
-TEST(MeshIntegrals, KeepTheDigitsOfABodyAtOneEndOfItsBox) {
+// A speck moves the middle of the bounding box 500 lengths away from the body. The first pass loses six digits;
+// the second pass recovers them.
+TEST(MeshIntegrals, StayAccurateForABodyFarFromItsBoxCentre) {
   const double edge = 0x1p-10, speck = 0x1p-30;
   const MeshIntegrals both =
       integrals(joined(cubeMesh(edge), transformed(cubeMesh(speck), Matrix3d::Identity(), {1, 0, 0})));
@@ -116,8 +115,9 @@ TEST(MeshIntegrals, NeitherOverflowNorVanish) {
   }
 }
 
-// PHYSICS 3.1: relative error of the moments of an ellipsoid from an icosphere of 80, 320, 1280, 5120 faces.
-TEST(MeshIntegrals, AnIcosphereConvergesWithSlopeTwo) {
+// Relative errors of an ellipsoid's moments from icospheres of 80, 320, 1280 and 5120 faces, computed apart from
+// the code.
+TEST(MeshIntegrals, ConvergeInSecondOrderForAnIcosphere) {
   const Vector3d s(1.3, .8, .5);
   const Matrix3d exact = boxInertia(s) * 12 / 5;
   const double expected[] = {-8.55e-2, -2.26e-2, -5.74e-3, -1.44e-3};
@@ -128,8 +128,8 @@ TEST(MeshIntegrals, AnIcosphereConvergesWithSlopeTwo) {
   }
 }
 
-// Moments of the solids of revolution per unit mass: PHYSICS 3.1. Their meshes come near as 1/n².
-TEST(MeshIntegrals, TurnedMeshesConvergeToTheTable) {
+// Moments of solids of revolution per unit mass, from closed forms. The error of a mesh falls as 1/n².
+TEST(MeshIntegrals, ConvergeToClosedFormsForSolidsOfRevolution) {
   const struct {
     const char* name;
     std::function<Mesh(int)> make;

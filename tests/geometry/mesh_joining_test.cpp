@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The triangles of a mesh, each with corners of its own, as an STL file has them.
+/// Returns the triangles of a mesh, each with separate corners, as in an STL file.
 Mesh soupOf(const Mesh& mesh) {
   Mesh soup;
   for (const Mesh::Triangle& t : mesh.triangles) {
@@ -30,7 +30,7 @@ Vector3d noise(Draw& draw, double most) {
   return {draw.between(-most, most), draw.between(-most, most), draw.between(-most, most)};
 }
 
-// One corner of a box of 2 x 1 x 3, written 2.4e-18 instead of 0 in one triangle, as a CAD program writes.
+// In one triangle a corner of a box of 2 x 1 x 3 has 2.4e-18 instead of 0, as CAD programs write.
 TEST(MeshJoining, ClosesABoxWithRoundingAtZero) {
   Mesh box = soupOf(transformed(boxMesh({2, 1, 3}), Eigen::Matrix3d::Identity(), {1, .5, 1.5}));
   const auto corner = std::ranges::find(box.vertices_M, Vector3d(0, 0, 0));
@@ -47,12 +47,12 @@ TEST(MeshJoining, ClosesABoxWithRoundingAtZero) {
   EXPECT_NEAR(integrals(closed->mesh).volume_m3, 6, 1e-15);  // measured 0
 }
 
-TEST(MeshJoining, LeavesAClosedMeshAlone) {
+TEST(MeshJoining, KeepsAClosedMeshUnchanged) {
   for (const Sample& sample : primitives(9)) EXPECT_FALSE(closedByJoining(sample.mesh)) << sample.name;
 }
 
-// Corners that are to be joined lie on both sides of any border of cells, and of round numbers.
-TEST(MeshJoining, FindsNeighboursWhereverTheyLie) {
+// Corners to be joined lie on both sides of cell borders and of round numbers.
+TEST(MeshJoining, FindsNeighboursAcrossCellBorders) {
   Draw draw(31);
   for (const double part : {4e-10, 4e-7})
     for (const Sample& sample : primitives(12))
@@ -79,7 +79,7 @@ TEST(MeshJoining, ClosesWithinTheRoundingOfFloats) {
   EXPECT_GE(closed->farthest, 0x1p-25);
 }
 
-TEST(MeshJoining, LeavesAnOpenMeshAlone) {
+TEST(MeshJoining, KeepsAnOpenMeshUnchanged) {
   for (const Sample& sample : primitives(9)) {
     Mesh open = sample.mesh;
     open.triangles.pop_back();
@@ -100,21 +100,21 @@ TEST(MeshJoining, KeepsDetailAwayFromOpenEdges) {
   EXPECT_EQ(closed->mesh.triangles.size(), 24U);
 }
 
-// Beside a cube a ribbon of triangles, narrower than the tolerance and 1000 times as long. If neighbours of
-// neighbours became one, it would vanish and leave a closed surface.
-TEST(MeshJoining, DrawsNoChainOfNeighboursTogether) {
+// Beside a cube lies a ribbon of triangles, narrower than the tolerance and 1000 times as long. If neighbours of
+// neighbours were joined, the ribbon would vanish and leave a closed surface.
+TEST(MeshJoining, DoesNotJoinChainsOfNeighbours) {
   for (const double reach : {1e-9, 1e-6}) {
     Mesh mesh = cubeMesh(1);
     const auto first = static_cast<std::uint32_t>(mesh.vertices_M.size());
     for (std::uint32_t i = 0; i < 1000; ++i) mesh.vertices_M.emplace_back(.9 * reach * i, (i % 2) * .5 * reach, 0);
     for (std::uint32_t i = first; i < first + 998; ++i) mesh.triangles.push_back({i, i + 1, i + 2});
     const auto closed = closedByJoining(mesh);
-    EXPECT_EQ(closed.has_value(), reach == 1e-9);  // within 1e-6 of the size the whole ribbon is one place
+    EXPECT_EQ(closed.has_value(), reach == 1e-9);  // the whole ribbon fits within 1e-6 of the size
     EXPECT_LE(closed ? closed->farthest : 0, 1e-6);
   }
 }
 
-// A spike on a tetrahedron: one triangle whose two lower corners become one. It goes with its place and its tip.
+// The lower two corners of a spike on a tetrahedron are joined. The spike must vanish with its place and its tip.
 TEST(MeshJoining, DropsTrianglesThatCollapse) {
   Mesh mesh = soupOf(tetrahedronMesh(1));
   const Vector3d a = mesh.vertices_M[0], b = a + Vector3d(0, 0, 1e-12);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files as programs write them, beside what their formats say: read, with a note where something is passed over.
+// Files that deviate from their formats, as programs write them. They are read, with a note on what is ignored.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::string upper(std::string text) {
   return text;
 }
 
-/// Expects the file to be closed and of 6 m³.
+/// Returns the notes on a file, which must hold a closed mesh of 6 m³.
 Notes notesOn(const std::string& bytes, MeshFormat format) {
   try {
     const MeshReading reading = parseMesh(bytes, format, "body");
@@ -43,7 +43,7 @@ Notes notesOn(const std::string& bytes, MeshFormat format) {
 
 const Mesh kBox = boxMesh({2, 1, 3});
 
-TEST(MeshNotes, AnAsciiStlIsReadHoweverItsWordsAreWritten) {
+TEST(MeshNotes, AreAbsentForEverySpellingOfAnAsciiStl) {
   const std::string text = asAsciiStl(kBox);
   const std::string variants[] = {
       text,
@@ -60,14 +60,14 @@ TEST(MeshNotes, AnAsciiStlIsReadHoweverItsWordsAreWritten) {
     EXPECT_EQ(notesOn(variant, MeshFormat::kStl), Notes()) << variant.substr(0, 40);
 }
 
-TEST(MeshNotes, SeveralSolidsOfAFileAreOneBody) {
+TEST(MeshNotes, AreAbsentForSeveralSolidsInAFile) {
   const std::string text = asAsciiStl(kBox);
   const std::size_t half = text.find("  facet", text.size() / 2);
   EXPECT_EQ(notesOn(text.substr(0, half) + "endsolid a\n\nSOLID b\n" + text.substr(half), MeshFormat::kStl),
             Notes());
 }
 
-TEST(MeshNotes, ABinaryStlMayBeginWithSolid) {
+TEST(MeshNotes, AreAbsentForABinaryStlThatBeginsWithSolid) {
   const std::string bytes = asBinaryStl(kBox);
   ASSERT_EQ(bytes.substr(0, 6), "solid ");
   EXPECT_EQ(notesOn(bytes, MeshFormat::kStl), Notes());
@@ -76,60 +76,58 @@ TEST(MeshNotes, ABinaryStlMayBeginWithSolid) {
   EXPECT_EQ(notesOn(facet, MeshFormat::kStl), Notes());
 }
 
-TEST(MeshNotes, BytesAfterTheLastTriangle) {
+TEST(MeshNotes, MentionIgnoredBytesAtTheEnd) {
   std::string bytes = asBinaryStl(kBox);
-  const Notes expected{"body: byte 684: 16 bytes after the last of 12 triangles are passed over"};
+  const Notes expected{"body: byte 684: 16 bytes after the last of 12 triangles are ignored"};
   EXPECT_EQ(notesOn(bytes + std::string(16, '\0'), MeshFormat::kStl), expected);
   bytes[0] = 'x';
   EXPECT_EQ(notesOn(bytes + std::string(16, 'x'), MeshFormat::kStl), expected);
   const std::string ply = asBinaryPly(kBox, std::endian::little);
   EXPECT_EQ(notesOn(ply + "abc", MeshFormat::kPly),
             Notes{"body: byte " + std::to_string(ply.size()) +
-                  ": 3 bytes after the last row that the header counts are passed over"});
+                  ": 3 bytes after the last row that the header declares are ignored"});
 }
 
-TEST(MeshNotes, NumbersAfterThoseOfAPlyLine) {
+TEST(MeshNotes, MentionIgnoredNumbersInPlyLines) {
   const std::string text = asAsciiPly(kBox);
   const std::size_t faces = text.find("\n3 ") + 1;
   const std::string surplus = text.substr(0, faces) + replaced(text.substr(faces), "\n", " 200 1 1\n");
-  EXPECT_EQ(
-      notesOn(surplus, MeshFormat::kPly),
-      Notes{"body:19: the line has more numbers than the header promises; the rest is passed over (12 places)"});
+  EXPECT_EQ(notesOn(surplus, MeshFormat::kPly),
+            Notes{"body:19: the line has more numbers than the header declares; the rest is ignored (12 places)"});
   EXPECT_EQ(notesOn(replaced(surplus, "\n", "\n\n"), MeshFormat::kPly).size(), 1U);
   EXPECT_EQ(notesOn(text + "what\nelse\n", MeshFormat::kPly),
-            Notes{"body:31: what follows the last row that the header counts is passed over"});
+            Notes{"body:31: the text after the last row that the header declares is ignored"});
 }
 
-TEST(MeshNotes, RowsOfAPlyMayShareLinesOrGoOnAcrossThem) {
+TEST(MeshNotes, AreAbsentForPlyRowsSplitAcrossLines) {
   const std::string text = asAsciiPly(kBox);
   const std::size_t body = text.find("end_header\n") + 11;
   EXPECT_EQ(notesOn(text.substr(0, body) + replaced(text.substr(body), "\n", " "), MeshFormat::kPly), Notes());
   EXPECT_EQ(notesOn(text.substr(0, body) + replaced(text.substr(body), " ", "\n"), MeshFormat::kPly), Notes());
 }
 
-TEST(MeshNotes, ALineWithTooFewNumbersIsNamed) {
+TEST(MeshNotes, PlyLineWithTooFewNumbersIsRejected) {
   const std::string text = asAsciiPly(kBox);
   const std::size_t faces = text.find("\n3 ") + 1;
-  EXPECT_EQ(
-      notesOn(text.substr(0, faces) + "3 0 1\n" + text.substr(text.find('\n', faces) + 1), MeshFormat::kPly),
-      Notes{"refused: body:19: the line has fewer numbers than the header promises; add them, or export the mesh "
-            "again"});
+  EXPECT_EQ(notesOn(text.substr(0, faces) + "3 0 1\n" + text.substr(text.find('\n', faces) + 1), MeshFormat::kPly),
+            Notes{"refused: body:19: the line has fewer numbers than the header declares; add them, or export the "
+                  "mesh again"});
 }
 
-TEST(MeshNotes, AByteOrderMarkIsPassedOver) {
+TEST(MeshNotes, AreAbsentForAByteOrderMark) {
   EXPECT_EQ(notesOn(kMark + asObj(kBox), MeshFormat::kObj), Notes());
   EXPECT_EQ(notesOn(kMark + asObj(kBox).substr(asObj(kBox).find("v ")), MeshFormat::kObj), Notes());
   EXPECT_EQ(notesOn(kMark + asAsciiPly(kBox), MeshFormat::kPly), Notes());
   EXPECT_EQ(notesOn(kMark + asBinaryPly(kBox, std::endian::big), MeshFormat::kPly), Notes());
 }
 
-TEST(MeshNotes, SurplusOfAnStlVertexIsNoted) {
+TEST(MeshNotes, MentionIgnoredTextOfAnStlVertex) {
   EXPECT_EQ(
-      notesOn(replaced(asAsciiStl(kBox), "0.5 1.5\n", "0.5 1.5 0.25\n"), MeshFormat::kStl).at(0).substr(0, 63),
-      "body:4: what follows the three coordinates of a vertex is passe");
+      notesOn(replaced(asAsciiStl(kBox), "0.5 1.5\n", "0.5 1.5 0.25\n"), MeshFormat::kStl).at(0).substr(0, 66),
+      "body:4: the text after the three coordinates of a vertex is ignore");
 }
 
-TEST(MeshNotes, JoinedCornersSayHowFarTheyWereMoved) {
+TEST(MeshNotes, SayHowFarJoinedCornersWereMoved) {
   const Mesh box = transformed(kBox, Eigen::Matrix3d::Identity(), {1, .5, 1.5});
   std::string text = asAsciiStl(box);
   const std::string corner = "vertex 0 0 0\n";

@@ -17,7 +17,6 @@ struct Sample {
   Mesh mesh;
 };
 
-/// One of every primitive; handles (holes) of a surface make its Euler characteristic 2 - 2·handles.
 inline std::vector<Sample> primitives(int segments) {
   return {{"box", boxMesh({1.2, .9, .5})},
           {"prism", lPrismMesh({3, 2}, .5, .25)},
@@ -36,7 +35,7 @@ inline std::vector<Sample> primitives(int segments) {
           {"tube", tubeMesh(.45, .3, 1.7, segments)}};
 }
 
-/// What was said on refusal.
+/// Returns the message of the error that `act` throws, or "accepted".
 inline std::string refusal(const std::function<void()>& act) {
   try {
     act();
@@ -46,7 +45,7 @@ inline std::string refusal(const std::function<void()>& act) {
   return "accepted";
 }
 
-/// Numbers from a fixed seed, in [low, high).
+/// Source of random numbers from a fixed seed.
 class Draw {
  public:
   explicit Draw(std::uint64_t seed) : engine_(seed) {}

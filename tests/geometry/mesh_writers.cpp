@@ -41,7 +41,7 @@ std::string asAsciiStl(const Mesh& mesh) {
 
 std::string asBinaryStl(const Mesh& mesh) {
   std::string bytes(80, ' ');
-  bytes.replace(0, 5, "solid");  // as some programs write
+  bytes.replace(0, 5, "solid");  // as some programs begin a binary STL
   bytes += bytesOf(static_cast<std::uint32_t>(mesh.triangles.size()));
   for (const Mesh::Triangle& t : mesh.triangles) {
     bytes += std::string(12, '\0');

@@ -8,14 +8,13 @@
 
 namespace poinsot::geometry {
 
-// A mesh as the bytes of a file: what other programs write, for the readers to read. Numbers to 17 digits in the
-// texts, floats in binary STL.
+// Writers of meshes as files of other programs. Texts have 17 digits, binary STL has floats.
 
 std::string asObj(const Mesh& mesh);
 std::string asAsciiStl(const Mesh& mesh);
 std::string asBinaryStl(const Mesh& mesh);
 std::string asAsciiPly(const Mesh& mesh);
-/// With properties and an element that the reader must step over.
+/// Writes a binary PLY with properties and an element that the reader must skip.
 std::string asBinaryPly(const Mesh& mesh, std::endian order);
 
 }  // namespace poinsot::geometry

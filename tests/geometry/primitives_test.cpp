@@ -35,7 +35,7 @@ Vector3d areaVector(const Mesh& mesh, const Mesh::Triangle& t) {
   return (b - a).cross(c - a) / 2;
 }
 
-TEST(Primitives, AreClosedOutsideOut) {
+TEST(Primitives, AreClosedAndFaceOutward) {
   for (const int segments : {3, 4, 17, 64})
     for (const Sample& sample : primitives(segments)) {
       EXPECT_NO_THROW(checkClosed(sample.mesh)) << sample.name;
@@ -50,7 +50,7 @@ TEST(Primitives, AreClosedOutsideOut) {
     }
 }
 
-TEST(Primitives, HaveTheHolesTheyShould) {
+TEST(Primitives, HaveTheEulerCharacteristicOfTheirShape) {
   for (const Sample& sample : primitives(24)) {
     const bool ring = std::string(sample.name) == "torus" || std::string(sample.name) == "tube";
     EXPECT_EQ(eulerCharacteristic(sample.mesh), ring ? 0 : 2) << sample.name;
@@ -58,7 +58,7 @@ TEST(Primitives, HaveTheHolesTheyShould) {
   }
 }
 
-TEST(Primitives, ConvexOnesFaceAwayFromTheirMiddle) {
+TEST(Primitives, FaceOutwardIfConvex) {
   for (const Sample& sample : primitives(24)) {
     const std::string name = sample.name;
     if (name == "torus" || name == "tube" || name == "prism") continue;
@@ -69,7 +69,7 @@ TEST(Primitives, ConvexOnesFaceAwayFromTheirMiddle) {
 }
 
 // Volumes of the regular polyhedra of edge 1: Coxeter, Regular Polytopes, table I.
-TEST(Primitives, PolyhedraHaveTheirEdgesAndVolumes) {
+TEST(Primitives, RegularPolyhedraHaveTheTabulatedVolumes) {
   const double root5 = std::sqrt(5.0);
   const struct {
     Mesh mesh;
@@ -91,7 +91,7 @@ TEST(Primitives, PolyhedraHaveTheirEdgesAndVolumes) {
   }
 }
 
-/// The error left with twice the segments is a quarter of that before.
+/// Expects that twice the segments leave a quarter of the error in volume.
 void expectSecondOrder(const std::function<Mesh(int)>& make, double volume) {
   const auto error = [&](int segments) { return integrals(make(segments)).volume_m3 / volume - 1; };
   EXPECT_LT(error(64), 0) << "inscribed";
@@ -109,14 +109,14 @@ TEST(Primitives, VolumesConvergeInSecondOrder) {
   expectSecondOrder([&](int n) { return torusMesh(R, a, n); }, 2 * kPi * kPi * R * a * a);
 }
 
-TEST(Primitives, LieOnTheirSurface) {
+TEST(Primitives, VerticesLieOnTheExactSurface) {
   for (const Vector3d& v : ellipsoidMesh({1.3, .8, .5}, 4).vertices_M)
     EXPECT_NEAR(v.cwiseQuotient(Vector3d(1.3, .8, .5)).norm(), 1, 4e-16);
   for (const Vector3d& v : torusMesh(1.1, .35, 31).vertices_M)
     EXPECT_NEAR(std::hypot(std::hypot(v[0], v[1]) - 1.1, v[2]), .35, 4e-16);
 }
 
-TEST(Primitives, ContractsAreChecked) {
+TEST(Primitives, ThrowLogicErrorsForBrokenPreconditions) {
   EXPECT_THROW(torusMesh(1, 1, 8), std::logic_error);
   EXPECT_THROW(tubeMesh(1, 1, 1, 8), std::logic_error);
   EXPECT_THROW(frustumMesh(1, 0, 1, 1, 8), std::logic_error);

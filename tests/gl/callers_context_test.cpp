@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program's own context, made by the libraries' functions and not by ours, is current before and after one of
-// ours.
+// Checks that a program's own context, made by the libraries' functions, is current before and after a context of
+// poinsot's.
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -20,13 +20,13 @@
 namespace poinsot::gl {
 namespace {
 
-/// Has one buffer object, by which it is told from other contexts.
+/// Context with one buffer object, which distinguishes it from other contexts.
 class ProgramsContext {
  public:
   virtual ~ProgramsContext() = default;
 
   void makeBuffer() {
-    std::array<GLuint, 7> names{};  // more than a context of ours has
+    std::array<GLuint, 7> names{};  // more than a context of poinsot's has
     find<PFNGLGENBUFFERSPROC>("glGenBuffers")(7, names.data());
     buffer_ = names.back();
     find<PFNGLBINDBUFFERPROC>("glBindBuffer")(GL_ARRAY_BUFFER, buffer_);
@@ -95,7 +95,7 @@ class OsMesaProgram final : public ProgramsContext {
   }
   ~OsMesaProgram() override { load<decltype(OSMesaDestroyContext)>("OSMesaDestroyContext")(context_); }
 
-  /// What a clear with red leaves in the buffer that the program gave it.
+  /// Clears with red, and returns the buffer that the program gave the context.
   std::array<GLushort, 8> cleared() {
     find<PFNGLCLEARCOLORPROC>("glClearColor")(1, 0, 0, 1);
     find<PFNGLCLEARPROC>("glClear")(GL_COLOR_BUFFER_BIT);
@@ -123,14 +123,15 @@ class CallersContextTest : public testing::TestWithParam<Backend> {
  protected:
   void SetUp() override { pinEnvironment(true); }
 
-  /// Whether a context of that back end takes the place of one of OSMesa's. EGL's does where both keep the current
-  /// context in libglapi. Mesa 25 has no such library, and each back end has a current context of its own.
+  /// Returns whether a context of that back end takes the place of a current one of OSMesa's. EGL's does if both
+  /// keep the current context in libglapi. Mesa 25 has no such library, so that each back end has a current
+  /// context of its own.
   static bool replacesOsMesa(Backend backend) {
     return backend == Backend::kOsMesa || dlopen("libglapi.so.0", RTLD_LAZY | RTLD_NOLOAD) != nullptr;
   }
 };
 
-TEST_P(CallersContextTest, OfEglIsCurrentAgain) {
+TEST_P(CallersContextTest, EglContextOfTheCallerIsRestored) {
   EglProgram program;
   for (int round = 0; round < 2; ++round) {
     ASSERT_TRUE(program.isCurrent());
@@ -142,7 +143,7 @@ TEST_P(CallersContextTest, OfEglIsCurrentAgain) {
   EXPECT_NE(program.make(), EGL_NO_CONTEXT) << "its display was closed";
 }
 
-TEST_P(CallersContextTest, OfOsMesaIsCurrentAgainWithItsBuffer) {
+TEST_P(CallersContextTest, OsMesaContextOfTheCallerIsRestoredWithItsBuffer) {
   POINSOT_NEEDS_OSMESA();
   OsMesaProgram program;
   constexpr std::array<GLushort, 8> kRed{65535, 0, 0, 65535, 65535, 0, 0, 65535};
@@ -155,7 +156,7 @@ TEST_P(CallersContextTest, OfOsMesaIsCurrentAgainWithItsBuffer) {
   EXPECT_EQ(program.cleared(), kRed);
 }
 
-TEST_P(CallersContextTest, OfOsMesaOverOneOfEglIsCurrentAgain) {
+TEST_P(CallersContextTest, OsMesaContextIsRestoredAboveAnEglContext) {
   POINSOT_NEEDS_OSMESA();
   EglProgram below;
   OsMesaProgram program;
@@ -166,7 +167,7 @@ TEST_P(CallersContextTest, OfOsMesaOverOneOfEglIsCurrentAgain) {
   EXPECT_TRUE(program.isCurrent());
 }
 
-TEST_P(CallersContextTest, OverOneOfOursIsCurrentAgainAndOursIsNot) {
+TEST_P(CallersContextTest, OsMesaContextIsRestoredAboveAPoinsotContext) {
   POINSOT_NEEDS_OSMESA();
   const auto outer = openContext(GetParam());
   OsMesaProgram program;
@@ -177,8 +178,8 @@ TEST_P(CallersContextTest, OverOneOfOursIsCurrentAgainAndOursIsNot) {
   EXPECT_TRUE(outer->isCurrent());
 }
 
-// OSMesa takes EGL's context for one of its own, and complains of it when asked to make it current.
-TEST_P(CallersContextTest, OfEglIsNotOfferedToOsMesa) {
+// OSMesa mistakes EGL's context for one of its own, and prints a complaint if it has to make that context current.
+TEST_P(CallersContextTest, EglContextIsNotPassedToOsMesa) {
   POINSOT_NEEDS_OSMESA();
   preload(Backend::kOsMesa);
   testing::internal::CaptureStderr();
@@ -190,7 +191,7 @@ TEST_P(CallersContextTest, OfEglIsNotOfferedToOsMesa) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-TEST_P(CallersContextTest, OfAnotherThreadIsLeftAlone) {
+TEST_P(CallersContextTest, ContextOfAnotherThreadIsUnchanged) {
   EglProgram program;
   std::thread([] { openContext(GetParam()); }).join();
   EXPECT_TRUE(program.isCurrent());
@@ -199,8 +200,9 @@ TEST_P(CallersContextTest, OfAnotherThreadIsLeftAlone) {
 INSTANTIATE_TEST_SUITE_P(BackEnds, CallersContextTest, testing::ValuesIn(backEnds()),
                          [](const auto& backend) { return testName(backend.param); });
 
-// The display without surfaces is one for the process: the end of one context must not close it for another.
-TEST(EglContexts, EndInAnyOrder) {
+// All contexts of a process share one display without surfaces. The end of one context must not close the display
+// for another.
+TEST(EglContexts, CanBeDestroyedInAnyOrder) {
   pinEnvironment(true);
   auto first = openContext(Backend::kEgl);
   std::thread([&] {

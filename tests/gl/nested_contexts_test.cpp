@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several contexts of poinsot's at once: on one thread, which of them is current; on two threads, back ends whose
-// functions differ. expectDraws() draws a triangle with the current context and reads it back.
+// Several contexts of poinsot at once: which of them is current on one thread, and back ends with different
+// functions on two threads. expectDraws() draws a triangle with the current context and reads it back.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -15,14 +15,12 @@
 namespace poinsot::gl {
 namespace {
 
-/// Expects that this one is current, and draws.
 void expectCurrent(const OffscreenContext& context) {
   EXPECT_TRUE(context.isCurrent());
   EXPECT_NO_THROW(expectDraws());
   EXPECT_NE(context.version(), "");
 }
 
-/// Two back ends: of the outer context and of the inner one.
 class NestedContextsTest : public testing::TestWithParam<std::tuple<Backend, Backend>> {
  protected:
   static void SetUpTestSuite() { pinEnvironment(true); }
@@ -31,19 +29,19 @@ class NestedContextsTest : public testing::TestWithParam<std::tuple<Backend, Bac
   std::unique_ptr<OffscreenContext> inner_ = openContext(std::get<1>(GetParam()));
 };
 
-TEST_P(NestedContextsTest, MakeTheOuterOneCurrentAgain) {
+TEST_P(NestedContextsTest, TheOuterContextIsRestoredWhenTheInnerEnds) {
   EXPECT_FALSE(outer_->isCurrent());
   expectCurrent(*inner_);
   inner_.reset();
   expectCurrent(*outer_);
 }
 
-TEST_P(NestedContextsTest, LeaveTheInnerOneCurrentWhenTheOuterEndsFirst) {
+TEST_P(NestedContextsTest, TheInnerContextStaysCurrentWhenTheOuterEnds) {
   outer_.reset();
   expectCurrent(*inner_);
 }
 
-TEST_P(NestedContextsTest, SkipOneThatHasEnded) {
+TEST_P(NestedContextsTest, AContextThatHasEndedIsNotRestored) {
   auto innermost = openContext(Backend::kEgl);
   inner_.reset();
   expectCurrent(*innermost);
@@ -51,7 +49,7 @@ TEST_P(NestedContextsTest, SkipOneThatHasEnded) {
   expectCurrent(*outer_);
 }
 
-TEST_P(NestedContextsTest, TakeTurns) {
+TEST_P(NestedContextsTest, ContextsCanAlternate) {
   for (int turn = 0; turn < 2; ++turn) {
     outer_->makeCurrent();
     EXPECT_FALSE(inner_->isCurrent());
@@ -65,7 +63,7 @@ TEST_P(NestedContextsTest, TakeTurns) {
   expectCurrent(*outer_);
 }
 
-TEST_P(NestedContextsTest, AreNotCurrentOnAnotherThread) {
+TEST_P(NestedContextsTest, ContextsAreNotCurrentOnAnotherThread) {
   std::thread([&] {
     EXPECT_FALSE(inner_->isCurrent());
     expectCurrent(*openContext(std::get<0>(GetParam())));
@@ -74,15 +72,15 @@ TEST_P(NestedContextsTest, AreNotCurrentOnAnotherThread) {
   expectCurrent(*inner_);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, NestedContextsTest,
+INSTANTIATE_TEST_SUITE_P(Each, NestedContextsTest,
                          testing::Combine(testing::ValuesIn(backEnds()), testing::ValuesIn(backEnds())),
                          [](const auto& backends) {
                            return testName(std::get<1>(backends.param)) + "Within" +
                                   testName(std::get<0>(backends.param));
                          });
 
-// EGL's functions and OSMesa's differ: the table of one thread must not reach the other.
-TEST(TwoThreads, DrawWithABackEndEach) {
+// EGL and OSMesa have different functions, and the table of one thread must not reach the other.
+TEST(TwoThreads, CanDrawWithDifferentBackEnds) {
   POINSOT_NEEDS_OSMESA();
   pinEnvironment(true);
   const auto drawWith = [](Backend backend) {

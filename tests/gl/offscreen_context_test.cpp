@@ -37,7 +37,7 @@ std::string messageOf(const std::function<void()>& action) {
   return "no error";
 }
 
-TEST_P(OffscreenContextTest, IsLlvmpipeWithAtLeast33) {
+TEST_P(OffscreenContextTest, UsesLlvmpipe) {
   EXPECT_THAT(context_->renderer(), HasSubstr("llvmpipe"));
   EXPECT_FALSE(context_->version().empty());
 }
@@ -56,15 +56,15 @@ TEST_P(OffscreenContextTest, ClearsAndReadsBack) {
   }
 }
 
-// An exbibyte is refused by every driver, and is said in this program's words.
-TEST_P(OffscreenContextTest, SaysThatItHasNoRoom) {
+// Every driver refuses an exbibyte; the message is poinsot's own.
+TEST_P(OffscreenContextTest, ReportsThatABufferDoesNotFit) {
   const BufferName buffer = BufferName::make();
   glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
   glBufferData(GL_ARRAY_BUFFER, 16, nullptr, GL_STATIC_DRAW);
   EXPECT_EQ(messageOf([] { expectStored("a buffer", 16); }), "no error");
   glBufferData(GL_ARRAY_BUFFER, GLsizeiptr{1} << 60, nullptr, GL_STATIC_DRAW);
   EXPECT_EQ(messageOf([] { expectStored("a buffer", std::size_t{1} << 60); }),
-            "the back end cannot hold a buffer of 1152921504606846976 bytes: it has no memory left (error 0x505)");
+            "the back end cannot hold a buffer of 1152921504606846976 bytes: out of memory (error 0x505)");
 }
 
 TEST_P(OffscreenContextTest, AShaderErrorNamesTheShaderAndTheLine) {
@@ -75,7 +75,7 @@ TEST_P(OffscreenContextTest, AShaderErrorNamesTheShaderAndTheLine) {
   EXPECT_THAT(message, HasSubstr("nonsense"));
 }
 
-// llvmpipe's limit is 16 384 a side.
+// llvmpipe's limit is 16 384 pixels a side.
 TEST_P(OffscreenContextTest, TooLargeAPictureIsAnErrorNotACrash) {
   EXPECT_THAT(messageOf([] { Framebuffer({20000, 20000}, {GL_RGBA8}, 0); }), HasSubstr("20000 x 20000"));
 }
@@ -83,7 +83,8 @@ TEST_P(OffscreenContextTest, TooLargeAPictureIsAnErrorNotACrash) {
 INSTANTIATE_TEST_SUITE_P(BackEnds, OffscreenContextTest, testing::ValuesIn(backEnds()),
                          [](const auto& backend) { return testName(backend.param); });
 
-/// A variable that makes Mesa succeed in everything and draw nothing, or outlines; set after it was cleared.
+/// Back end and environment variable. The variable makes Mesa report success and draw nothing, or outlines only;
+/// it is set after the environment was cleared.
 class UndrawnPicture : public testing::TestWithParam<std::tuple<Backend, std::pair<const char*, const char*>>> {
  protected:
   [[noreturn]] static void openAndExit() {
@@ -95,19 +96,19 @@ class UndrawnPicture : public testing::TestWithParam<std::tuple<Backend, std::pa
   }
 };
 
-TEST_P(UndrawnPicture, IsAnErrorOfTheContext) {
+TEST_P(UndrawnPicture, IsReportedWhenTheContextOpens) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");  // a new process, as Mesa reads its variables once
   EXPECT_EXIT(openAndExit(), testing::ExitedWithCode(0), "the back end reports success but does not draw");
 }
 
 using Variable = std::pair<const char*, const char*>;
 INSTANTIATE_TEST_SUITE_P(
-    Of, UndrawnPicture,
+    Each, UndrawnPicture,
     testing::Combine(testing::ValuesIn(backEnds()),
                      testing::Values(Variable("LP_NO_RAST", "1"), Variable("ST_DEBUG", "wf"))),
     [](const auto& undrawn) { return testName(std::get<0>(undrawn.param)) + std::get<1>(undrawn.param).first; });
 
-TEST(ProbeBackends, ReportsBoth) {
+TEST(ProbeBackends, ReportsOsMesaAndEgl) {
   const auto reports = probeBackends();
   ASSERT_EQ(reports.size(), 2u);
   EXPECT_EQ(reports[0].name, "osmesa");
@@ -116,7 +117,7 @@ TEST(ProbeBackends, ReportsBoth) {
   EXPECT_TRUE(reports[1].works) << reports[1].detail;
 }
 
-TEST(PinEnvironment, ClearsWhatMesaReadsAndNothingElse) {
+TEST(PinEnvironment, ClearsOnlyVariablesThatMesaReads) {
   setenv("GALLIUM_DRIVER", "softpipe", 1);
   constexpr std::array kMesas{"LP_NATIVE_VECTOR_WIDTH",
                               "LP_NO_RAST",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where compiled code is kept, and where it is not: XDG base directories 0.8, and nobody else may write there.
+// Checks where compiled shaders are cached: as in the XDG Base Directory Specification 0.8, and only where nobody
+// else may write.
 #include "gl/shader_cache.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,6 @@ class ShaderCacheTest : public testing::Test {
     for (const char* name : {"XDG_CACHE_HOME", "HOME", "POINSOT_CACHE"}) unsetenv(name);
   }
 
-  /// The folder with these variables set and none besides.
   static fs::path folderWith(const std::map<std::string, std::string>& environment) {
     for (const char* name : {"XDG_CACHE_HOME", "HOME", "POINSOT_CACHE"}) unsetenv(name);
     for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
@@ -33,7 +33,7 @@ class ShaderCacheTest : public testing::Test {
   const std::string home_ = scratch_.path().string();
 };
 
-TEST_F(ShaderCacheTest, IsWhereTheFirstOfThreeVariablesSays) {
+TEST_F(ShaderCacheTest, FollowsTheFirstOfThreeVariables) {
   EXPECT_EQ(folderWith({{"HOME", home_}}).parent_path(), scratch_ / ".cache" / "poinsot");
   EXPECT_EQ(folderWith({{"HOME", home_}, {"XDG_CACHE_HOME", home_ + "/x"}}).parent_path(),
             scratch_ / "x" / "poinsot");
@@ -41,14 +41,14 @@ TEST_F(ShaderCacheTest, IsWhereTheFirstOfThreeVariablesSays) {
             scratch_ / "p");
 }
 
-TEST_F(ShaderCacheTest, IsMadeForTheUserAlone) {
+TEST_F(ShaderCacheTest, IsCreatedReadableByTheUserOnly) {
   const fs::path folder = folderWith({{"HOME", home_}});
   for (const fs::path& made : {folder, folder.parent_path(), scratch_ / ".cache"})
     EXPECT_EQ(fs::status(made).permissions(), fs::perms::owner_all) << made;
   EXPECT_EQ(shaderCacheFolder(false), folder);  // and found again
 }
 
-TEST_F(ShaderCacheTest, IsNoneWhereNoPlaceIsGiven) {
+TEST_F(ShaderCacheTest, IsDisabledWithoutAUsableVariable) {
   EXPECT_EQ(folderWith({}), fs::path());
   EXPECT_EQ(folderWith({{"HOME", "here"}, {"XDG_CACHE_HOME", "there"}}), fs::path());
   EXPECT_EQ(folderWith({{"HOME", home_}, {"POINSOT_CACHE", "off"}}), fs::path());
@@ -61,8 +61,8 @@ TEST_F(ShaderCacheTest, IsNotSharedByTheTwoProfiles) {
   EXPECT_EQ(shaderCacheFolder(true).parent_path(), native.parent_path());
 }
 
-/// The cache's home, its folder, and what Mesa makes in it.
-TEST_F(ShaderCacheTest, IsNotUsedWhereOthersMayWriteToAnyPartOfIt) {
+/// Parts of the cache are its home, its folder, and the files that Mesa makes in the folder.
+TEST_F(ShaderCacheTest, IsNotUsedIfOthersMayWriteToIt) {
   const fs::path folder = folderWith({{"HOME", home_}}), mesas = folder / "mesa_shader_cache";
   fs::create_directories(mesas / "1c");
   scratch_.put((mesas / "1c" / "code").lexically_relative(scratch_.path()), "");
@@ -83,7 +83,7 @@ TEST_F(ShaderCacheTest, IsNotUsedWhereOthersMayWriteToAnyPartOfIt) {
   EXPECT_EQ(folderWith({{"HOME", home_}}), fs::path());
 }
 
-TEST_F(ShaderCacheTest, IsNeitherMadeNorUsedAtSomebodyElses) {
+TEST_F(ShaderCacheTest, IsNotUsedIfItBelongsToAnotherUser) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root can give a folder away";
   const fs::path folder = folderWith({{"HOME", home_}});
   scratch_.put((folder / "code").lexically_relative(scratch_.path()), "");

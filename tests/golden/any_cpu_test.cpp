@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Another CPU does not change a pixel of what --reproducible draws, a byte of its PNG file, nor a bit of a
-// trajectory. That of 2008 has neither FMA nor AVX, and is emulated.
+// Another CPU changes no pixel that --reproducible draws, no byte of its PNG file, and no bit of a trajectory. The
+// other CPU, of 2008, has neither FMA nor AVX and is emulated.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -15,7 +15,7 @@ struct Printed {
   std::string cpu, hashes;
 };
 
-/// What a program prints, its first line apart.
+/// Returns the output of a program; the first line describes the CPU.
 Printed printedBy(const std::string& command, const std::vector<std::string>& environment = {}) {
   const ScratchFolder folder;
   const ShellResult result = runShell(folder.path(), command, environment);
@@ -24,7 +24,6 @@ Printed printedBy(const std::string& command, const std::vector<std::string>& en
   return {result.out.substr(0, line), result.out.substr(line)};
 }
 
-/// With solids, meshes, cones and type.
 std::string pictures(const std::string& options = "") {
   std::string command = POINSOT_PICTURE_HASH + options;
   for (const char* name : {"poinsot_construction", "football", "cones_oblate", "t_handle"})
@@ -50,8 +49,8 @@ class EmulatedCpu : public AnyCpu {
 
 const std::string kNehalem = "qemu-x86_64 -cpu Nehalem ";
 
-TEST_F(AnyCpu, MayHideItsUnitsFromTheCLibrary) {
-  // Names of glibc 2.33 and later, and those before.
+TEST_F(AnyCpu, DrawsTheSamePixelsIfTheCLibrarySeesNoFma) {
+  // Names since glibc 2.33, and the earlier names.
   const std::string hidden = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-AVX2_Usable,-FMA_Usable";
   EXPECT_EQ(printedBy(pictures(), {hidden}).hashes, printedBy(pictures()).hashes);
 }
@@ -62,13 +61,13 @@ TEST_F(EmulatedCpu, DrawsTheSamePixelsIntoTheSameFiles) {
   EXPECT_EQ(there.cpu, "avx2=0 fma=0\n");
   EXPECT_EQ(there.hashes, here.hashes);
   EXPECT_EQ(here.hashes.size(), 4u * 2 * 65);
-  // The control: as it comes, the driver uses what the CPU has, and that shows.
+  // Control: without pinning, the driver uses all features of the CPU, which changes the pixels.
   EXPECT_NE(printedBy(pictures(" --unpinned")).hashes, here.hashes);
 }
 
-TEST_F(EmulatedCpu, MovesTheBodyAlike) {
+TEST_F(EmulatedCpu, ComputesTheSameTrajectory) {
   EXPECT_EQ(printedBy(kNehalem + POINSOT_TRAJECTORY_HASH).cpu, printedBy(POINSOT_TRAJECTORY_HASH).cpu);
-  // The control: the C library's functions differ.
+  // Control: the C library's functions do differ.
   EXPECT_NE(printedBy(kNehalem + POINSOT_TRAJECTORY_HASH " --libm").cpu,
             printedBy(POINSOT_TRAJECTORY_HASH " --libm").cpu);
 }

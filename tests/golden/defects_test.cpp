@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a rule for golden images must let pass, and what it must catch: changes that are legal and defects, all
-// drawn by this program. The rules of others are asked, too; docs/golden.md has the table that comes of it
-// (POINSOT_UPDATE_DOCS=1 writes it anew).
+// Changes that a rule for golden images must accept, and defects that it must catch, all drawn by this program.
+// Rules of other programs are tried, too. docs/golden.md has the resulting table (POINSOT_UPDATE_DOCS=1 rewrites
+// it).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -32,9 +32,7 @@ constexpr glm::ivec2 kSize{640, 480};
 const std::string kRoot = POINSOT_SOURCE_DIR;
 
 // ---- drawing
-// -----------------------------------------------------------------------------------------------------
 
-/// All that Poinsot's construction has, about one body.
 std::string sceneOf(const std::string& body) {
   return "[body]\n" + body +
          "mass = 1\n[motion]\nomega_body = [0.1, 2, 0.3]\n[time]\nduration = 20\nstill = 3\n[show]\ntitle = 'A "
@@ -49,7 +47,7 @@ scene::Scene loaded(const std::string& text) {
   return scene::loadScene(folder.put("scene.toml", text));
 }
 
-/// A scene as it is drawn, to be drawn otherwise.
+/// Scene whose draw list can be changed before drawing.
 class Studio {
  public:
   explicit Studio(const std::string& text) : stage_(loaded(text)) {}
@@ -84,7 +82,6 @@ const Studio& solid() {
   return studio;
 }
 
-/// The picture by the program, with the words added.
 Image byProgram(const std::string& words) {
   const ScratchFolder folder;
   folder.put("scene.toml", kBox);
@@ -96,7 +93,6 @@ Image byProgram(const std::string& words) {
 }
 
 // ---- changes
-// -----------------------------------------------------------------------------------------------------
 
 void turnBody(DrawList& list, double angle_deg) {
   const glm::mat3 turn(
@@ -118,7 +114,7 @@ Image shifted(const Image& in) {
   return out;
 }
 
-/// As if the picture had been encoded by a power of 2.2 and not by sRGB's curve.
+/// Converts a value from sRGB's curve to a power of 2.2.
 int byPower(int v) {
   const double c = v / 255.0, light = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
   return static_cast<int>(std::lround(255 * std::pow(light, 1 / 2.2)));
@@ -130,14 +126,14 @@ Image withDot(Image picture) {
   return picture;
 }
 
-/// A vertex of the first mesh, `share` of the way towards the middle.
+/// Moves a vertex of the first mesh towards the middle by `share`.
 void dent(DrawList& list, float share) {
   auto mesh = std::make_shared<draw::TriangleMesh>(*list.meshes.at(0).mesh);
   mesh->vertices_M.at(0) *= 1 - share;
   list.meshes[0].mesh = mesh;
 }
 
-/// The first mesh without one of its triangles, the first of those that are seen.
+/// Draws the first mesh without its first visible triangle.
 Image withoutFacet(const Studio& studio) {
   const Image whole = studio.drawn();
   for (std::ptrdiff_t facet = 0;; ++facet) {
@@ -150,7 +146,7 @@ Image withoutFacet(const Studio& studio) {
   }
 }
 
-/// The longest curve without some of its pieces.
+/// Removes the last `share` of the points of the longest curve.
 void shorten(DrawList& list, double share) {
   const auto longest =
       std::ranges::max_element(list.curves, {}, [](const draw::Curve& c) { return c.points_V.size(); });
@@ -160,7 +156,7 @@ void shorten(DrawList& list, double share) {
   longest->closed = false;
 }
 
-/// Some pixels by one level, as when another library rounds otherwise.
+/// Changes some pixels by one level, as rounding in another library does.
 Image wobbled(Image picture) {
   for (int i = 0; i < 200; ++i) {
     std::uint8_t& v = picture.at((37 * i) % kSize.x, (53 * i) % kSize.y)[i % 3];
@@ -169,7 +165,8 @@ Image wobbled(Image picture) {
   return picture;
 }
 
-/// The picture of another driver: a quarter of the pixels off by one level, and thirty pixels of edges by sixty.
+/// Simulates the picture of another driver: a quarter of the pixels differ by one level, and thirty pixels at
+/// edges by sixty levels.
 Image byAnotherDriver(Image picture) {
   std::vector<std::uint8_t*> edges;
   for (int y = 0; y < kSize.y; ++y)
@@ -190,7 +187,7 @@ struct Change {
   const char* name;
   bool isDefect;
   Image reference, test;
-  bool isOfThisCpu = false;  ///< its figures are not the same everywhere
+  bool isOfThisCpu = false;  ///< figures depend on the CPU
 };
 
 std::vector<Change> changes() {
@@ -222,7 +219,6 @@ std::vector<Change> changes() {
 }
 
 // ---- the table
-// ---------------------------------------------------------------------------------------------------
 
 std::string headText() {
   std::string first = "| change | pixels | largest | FLIP mean | FLIP max |",
@@ -234,7 +230,7 @@ std::string headText() {
   return first + "\n" + second + "\n";
 }
 
-/// What each rule says, as a row.
+/// Returns a table row with the verdict of each rule.
 std::string rowText(const Change& change, const std::vector<bool>& fails) {
   const auto d = compare::compare(change.reference, change.test).difference;
   std::string row = fmt::format("| {}{} |", change.isDefect ? "" : "*legal:* ", change.name);
@@ -247,7 +243,7 @@ std::string rowText(const Change& change, const std::vector<bool>& fails) {
   return row + "\n";
 }
 
-/// In docs/golden.md a table stands between two comments.
+/// Compares a table with the one in docs/golden.md, which stands between two comments.
 void expectInDocs(const std::string& name, const std::string& table) {
   const std::string file = kRoot + "/docs/golden.md";
   std::string text = textOf(file);
@@ -262,7 +258,7 @@ void expectInDocs(const std::string& name, const std::string& table) {
   EXPECT_EQ(text.substr(from, last - from), table) << "POINSOT_UPDATE_DOCS=1 writes it anew";
 }
 
-TEST(Defects, AreAllCaughtAndNothingElse) {
+TEST(Defects, AreAllCaughtWithoutFalseAlarms) {
   std::string rows, counts = "| **defects caught, false alarms** | | | | |";
   std::vector<int> caught(comparisonRules().size()), alarms(caught.size());
   int defects = 0;
@@ -290,9 +286,9 @@ compare::NearRule rule(std::string_view name) {
   return std::ranges::find(compare::namedRules(), name, &compare::NamedRule::name)->rule;
 }
 
-/// Verdicts of the rules that have a name on the same changes, and on another driver. "near" is the rule that the
-/// test above holds; of "other_driver" what it gave up must be known.
-TEST(Defects, AreCaughtByNamedRulesAsTheDocsSay) {
+/// Verdicts of the named rules on the same changes, and on another driver. The test above holds "near" to its
+/// verdicts. For "other_driver", the defects that it misses must be documented.
+TEST(Defects, AreCaughtByNamedRulesAsDocumented) {
   std::vector<Change> all = changes();
   std::erase_if(all, [](const Change& change) { return change.isOfThisCpu; });
   const Image a = box().drawn();

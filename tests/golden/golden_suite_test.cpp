@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pictures of golden.toml, by the command that others use for theirs. What is not identical is shown by
-// build/golden/BACKEND.html.
+// Draws and compares the pictures of golden.toml with the command `golden`. build/golden/BACKEND.html shows
+// pictures that are not identical.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -13,7 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the new pictures of a back end are.
 fs::path made(const std::string& backend) { return fs::path(POINSOT_BINARY_DIR) / "golden" / backend; }
 
 ShellResult runSuite(const std::string& backend) {
@@ -23,9 +22,9 @@ ShellResult runSuite(const std::string& backend) {
                                           ".html");
 }
 
-// One test: two at a time would have the second look at what the first is still making. Both back ends link the
-// same driver; what differs would be ours.
-TEST(GoldenSuite, LooksAsItDidAndHasTheSameBytesOnEgl) {
+// One test instead of two, because two in parallel would compare files that are still being written. Both back
+// ends link the same driver, so a difference would be a fault of poinsot.
+TEST(GoldenSuite, MatchesItsReferencesOnEveryBackEnd) {
   for (const std::string& backend : backEndNames()) {
     const ShellResult run = runSuite(backend);
     EXPECT_EQ(run.exitCode, 0) << run.out;

@@ -12,7 +12,7 @@ namespace {
 
 using image::Image;
 
-/// Of one pixel of each, the first three channels.
+/// Function of a pixel of each picture, which reads the first three channels.
 using PixelTest = std::function<bool(const std::uint8_t* p, const std::uint8_t* q)>;
 
 double shareOfPixels(const Image& a, const Image& b, const PixelTest& counts) {
@@ -26,7 +26,7 @@ int largestDifference(const std::uint8_t* p, const std::uint8_t* q) {
   return std::max({std::abs(p[0] - q[0]), std::abs(p[1] - q[1]), std::abs(p[2] - q[2])});
 }
 
-/// Kotsarenko and Ramos (2010), as pixelmatch has it.
+/// Difference by Kotsarenko and Ramos (2010), as in pixelmatch.
 bool isFarInYiq(const std::uint8_t* p, const std::uint8_t* q) {
   const auto d = [&](double r, double g, double b) {
     return r * (p[0] - q[0]) + g * (p[1] - q[1]) + b * (p[2] - q[2]);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A page of pictures in Chromium without a screen, driven as a reader would; small PNG files written and read back."""
+"""Drives a page of pictures in headless Chromium as a reader would, and writes and reads small PNG files."""
 import base64
 import json
 import pathlib
@@ -22,7 +22,7 @@ def png(path, colour_at, width=64, height=48):
 
 
 def pixels_of(data):
-    """Colours of a PNG of 8 bits without interlace, as Chromium writes it."""
+    """Returns the function (x, y) -> colour of an 8-bit PNG without interlace, as Chromium writes it."""
     at, parts, size = 8, b'', None
     while at < len(data):
         length, kind = struct.unpack('>I4s', data[at:at + 8])
@@ -75,7 +75,7 @@ class Page:
         self.settle()
 
     def settle(self):
-        """Waits until the pictures are there and two frames were drawn."""
+        """Waits until all pictures are loaded and two frames were drawn."""
         until(lambda: self.script("return [...document.querySelectorAll('#view img')].every(i => i.complete)"), 'pictures')
         self.driver.execute_async_script('requestAnimationFrame(() => requestAnimationFrame(arguments[0]))')
 
@@ -104,7 +104,7 @@ class Page:
 
     def choose(self, name):
         row = next(row for row in self.all('#rows li') if row.get_attribute('data-name') == name)
-        self.script('arguments[0].scrollIntoView({block: "center"})', row)  # a row that still moves is missed
+        self.script('arguments[0].scrollIntoView({block: "center"})', row)  # a click misses a row that still moves
         self.settle()
         row.click()
         self.settle()
@@ -125,7 +125,7 @@ class Page:
         return self.rect(image)[2] / self.script('return arguments[0].naturalWidth', image)
 
     def on_screen(self, image, x, y):
-        """Where the middle of a pixel of a picture is."""
+        """Returns the place on the screen of the centre of a picture's pixel."""
         left, top, _, _ = self.rect(image)
         return left + (x + 0.5) * self.scale(image), top + (y + 0.5) * self.scale(image)
 
@@ -135,18 +135,18 @@ class Page:
         return pixels_of(base64.b64decode(shot['data']))(0, 0)
 
     def colour(self, x, y, selector='#stage img'):
-        """What is seen at a pixel of a picture."""
+        """Returns the colour on the screen at a picture's pixel."""
         return self.screen_colour(*self.on_screen(self.find(selector), x, y))
 
     def loaded(self):
-        """Names of the files that were loaded since the last call."""
+        """Returns the names of the files that were loaded since the last call."""
         events = [json.loads(entry['message'])['message'] for entry in self.driver.get_log('performance')]
         urls = [event['params']['request']['url'] for event in events if event['method'] == 'Network.requestWillBeSent']
         return {urllib.parse.unquote(pathlib.PurePosixPath(urllib.parse.urlparse(url).path).name) for url in urls
                 if not url.startswith(('data:', 'about:'))}
 
     def finish(self, loaded=()):
-        """No errors, and no file loaded but those named."""
+        """Expects no errors, and that exactly the named files were loaded."""
         expect(sorted(self.loaded() - {self.file.name}), sorted(loaded), 'loaded')
         expect([e for e in self.driver.get_log('browser') if e['level'] == 'SEVERE'], [], 'errors')
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the pages under test show: small pictures that differ in known ways, compared by the program."""
+"""Makes the pages under test: the program compares small pictures that differ in known ways."""
 import os
 import random
 import subprocess
@@ -16,8 +16,8 @@ def block(left, top, width, height, colour, ground=GREY):
 
 
 def suite(program, folder):
-    """A golden.toml of other programs' pictures: identical, brighter in a pixel, of another colour, one block lost, torn, new
-    and no longer made."""
+    """Makes the page of a golden.toml with pictures that are identical, brighter in a pixel, of another colour, without a block,
+    torn, new and no longer made."""
     environment = {**os.environ, 'CI': ''}
     names = ['same', 'brighter', 'recoloured', 'lost', 'torn', 'gone']
     test = "[[test]]\nimage = '{}.png'\n".format
@@ -38,7 +38,7 @@ def suite(program, folder):
 
 
 def pairs(program, folder):
-    """Two folders, in a git work tree that this test writes by hand."""
+    """Makes the page of two folders, in a git work tree that this function writes by hand."""
     for name in ('old', 'new', '.git/refs/heads'):
         (folder / name).mkdir(parents=True)
     (folder / '.git/HEAD').write_text('ref: refs/heads/main\n')
@@ -65,7 +65,7 @@ def pairs(program, folder):
 
 
 def ignored(program, folder):
-    """One pair of which a box is ignored: a pixel differs outside of it."""
+    """Makes the page of a pair with an ignored box. One pixel outside the box differs."""
     png(folder / 'a.png', lambda x, y: GREY, 120, 80)
     png(folder / 'b.png', lambda x, y: WHITE if (x, y) == (100, 70) or y < 20 else GREY, 120, 80)
     made = subprocess.run([program, 'diff', 'a.png', 'b.png', '--ignore', '0,0,120,20', '--report', 'ignored.html', '--quiet'], cwd=folder)
@@ -74,7 +74,7 @@ def ignored(program, folder):
 
 
 def many(program, folder):
-    """402 pairs, 101 of which differ, each a little more than the one before; k0 differs least."""
+    """Makes the page of 402 pairs. 101 differ, each a little more than the one before; k0 differs least."""
     for name in ('m_old', 'm_new'):
         (folder / name).mkdir()
     for k in range(402):
@@ -86,7 +86,7 @@ def many(program, folder):
 
 
 def films(program, folder):
-    """Two of 41 frames that differ in the 11th and the 31st."""
+    """Makes the page of two films of 41 frames that differ in frames 10 and 30 (counted from 0)."""
     for name, odd in (('a', []), ('b', [10, 30])):
         frames = folder / name
         frames.mkdir()

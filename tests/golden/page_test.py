@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The pages of `poinsot golden --report` and `poinsot diff --report` in a real browser, in narrow and wide windows: what is
-framed, magnified, painted and blended has the colours that the pictures of the test ask for; rows are sorted, filtered, marked
-and linked to; pictures that are not embedded are loaded from their files.
+"""Tests the pages of `poinsot golden --report` and `poinsot diff --report` in a real browser, in narrow and wide windows.
+Framed, magnified, painted and blended pixels must have the colours that follow from the test's pictures. Rows are sorted,
+filtered, marked and linked to. Pictures that are not embedded are loaded from their files.
 
     page_test.py PROGRAM SCREENSHOT
 """
@@ -52,7 +52,7 @@ def check_rows(page):
 
 
 def check_lost_block(page):
-    """A block of 20x12 at (300, 200), blue on grey, is lost."""
+    """Checks a picture that lost a block of 20x12 at (300, 200), blue on grey."""
     page.choose('lost')
     expect(page.find('#words').text, 'different: 240 pixels in one place of 20x12 px at (300, 200), #1e3cc8 became #808080', 'why')
     expect(page.driver.current_url.split('#')[1], 'lost', 'the address')
@@ -110,7 +110,7 @@ def check_zoom(page):
     panes = page.all('#stage .pane')
 
     def seen():
-        """Scale, and place in its pane, of each picture."""
+        """Returns the scale of each picture, and its place in its pane."""
         return [[round(v, 2) for v in (page.scale(image), page.rect(image)[0] - page.rect(pane)[0],
                                        page.rect(image)[1] - page.rect(pane)[1])] for image, pane in zip(images, panes)]
 
@@ -142,7 +142,7 @@ def check_zoom(page):
     page.script("document.querySelector('#figures').open = true")
     page.find('#worst').click()
     page.settle()
-    # Of equal ones the first pixel of the block is the worst.
+    # All pixels of the block differ equally, and the first counts as the worst.
     x, y = page.on_screen(page.find('#stage img'), 300, 200)
     left, top, width, height = page.rect(page.find('#stage .pane'))
     assert abs(left + width / 2 - x) < 1.5 and abs(top + height / 2 - y) < 1.5, 'the worst pixel is in the middle'
@@ -151,8 +151,8 @@ def check_zoom(page):
 
 
 def check_alone(page):
-    """Rows with one picture that can be shown."""
-    for name, caption, colour, words in (('torn', 'approved; the other cannot be read', GREY, 'the file ends too early'),
+    """Checks rows with only one picture to show."""
+    for name, caption, colour, words in (('torn', 'approved; the other picture cannot be read', GREY, 'the file ends too early'),
                                          ('fresh', 'new', BLUE, 'nothing was approved yet'),
                                          ('gone', 'approved', GREY, 'no test makes it')):
         page.choose(name)
@@ -206,7 +206,7 @@ def check_pairs(driver, report):
     page = Page(driver, report, '#two.png')
     expect(page.find('#view h2').text, 'two.png', 'chosen by the address')
     expect(page.find('#words').text,
-           'different: 350 pixels in 2 places, the largest of 30x10 px at (20, 20), #1e3cc8 became #808080 in 300', 'why')
+           'different: 350 pixels in 2 places, the largest of 30x10 px at (20, 20), #1e3cc8 became #808080 in 300 of them', 'why')
     expect(page.find('#place span').text, 'place 1 of 2: 300 pixels, 30×10 px at (20, 20)', 'the largest')
     page.press('n')
     expect(page.find('#place span').text, 'place 2 of 2: 50 pixels, 10×5 px at (200, 100)', 'the next')
@@ -235,7 +235,7 @@ def check_pairs(driver, report):
     expect(page.find('#near').is_displayed(), False, 'no places of two sizes')
 
     for name, caption, colour in (('gone.png', 'reference; missing in test', BLUE), ('more.png', 'test', RED),
-                                  ('torn.png', 'reference; the other cannot be read', BLUE)):
+                                  ('torn.png', 'reference; the other picture cannot be read', BLUE)):
         page.choose(name)
         expect(page.find('#stage figcaption').text, caption, name)
         expect_colour(page.colour(20, 20), colour, name)
@@ -265,7 +265,7 @@ def check_pairs(driver, report):
 
 
 def check_many(driver, report):
-    """The hundred worst are embedded; k0 and those that are identical are loaded when they are looked at."""
+    """Checks that the page embeds the hundred worst pairs, and loads k0 and identical pairs only when they are shown."""
     page = Page(driver, report)
     expect((len(page.all('#rows li')), len(page.names())), (402, 101), 'rows, and those that are shown')
     assert len(page.all('img')) < 10, 'pictures that are not shown'
@@ -282,11 +282,11 @@ def check_many(driver, report):
     (report.parent / 'm_new/k0.png').unlink()
     page = Page(driver, report, '#k0.png')
     assert page.find('#stage .lost').text.startswith('m_new/k0.png cannot be loaded.'), page.find('#stage .lost').text
-    driver.get_log('browser')  # tells of the missing file
+    driver.get_log('browser')  # drops the error about the missing file
 
 
 def check_ignored(driver, report):
-    """What is not compared is hatched where it is, in every view; it is no changed place."""
+    """Checks that every view hatches the ignored box, and that the box is not a changed place."""
     page = Page(driver, report)
     expect(page.find('#words').text, 'different: 1 pixel at (100, 70), #808080 became #ffffff', 'what changed')
     for mode in ('changes', 'side', 'overlay'):
@@ -302,7 +302,7 @@ def check_ignored(driver, report):
 
 
 def check_widths(driver, reports):
-    """From 700 px of width on the picture is in the window, without scrolling."""
+    """Checks that the picture fits into windows from 700 px of width on, without scrolling."""
     for width, height in ((720, 640), (1100, 700), (1920, 1080)):
         for report in reports:
             page = Page(driver, report)
@@ -333,7 +333,7 @@ def check_film(driver, report, screenshot):
         page.settle()
         expect(page.find('#view h2').text, 'Frame ' + name, f'a click at {share}')
         cursor = page.find('#curve i').rect['x'] + 1 - curve.rect['x']
-        moment = (cursor / curve.rect['width'] - 0.055) / 0.93  # where the axis begins and how long it is
+        moment = (cursor / curve.rect['width'] - 0.055) / 0.93  # start and length of the axis
         expect(abs(moment - int(name) / 40) < 0.01, True, f'the cursor, at {moment}')
     expect(page.all('#rows input'), [], 'frames are not approved')
     page.mode('side')

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints hashes of the pixels of small pictures of scenes, as --reproducible draws them, and of their PNG files,
-// for the test that no CPU changes one. The control: --unpinned, drawn as this CPU does it best. First of all,
-// what the CPU is said to have.
+// Prints hashes of the pixels of small pictures, as --reproducible draws them, and of their PNG files. A test
+// checks that no CPU changes the hashes. As a control, --unpinned draws with all features of this CPU. The first
+// line lists two features of the CPU.
 #include <fmt/format.h>
 
 #include <cstdint>

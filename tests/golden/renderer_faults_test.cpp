@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The golden suite against a renderer that is wrong: one of its files is compiled with a fault, the program is
-// linked with it, and the suite must not pass.
+// Runs the golden suite with a faulty renderer. One source file is compiled with a fault and linked into the
+// program, and the suite must fail.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ const Fault kFaults[] = {
 
 const std::string kBuild = POINSOT_BINARY_DIR;
 
-/// The program with a fault in one of its files, made as the build makes it.
+/// Program with a fault in one of its files, built with the build's own commands.
 class FaultyProgram {
  public:
   FaultyProgram(const ScratchFolder& folder, const Fault& fault) : folder_(folder) {
@@ -62,7 +62,7 @@ class FaultyProgram {
                                      file, object_, source_)));
   }
 
-  /// What the faulty object defines is not looked for in the library any more.
+  /// Links the faulty object first, so that the linker does not take its symbols from the library.
   void link() const {
     expectDone(
         runShell(kBuild, fmt::format("command=$(ninja -t commands bin/poinsot | tail -1)\n"
@@ -87,11 +87,11 @@ class RendererFault : public testing::TestWithParam<Fault> {
 
 TEST_P(RendererFault, IsCaught) { expectCaught(suiteWith(GetParam())); }
 
-INSTANTIATE_TEST_SUITE_P(Of, RendererFault, testing::ValuesIn(kFaults),
+INSTANTIATE_TEST_SUITE_P(Each, RendererFault, testing::ValuesIn(kFaults),
                          [](const auto& each) { return std::string(each.param.name); });
 
-// The control: a file that is compiled and linked like that, without a fault.
-TEST_F(RendererFault, NoneIsNoFailure) {
+// Control: a file without a fault is compiled and linked in the same way.
+TEST_F(RendererFault, ControlWithoutFaultPasses) {
   const ShellResult suite = suiteWith({"None", "render/blend.cpp", "namespace poinsot", "namespace poinsot"});
   EXPECT_EQ(suite.exitCode, 0) << suite.out;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The golden suite against shaders that are wrong: each fault is put into a copy of them, or into the scene where
-// it is one of what is drawn or when, and the suite must not pass. Faults of the renderer itself:
-// renderer_faults_test.cpp.
+// Runs the golden suite with faulty shaders. Each fault is put into a copy of the shaders, or into the scene if it
+// concerns the drawn objects or the time. The suite must fail. renderer_faults_test.cpp has faults of the renderer
+// itself.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -59,22 +59,21 @@ class SeededFault : public testing::TestWithParam<Fault> {
 TEST_P(SeededFault, IsCaught) {
   const Fault& fault = GetParam();
   fs::copy(POINSOT_SOURCE_DIR "/shaders", shaders_);
-  const std::string text = textWith(fault, shaders_);  // before the file is emptied
+  const std::string text = textWith(fault, shaders_);  // reads the file before it is emptied
   std::ofstream(fs::path(shaders_) / fault.file) << text;
   expectCaught(suite());
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, SeededFault, testing::ValuesIn(kFaults),
+INSTANTIATE_TEST_SUITE_P(Each, SeededFault, testing::ValuesIn(kFaults),
                          [](const auto& each) { return std::string(each.param.name); });
 
-// The control: the same shaders from a folder, without a fault.
-TEST_F(SeededFault, NoneIsNoFailure) {
+// Control: the same shaders from a folder, without a fault.
+TEST_F(SeededFault, ControlWithoutFaultPasses) {
   fs::copy(POINSOT_SOURCE_DIR "/shaders", shaders_);
   const ShellResult run = suite();
   EXPECT_EQ(run.exitCode, 0) << run.out;
 }
 
-/// A suite of one picture that is drawn otherwise than approved.
 ShellResult runOther(const ScratchFolder& folder, const std::string& line) {
   const std::string root = POINSOT_SOURCE_DIR;
   folder.put("golden.toml", fmt::format("references = '{0}/tests/golden/images'\nheight = 144\n[[test]]\n"
@@ -84,13 +83,13 @@ ShellResult runOther(const ScratchFolder& folder, const std::string& line) {
                   "gallery_football");
 }
 
-TEST_F(SeededFault, OfOneThingNotDrawnIsCaught) {
+TEST_F(SeededFault, IsCaughtIfOneObjectIsNotDrawn) {
   EXPECT_EQ(runOther(folder_, "").exitCode, 0);
   EXPECT_EQ(runOther(folder_, "set = ['show.L=false']").exitCode, 1);
 }
 
-TEST_F(SeededFault, OfOneFrameTooLateIsCaught) {
-  // The still is taken at a time that the scene gives, or at 0.
+TEST_F(SeededFault, IsCaughtIfThePictureIsOneFrameLate) {
+  // The still shows the time in the scene, or 0.
   const std::string scene = textOf(POINSOT_SOURCE_DIR "/scenes/football.toml");
   const auto at = scene.find("\nstill = ");
   const double still_s = at == std::string::npos ? 0 : std::stod(scene.substr(at + 9));

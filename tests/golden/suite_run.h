@@ -10,7 +10,6 @@
 
 namespace poinsot {
 
-/// A passage of a source file, and what a slip would make of it.
 struct Fault {
   const char* name;
   const char* file;
@@ -18,23 +17,21 @@ struct Fault {
   const char* to;
 };
 
-// What GoogleTest and ctest print of a case.
 void PrintTo(const Fault& fault, std::ostream* out);
 
-/// The file beneath `folder` with the fault in it; fails the test where the passage is not there any more.
+/// Returns the file below `folder` with the fault. Fails the test if the passage no longer exists.
 std::string textWith(const Fault& fault, const std::string& folder);
 
-/// Tests of the golden suite that have between them every kind of thing that is drawn.
+/// Tests of the golden suite that together draw every kind of object.
 inline constexpr const char* kTestsOfEverything =
     "gallery_poinsot_rolling gallery_tennis_racket gallery_football gallery_heavy_top body_box body_parts "
     "body_t_handle "
     "cones_in_the_ellipsoid plane_of_L trace view_isometric view_precession";
 
-/// The exit code of a golden suite and what it printed; new pictures go into a folder of the scratch folder.
 ShellResult runSuite(const ScratchFolder& folder, const std::string& program, const std::string& manifest,
                      const std::string& tests, const std::vector<std::string>& environment = {});
 
-/// It was drawn, and looked wrong: a program or shader that does not work would prove nothing.
+/// Expects that the pictures were drawn and look wrong. A program or shader that fails would prove nothing.
 void expectCaught(const ShellResult& suite);
 
 }  // namespace poinsot

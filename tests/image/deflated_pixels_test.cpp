@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// That they are the pixels, libpng says in png_file_test.cpp. Here: the same pixels give the same bytes, wherever
-// in memory they are made. ISA-L's alone are not (see kFirstBytes): for this picture some 20 of 400 places gave
-// other bytes.
+// The same pixels must give the same bytes at any address in memory. ISA-L alone does not guarantee that (see
+// kFirstBytes): for this picture, some 20 of 400 addresses gave other bytes. libpng checks the pixels themselves
+// in png_file_test.cpp.
 #include "image/deflated_pixels.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kStackBytes = 1 << 20;
 
-/// Memory for many stacks, of which only what is used is ever there.
+/// Memory for many stacks; the system provides only the pages that are used.
 class Stacks {
  public:
   explicit Stacks(std::size_t count)
@@ -32,7 +32,7 @@ class Stacks {
 
   bool given() const { return at_ != MAP_FAILED; }
 
-  /// False if no thread could be started on the i-th.
+  /// Runs `what` in a thread on the i-th stack. Returns false if no thread could be started.
   bool run(std::size_t i, std::function<void()> what) const {
     pthread_attr_t attributes;
     pthread_attr_init(&attributes);
@@ -53,8 +53,8 @@ class Stacks {
   void* at_;
 };
 
-/// Every few pixels the colour changes, by the same amount twice. Said as differences, strings of bytes come that
-/// come only here, and twice within a few bytes.
+/// Returns a picture whose colour changes every few pixels, by the same amount twice. As differences, the picture
+/// has strings of bytes that appear only there, and twice within a few bytes.
 Image steps() {
   Image picture({6'000, 11}, 3);
   std::vector<std::uint8_t> by(picture.pixels.size());
@@ -68,7 +68,7 @@ Image steps() {
   return picture;
 }
 
-TEST(DeflatedPixels, AreTheSameWhereverTheyAreMade) {
+TEST(DeflatedPixels, AreTheSameAtAnyAddressInMemory) {
   constexpr std::size_t kPlaces = 400;
   const Stacks stacks(kPlaces);
   ASSERT_TRUE(stacks.given());

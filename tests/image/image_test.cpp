@@ -6,7 +6,7 @@
 namespace poinsot::image {
 namespace {
 
-TEST(Image, StartsAsZerosRowByRow) {
+TEST(Image, StartsWithZerosInRowOrder) {
   Image picture({3, 2}, 4);
   EXPECT_EQ(picture.pixels, std::vector<std::uint8_t>(24, 0));
   EXPECT_EQ(picture.rowBytes(), 12u);
@@ -15,7 +15,7 @@ TEST(Image, StartsAsZerosRowByRow) {
   EXPECT_EQ(picture.at(0, 1) - picture.at(0, 0), 12);
 }
 
-TEST(Image, RefusesShapesThatAreNone) {
+TEST(Image, RejectsImpossibleShapes) {
   EXPECT_THROW(Image({0, 2}, 3), std::logic_error);
   EXPECT_THROW(Image({2, -1}, 3), std::logic_error);
   EXPECT_THROW(Image({2, 2}, 2), std::logic_error);

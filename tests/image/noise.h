@@ -7,7 +7,7 @@
 
 namespace poinsot::image {
 
-/// Every sample at random, the same for the same seed.
+/// Returns a picture of random samples, the same for the same seed.
 inline Image noise(PixelSize size, unsigned seed, int channels = 3) {
   Image picture(size, channels);
   std::mt19937 random(seed);

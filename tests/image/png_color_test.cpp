@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expected tags are from the PNG specification (third edition, 4.3 and 11.3.2) and ITU-T H.273.
+// Expected tags come from the PNG specification (third edition, 4.3 and 11.3.2) and ITU-T H.273.
 #include "image/png_color.h"
 
 #include <gmock/gmock.h>
@@ -22,7 +22,7 @@ Bytes bigEndian(std::uint32_t v) {
 
 Bytes chunk(const std::string& type, const Bytes& data) { return pngChunk(type, data); }
 
-/// One grey pixel, with some chunks before it.
+/// Returns a PNG of one grey pixel, with some chunks before the pixel.
 Bytes png(const std::vector<Bytes>& chunks) { return pngBytes({.colorType = 0, .chunks = chunks}, {77}); }
 
 std::string tagOf(const std::vector<Bytes>& chunks) { return decodePngAsStored(png(chunks), "x").color.name; }
@@ -38,20 +38,20 @@ Bytes primaries(std::initializer_list<std::uint32_t> values) {
 
 const Bytes kSrgb = chunk("sRGB", {0});
 
-TEST(PngColor, NamesTheTagThatReadersObey) {
+TEST(PngColor, NamesTheColourTagThatTakesPrecedence) {
   EXPECT_EQ(tagOf({}), "sRGB");
   EXPECT_EQ(tagOf({kSrgb}), "sRGB");
   EXPECT_EQ(tagOf({gamma(45455)}), "sRGB");
   EXPECT_EQ(tagOf({gamma(45455), primaries({31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000})}), "sRGB");
   EXPECT_EQ(tagOf({gamma(100000)}), "gamma 1 (gAMA)");
   EXPECT_EQ(tagOf({gamma(55556)}), "gamma 1.8 (gAMA)");
-  // Display P3's primaries: SMPTE EG 432-1, white D65.
+  // Display P3 has the primaries of SMPTE EG 432-1 and the white point D65.
   EXPECT_EQ(tagOf({primaries({31270, 32900, 68000, 32000, 26500, 69000, 15000, 6000})}),
             "primaries of its own (cHRM)");
   EXPECT_EQ(tagOf({chunk("cICP", {1, 13, 0, 1})}), "sRGB");
   EXPECT_EQ(tagOf({chunk("cICP", {12, 13, 0, 1})}), "Display P3 (cICP)");
   EXPECT_EQ(tagOf({chunk("cICP", {9, 16, 0, 1})}), "BT.2100 PQ (cICP)");
-  EXPECT_EQ(tagOf({chunk("cICP", {12, 13, 0, 0})}), "12-13-0-0 (cICP)");  // of narrow range
+  EXPECT_EQ(tagOf({chunk("cICP", {12, 13, 0, 0})}), "12-13-0-0 (cICP)");  // narrow range
   EXPECT_EQ(tagOf({chunk("cICP", {12, 13, 0, 1}), kSrgb}), "Display P3 (cICP)");
 }
 
@@ -63,8 +63,8 @@ TEST(PngColor, EqualTagsAreEqual) {
   EXPECT_FALSE(tag({chunk("cICP", {12, 13, 0, 1})}) == tag({}));
 }
 
-// An animation has its acTL before the pixels.
-TEST(PngColor, KnowsAnAnimationByItsContent) {
+// An animated PNG has a chunk acTL before the pixels.
+TEST(PngColor, RecognisesAnAnimationByItsContent) {
   const auto path = std::filesystem::path(::testing::TempDir()) / ("poinsot_actl_" + std::to_string(::getpid()));
   const auto isAnimated = [&](const Bytes& bytes) {
     saveBytes(path, bytes);
@@ -88,11 +88,12 @@ std::string failureOf(std::string_view text) {
   return "";
 }
 
-TEST(Png, NamesWhatIsThereInsteadOfAPicture) {
+TEST(Png, DescribesFilesThatAreNotPictures) {
   using ::testing::HasSubstr;
   EXPECT_THAT(
       failureOf("version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 12345\n"),
-      HasSubstr("some.png: not a readable PNG: it is a Git LFS pointer; `git lfs pull` brings the picture"));
+      HasSubstr(
+          "some.png: not a readable PNG: the file is a Git LFS pointer; get the picture with `git lfs pull`"));
   EXPECT_THAT(failureOf(""), HasSubstr("the file is empty"));
   EXPECT_THAT(failureOf("hello"), HasSubstr("Not a PNG file"));
   EXPECT_THAT(failureOf("\x89PN"), HasSubstr("the file ends too early"));

@@ -34,7 +34,7 @@ DeepImage deepNoise(PixelSize size, int channels) {
   return picture;
 }
 
-/// A PNG written by libpng itself, of a kind encodePng does not write.
+/// PNG that libpng itself writes, of a kind that encodePng() does not write.
 struct Foreign {
   png_uint_32 width = 0, height = 0;
   int depth = 8;
@@ -109,7 +109,7 @@ TEST(Png, RoundTripsEveryShape) {
     }
 }
 
-/// What libpng makes of the file, samples as they are in it.
+/// Content of a file as libpng reads it, with samples as stored.
 struct Raw {
   int depth = 0, type = -1;
   Bytes samples;
@@ -134,7 +134,7 @@ Raw rawOf(Bytes bytes) {
   return raw;
 }
 
-TEST(Png, HasSixteenBitsOfADeepPicture) {
+TEST(Png, StoresADeepPictureWithSixteenBits) {
   for (const PixelSize size : {PixelSize{1, 1}, {9, 1}, {17, 13}, {320, 240}})
     for (const int channels : {3, 4}) {
       const DeepImage picture = deepNoise(size, channels);
@@ -147,7 +147,7 @@ TEST(Png, HasSixteenBitsOfADeepPicture) {
     }
 }
 
-TEST(Png, OfADeepPictureSaysTheSame) {
+TEST(Png, HasTheSameMetadataForADeepPicture) {
   const std::vector<PngText> texts = {{"Title", "Polhode"}};
   const Bytes deep = encodePng(deepNoise({4, 4}, 3), texts, 300), flat = encodePng(noise({4, 4}, 3), texts, 300);
   const auto untilPixels = [](const Bytes& bytes) {
@@ -158,7 +158,7 @@ TEST(Png, OfADeepPictureSaysTheSame) {
   EXPECT_EQ(deep, encodePng(deepNoise({4, 4}, 3), texts, 300));
 }
 
-TEST(Png, IsTaggedAndHasNoTime) {
+TEST(Png, StoresSrgbAndTextsButNoTime) {
   const Bytes bytes = encodePng(noise({4, 4}, 3), {{"Title", "Polhode"}, {"Comment", "ω̂ of the body"}});
   EXPECT_TRUE(contains(bytes, std::string_view("\0\0\0\x01sRGB\0", 9)));
   EXPECT_TRUE(contains(bytes, std::string("tEXtSoftware\0poinsot ", 21) + core::version()));
@@ -169,15 +169,15 @@ TEST(Png, IsTaggedAndHasNoTime) {
   EXPECT_EQ(bytes, encodePng(noise({4, 4}, 3), {{"Title", "Polhode"}, {"Comment", "ω̂ of the body"}}));
 }
 
-TEST(Png, RefusesAKeyThatIsNone) {
+TEST(Png, RejectsInvalidTextKeys) {
   EXPECT_THROW(encodePng(noise({1, 1}, 3), {{"", "x"}}), std::logic_error);
   EXPECT_THROW(encodePng(noise({1, 1}, 3), {{std::string(80, 'k'), "x"}}), std::logic_error);
   EXPECT_THROW(encodePng(noise({1, 1}, 3), {{"clé", "x"}}), std::logic_error);
 }
 
-// 16-bit samples scale by 255/65535, rounded to nearest: 0x1234 = 4660 -> 18.13, 0x80ff -> 128.5 -> 0x8000 and
-// 0x8080 bracket 128.
-TEST(Png, Reads16Bit) {
+// 16-bit samples scale by 255/65535 and are rounded to nearest: 0x1234 = 4660 gives 18.13. 0x007f and 0x0082 lie
+// on either side of a half.
+TEST(Png, ReadsSixteenBitsRoundedToEight) {
   const Bytes bytes =
       written({.width = 2,
                .height = 1,
@@ -213,7 +213,7 @@ TEST(Png, ReadsPaletteWithAndWithoutAlpha) {
   EXPECT_EQ(decodePng(written(file), "x").pixels, (Bytes{1, 2, 3, 128, 4, 5, 6, 255, 7, 8, 9, 255, 1, 2, 3, 128}));
 }
 
-TEST(Png, ReadsInterlaced) {
+TEST(Png, ReadsInterlacedFiles) {
   const Image picture = noise({13, 11}, 3);
   Foreign file{.width = 13, .height = 11, .type = PNG_COLOR_TYPE_RGB, .interlace = PNG_INTERLACE_ADAM7};
   for (int y = 0; y < 11; ++y) file.rows.emplace_back(picture.at(0, y), picture.at(0, y) + picture.rowBytes());
@@ -227,7 +227,8 @@ TEST(Png, RefusesEveryTruncation) {
         << length;
 }
 
-// Every byte lies under a checksum, the signature or a chunk's length and type, so no change may pass unseen.
+// Every byte is covered by a checksum, or belongs to the signature or to a chunk's length and type. No change may
+// pass unnoticed.
 TEST(Png, RefusesEveryDamagedByte) {
   const Bytes good = encodePng(noise({6, 5}, 3));
   for (std::size_t i = 0; i < good.size(); ++i)
@@ -249,8 +250,8 @@ TEST(Png, RefusesGarbage) {
   }
 }
 
-// As stored: the bits and the channels that the file has; what libpng expands keeps its values.
-TEST(Png, IsReadAsStored) {
+// Reading as stored reports the bits and the channels of the file. What libpng expands keeps its values.
+TEST(Png, ReportsStoredChannelsAndBits) {
   const auto stored = [](const Foreign& f) { return decodePngAsStored(written(f), "x"); };
   const PngPicture grey = stored({.width = 2, .height = 1, .rows = {{7, 200}}});
   EXPECT_EQ(grey.stored.channels, 1);
@@ -276,7 +277,7 @@ TEST(Png, IsReadAsStored) {
   EXPECT_EQ(std::get<DeepImage>(decodePngAsStored(encodePng(deep), "x").picture), deep);
 }
 
-TEST(Png, OfOneBitAndInterlacedIsReadAsStored) {
+TEST(Png, ReportsStoredFormatOfOneBitAndInterlacedFiles) {
   Foreign bits{.width = 9, .height = 9, .depth = 1, .interlace = PNG_INTERLACE_ADAM7};
   for (int y = 0; y < 9; ++y) bits.rows.push_back({static_cast<std::uint8_t>(0xaa >> (y % 2)), 0x80});
   const PngPicture picture = decodePngAsStored(written(bits), "x");
@@ -287,7 +288,7 @@ TEST(Png, OfOneBitAndInterlacedIsReadAsStored) {
   EXPECT_EQ(pixels.at(8, 4)[2], 255);
 }
 
-/// A file that declares a size and holds no pixels: the limit is met before anything is allocated.
+/// Returns a file that declares a size and holds no pixels, so that a limit must act before any allocation.
 Bytes declared(png_uint_32 width, png_uint_32 height) {
   Bytes out;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
@@ -302,7 +303,7 @@ Bytes declared(png_uint_32 width, png_uint_32 height) {
   return out;
 }
 
-TEST(Png, HasLimits) {
+TEST(Png, HasLimitsOnItsSize) {
   EXPECT_THAT(failure(declared(kLargestPngSide, 4)), ::testing::HasSubstr("not a readable PNG"));
   EXPECT_THAT(failure(declared(kLargestPngSide + 1, 4), core::ErrorKind::kLimit),
               ::testing::HasSubstr("16385x4 pixels"));
@@ -312,8 +313,8 @@ TEST(Png, HasLimits) {
   EXPECT_THAT(failure(declared(0x7fffffff, 0x7fffffff), core::ErrorKind::kLimit), ::testing::HasSubstr("pixels"));
 }
 
-// Found by fuzzing: memory was taken for a text of 1.4 GB in a file of 500 bytes.
-TEST(Png, TakesNoMemoryForWhatAChunkOnlySaysItHas) {
+// Found by fuzzing: a file of 500 bytes made the reader allocate memory for a text of 1.4 GB.
+TEST(Png, AllocatesNoMemoryForADeclaredLength) {
   Bytes bytes = encodePng(noise({4, 4}, 3), {{"Title", "Rolling"}});
   const std::string key = "tEXtTitle";
   const auto type = std::search(bytes.begin(), bytes.end(), key.begin(), key.end());
@@ -324,8 +325,8 @@ TEST(Png, TakesNoMemoryForWhatAChunkOnlySaysItHas) {
   EXPECT_THAT(failure(bytes), ::testing::HasSubstr("not a readable PNG: the file ends too early"));
 }
 
-// What a small file unpacks to in texts is limited, and its picture is read all the same.
-TEST(Png, KeepsFewTexts) {
+// Texts that a small file unpacks to are limited, and the picture is read all the same.
+TEST(Png, LimitsTheTextsOfAFile) {
   const Image picture = noise({4, 4}, 3);
   const std::vector<PngText> many(1000, {"Title", "x"});
   const Bytes crowded = encodePng(picture, many);
@@ -342,7 +343,7 @@ TEST_F(PngFile, ReadsBackFromDisk) {
   EXPECT_EQ(readPng(save("a.png", encodePng(picture))), picture);
 }
 
-TEST_F(PngFile, NamesThePathAndTheReason) {
+TEST_F(PngFile, NamesThePathAndTheReasonInErrors) {
   const auto message = [](const std::filesystem::path& path) -> std::string {
     try {
       readPng(path);
@@ -360,32 +361,32 @@ TEST_F(PngFile, NamesThePathAndTheReason) {
   EXPECT_THAT(message(save("empty.png", {})), ::testing::HasSubstr("empty.png: not a readable PNG"));
 }
 
-TEST_F(PngFile, KnowsItsOwn) {
+TEST_F(PngFile, RecognisesItsOwnFiles) {
   EXPECT_TRUE(isOwnPng(save("own.png", encodePng(noise({3, 3}, 3)))));
   EXPECT_FALSE(isOwnPng(save("foreign.png", written({.width = 1, .height = 1, .rows = {{1}}}))));
   EXPECT_FALSE(isOwnPng(save("text.png", Bytes{'h', 'i'})));
   EXPECT_FALSE(isOwnPng(save("empty.png", {})));
   EXPECT_FALSE(isOwnPng(folder() / "none.png"));
   EXPECT_FALSE(isOwnPng(folder()));
-  // A foreign file is not ours for having our words among its pixels.
+  // A foreign file stays foreign, even if it has poinsot's words among its pixels.
   Bytes bytes = written({.width = 1, .height = 1, .rows = {{1}}});
   const std::string_view words("tEXtSoftware\0poinsot 9", 22);
   bytes.insert(bytes.end(), words.begin(), words.end());
   EXPECT_FALSE(isOwnPng(save("tail.png", bytes)));
-  // Cut anywhere before our mark is complete, a file is not ours; no cut is read past its end.
+  // A file that is cut before its mark is complete is not recognised, and no cut is read past its end.
   const Bytes own = encodePng(noise({3, 3}, 3));
   for (std::size_t n = 0; n < 70; ++n)
     EXPECT_FALSE(isOwnPng(save("cut.png", Bytes(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(n)))));
 }
 
-// 600 dpi are 600 / 0.0254 = 23622.05 pixels a metre: 0x5c46, in both directions, unit 1 (PNG 1.2, 4.2.4.2).
-TEST(Png, SaysHowManyPixelsMakeAnInch) {
+// 600 dpi are 600 / 0.0254 = 23622.05 pixels a metre: 0x5c46, in both directions, with unit 1 (PNG 1.2, 4.2.4.2).
+TEST(Png, StoresPixelsPerInch) {
   const std::string chunk("\0\0\0\x09pHYs\0\0\x5c\x46\0\0\x5c\x46\x01", 17);
   EXPECT_TRUE(contains(encodePng(noise({3, 3}, 3), {}, 600), chunk));
   EXPECT_FALSE(contains(encodePng(noise({3, 3}, 3)), "pHYs"));
 }
 
-TEST(Png, SaysItsVersion) { EXPECT_THAT(libpngVersion(), ::testing::StartsWith("1.6.")); }
+TEST(Png, ReportsTheVersionOfLibpng) { EXPECT_THAT(libpngVersion(), ::testing::StartsWith("1.6.")); }
 
 }  // namespace
 }  // namespace poinsot::image

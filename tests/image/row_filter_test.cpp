@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The oracle is the specification's way back (PNG, third edition, clause 9), written out here for the bytes of a
-// row.
+// Expected: the specification's inverse of a filter (PNG, third edition, clause 9), written out here for the bytes
+// of a row.
 #include "image/row_filter.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ int paeth(int a, int b, int c) {
   return std::abs(p - b) <= std::abs(p - c) ? b : c;
 }
 
-/// The row that `filtered` stands for, below `above`.
+/// Returns the row that `filtered` encodes, below `above`.
 Row unfiltered(const Row& filtered, const Row& above, std::size_t pixelBytes) {
   Row row(filtered.begin() + 1, filtered.end());
   for (std::size_t i = 0; i < row.size(); ++i) {
@@ -39,7 +39,7 @@ Row filteredBy(RowFilter& filter, const Row& row) {
   return {filtered.begin(), filtered.end()};
 }
 
-/// Rows of stretches that are flat, that repeat what is above, that rise, and of noise, all at random.
+/// Returns rows of random stretches, which are flat, repeat the row above, rise, or are noise.
 std::vector<Row> patchwork(std::size_t rowBytes, std::size_t pixelBytes, int count, unsigned seed) {
   std::mt19937 random(seed);
   std::vector<Row> rows(1, Row(rowBytes));
@@ -60,7 +60,7 @@ std::vector<Row> patchwork(std::size_t rowBytes, std::size_t pixelBytes, int cou
   return rows;  // the first is what lies above the picture
 }
 
-TEST(RowFilter, IsUndoneByTheSpecification) {
+TEST(RowFilter, IsUndoneByTheSpecifiedInverse) {
   for (const std::size_t pixelBytes : {3, 4, 6, 8})
     for (const std::size_t width : {1, 2, 23, 24, 48, 64, 65, 997}) {
       const auto rows = patchwork(width * pixelBytes, pixelBytes, 40, static_cast<unsigned>(width));
@@ -90,7 +90,7 @@ std::size_t others(const Row& filtered) {
   return filtered.size() - 1 - static_cast<std::size_t>(std::count(filtered.begin() + 1, filtered.end(), 0));
 }
 
-TEST(RowFilter, IsTheOneThatLeavesLeast) {
+TEST(RowFilter, PicksTheFilterThatLeavesTheFewestNonzeroBytes) {
   struct Case {
     const char* what;
     Row above, row;

@@ -18,8 +18,8 @@ request::SceneRequest asked(const std::vector<std::string>& overrides, const req
   return {.fileName = "spin.toml", .text = kScene, .overrides = overrides, .sweep = sweep};
 }
 
-// A render that goes on must not take another sweep's segments for its own.
-TEST(JobIdentity, OfASweepIsOfItsRangesColumnsAndLabels) {
+// A render that resumes must not take another sweep's segments for its own.
+TEST(JobIdentity, DependsOnASweepsRangesColumnsAndLabels) {
   std::set<core::Digest> digests;
   const auto add = [&](const request::SceneRequest& request) { digests.insert(sceneDigest({request})); };
   add(asked({kOne}));

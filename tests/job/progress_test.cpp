@@ -10,7 +10,7 @@ namespace {
 
 constexpr ProgressState kHalf{150, 300, 5.0, 37.5}, kFirst{1, 300, 0.5, 0}, kAll{300, 300, 9.0, 37.5};
 
-TEST(Progress, ClockRoundsUp) {
+TEST(Progress, TimesAreRoundedUpToSeconds) {
   EXPECT_EQ(clockText(0), "0:00");
   EXPECT_EQ(clockText(6.2), "0:07");
   EXPECT_EQ(clockText(59.5), "1:00");
@@ -52,7 +52,8 @@ TEST(Progress, StyleFollowsTheTerminal) {
   EXPECT_EQ(progressStyle("none", true), ProgressStyle::kNone);
 }
 
-/// What is written when one frame takes a second, ten in all, the first two: 10 frames in 11 s are 0.9 a second.
+/// Returns what is written if the first of ten frames takes two seconds and each other frame takes one. 10 frames
+/// in 11 s are 0.9 a second.
 std::vector<std::string> tenSeconds(ProgressStyle style) {
   std::vector<std::string> written;
   Progress progress(style, 10, 80, [&](std::string_view text) { written.emplace_back(text); });
@@ -62,7 +63,7 @@ std::vector<std::string> tenSeconds(ProgressStyle style) {
   return written;
 }
 
-TEST(Progress, PlainSpeaksEveryFiveSecondsAndAtTheEnd) {
+TEST(Progress, PlainStyleWritesEveryFiveSecondsAndAtTheEnd) {
   EXPECT_EQ(tenSeconds(ProgressStyle::kPlain),
             (std::vector<std::string>{"poinsot: 4 of 10 frames (40 %), 1.0 frames/s, 0:06 left\n",
                                       "poinsot: 9 of 10 frames (90 %), 1.0 frames/s, 0:01 left\n",
@@ -79,7 +80,7 @@ TEST(Progress, BarRedrawsInPlaceAndEndsItsLineOnce) {
   EXPECT_EQ(written.back(), "\n");
 }
 
-TEST(Progress, NoneIsSilentAndJsonIsLines) {
+TEST(Progress, NoneStyleIsSilentAndJsonStyleWritesLines) {
   EXPECT_TRUE(tenSeconds(ProgressStyle::kNone).empty());
   const auto lines = tenSeconds(ProgressStyle::kJson);
   ASSERT_EQ(lines.size(), 10u);

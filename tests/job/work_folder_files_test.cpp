@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What lies in a work folder may come from anyone: it is believed only where it is what this program writes.
+// Files in a work folder may come from anyone, and are accepted only if they are what this program writes.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -38,7 +38,7 @@ class JobRecords : public testing::Test {
     written_ = Json::parse(textOf(folder_ / "job.json"));
   }
 
-  /// Whether the job is taken, with one of its values replaced.
+  /// Returns whether the job record is accepted with one of its values replaced.
   bool isTaken(const std::string& key, const Json& value) const {
     Json changed = written_;
     changed[key] = value;
@@ -49,7 +49,7 @@ class JobRecords : public testing::Test {
   Json written_;
 };
 
-TEST_F(JobRecords, AreReadAsTheyWereWritten) {
+TEST_F(JobRecords, RoundTripThroughTheirFile) {
   const auto read = readJobRecord(folder_.path(), kFilm);
   ASSERT_TRUE(read);
   EXPECT_EQ(read->frames, (request::FrameRange{0, 89}));
@@ -58,7 +58,7 @@ TEST_F(JobRecords, AreReadAsTheyWereWritten) {
   EXPECT_EQ(read->segments().size(), 3u);
 }
 
-TEST_F(JobRecords, HaveNumbersThatCanBeGoneThrough) {
+TEST_F(JobRecords, RejectNumbersOutOfRange) {
   EXPECT_TRUE(isTaken("frames", {0, kMostJobFrames - 1}));
   EXPECT_FALSE(isTaken("frames", {0, kMostJobFrames}));
   EXPECT_FALSE(isTaken("frames", {0, 9'000'000'000'000'000'000}));
@@ -75,7 +75,7 @@ TEST_F(JobRecords, HaveNumbersThatCanBeGoneThrough) {
   EXPECT_FALSE(isTaken("segment_frames", 1e300));
 }
 
-TEST_F(JobRecords, AreOfTheTarget) {
+TEST_F(JobRecords, RejectAnotherKindOfTarget) {
   EXPECT_FALSE(isTaken("kind", static_cast<int>(request::OutputKind::kSequence)));
   EXPECT_FALSE(isTaken("kind", 77));
   EXPECT_FALSE(isTaken("container", "gif"));
@@ -83,7 +83,7 @@ TEST_F(JobRecords, AreOfTheTarget) {
   EXPECT_FALSE(readJobRecord(folder_.path(), {request::OutputKind::kSequence, "f_{frame}.png"}));
 }
 
-TEST(Json, IsNotNestedDeeply) {
+TEST(Json, LimitsNesting) {
   const auto nested = [](int depth) { return std::string(depth, '[') + std::string(depth, ']'); };
   EXPECT_EQ(core::parseJson(nested(core::kDeepestJson)).size(), 1u);
   EXPECT_THROW(core::parseJson(nested(core::kDeepestJson + 1)), core::Error);
@@ -91,14 +91,14 @@ TEST(Json, IsNotNestedDeeply) {
   EXPECT_THROW(core::parseJson("{\"a\": \xff}"), core::Error);
 }
 
-TEST(Json, HasWholeNumbers) {
+TEST(Json, AcceptsOnlyWholeNumbersOf64Bits) {
   EXPECT_EQ(core::wholeNumber(core::parseJson("-9223372036854775808")), std::numeric_limits<std::int64_t>::min());
   EXPECT_EQ(core::wholeNumber(core::parseJson("9223372036854775807")), std::numeric_limits<std::int64_t>::max());
   for (const char* other : {"9223372036854775808", "1e300", "1.0", "true", "\"1\"", "[1]"})
     EXPECT_THROW(core::wholeNumber(core::parseJson(other)), core::Error) << other;
 }
 
-TEST(Json, IsNotLong) {
+TEST(Json, LimitsTheSizeOfAFile) {
   const ScratchFolder folder;
   const auto blanks = folder.put("a.json", "[]" + std::string(core::kMostJsonBytes - 2, ' '));
   EXPECT_TRUE(core::readJson(blanks).empty());
@@ -106,10 +106,10 @@ TEST(Json, IsNotLong) {
   EXPECT_THROW(core::readJson(blanks), core::Error);
 }
 
-/// The record of frames 3 to 5 of a sequence, which lie beside its work folder.
-class Records : public testing::Test {
+/// Fixture with the record of frames 3 to 5 of a sequence, whose pictures lie beside the work folder.
+class SegmentRecordTest : public testing::Test {
  protected:
-  Records() {
+  SegmentRecordTest() {
     std::filesystem::create_directory(work());
     SegmentRecord record{{3, 5}, "5f", "llvmpipe", {"a", "b", "c"}, {}};
     for (const char* name : {"f_3.png", "f_4.png", "f_5.png"})
@@ -123,7 +123,7 @@ class Records : public testing::Test {
     return {work(), {request::OutputKind::kSequence, (folder_ / "f_{frame}.png").string()}};
   }
   std::string text() const { return textOf(records().fileOf({3, 5})); }
-  /// Of the record with a piece of its text replaced.
+  /// Returns the state of the record with a piece of its text replaced.
   SegmentState stateWith(const std::string& old, const std::string& changed) const {
     std::string forged = whole_;
     forged.replace(forged.find(old), old.size(), changed);
@@ -135,21 +135,21 @@ class Records : public testing::Test {
   std::string whole_;
 };
 
-TEST_F(Records, AreReadAsTheyWereWritten) {
+TEST_F(SegmentRecordTest, RoundTripsAndDetectsChangedFiles) {
   EXPECT_NE(text().find("\"../f_3.png\""), std::string::npos) << text();
   EXPECT_EQ(records().stateOf({3, 5}, "5f"), SegmentState::kDone);
   EXPECT_EQ(records().stateOf({3, 5}, "60"), SegmentState::kStale);
   EXPECT_EQ(stateWith("\"bytes\":7", "\"bytes\":8"), SegmentState::kCorrupt);
 }
 
-// None of these names is opened, whatever stands there.
-TEST_F(Records, NameNoOtherFiles) {
+// None of these names is opened, even if a file has it.
+TEST_F(SegmentRecordTest, RejectsNamesOfOtherFiles) {
   for (const char* name : {"/etc/passwd", "../../f_3.png", "../f_4.png", "f_3.png", "../f_3.png/", ""})
     EXPECT_EQ(stateWith("../f_3.png", name), SegmentState::kMissing) << name;
   EXPECT_EQ(stateWith("\"frames\":[3,5]", "\"frames\":[3,4]"), SegmentState::kMissing);
 }
 
-TEST_F(Records, AreOfRegularFiles) {
+TEST_F(SegmentRecordTest, RejectsFilesThatAreNotRegular) {
   std::filesystem::remove(folder_ / "f_4.png");
   ASSERT_EQ(::mkfifo((folder_ / "f_4.png").c_str(), 0600), 0);
   EXPECT_EQ(records().stateOf({3, 5}, "5f"), SegmentState::kCorrupt);  // and does not wait

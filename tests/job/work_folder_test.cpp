@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(WorkFolder, StandsBesideTheTargetAndGoesWithItsOwner) {
+TEST(WorkFolder, IsNextToTheTargetAndIsRemovedAtTheEnd) {
   const ScratchFolder scratch;
   {
     const WorkFolder folder(scratch / "film.mp4", WorkFolderUse::kFresh);
@@ -25,7 +25,7 @@ TEST(WorkFolder, StandsBesideTheTargetAndGoesWithItsOwner) {
   EXPECT_TRUE(fs::is_empty(scratch.path()));
 }
 
-// Segments are work done; only who has made all of it throws them away.
+// Segments are finished work; they are discarded only when all of the film is made.
 TEST(WorkFolder, KeepsSegmentsUntilTheyAreDiscarded) {
   const ScratchFolder scratch;
   const fs::path segment = scratch / ".film.mp4.poinsot/segment-000000000-000000029.mp4";
@@ -40,7 +40,7 @@ TEST(WorkFolder, KeepsSegmentsUntilTheyAreDiscarded) {
   EXPECT_TRUE(fs::is_empty(scratch.path()));
 }
 
-TEST(WorkFolder, IsSharedByShardsAndByNoneElse) {
+TEST(WorkFolder, IsSharedByShardsOnly) {
   const ScratchFolder scratch;
   {
     const WorkFolder one(scratch / "film.mp4", WorkFolderUse::kShared);
@@ -52,7 +52,7 @@ TEST(WorkFolder, IsSharedByShardsAndByNoneElse) {
   EXPECT_THROW(WorkFolder(scratch / "film.mp4", WorkFolderUse::kShared), core::Error);
 }
 
-TEST(WorkFolder, IsHeldByOne) {
+TEST(WorkFolder, IsLockedByOneRenderAtATime) {
   const ScratchFolder scratch;
   const WorkFolder folder(scratch / "film.mp4", WorkFolderUse::kFresh);
   try {
@@ -65,7 +65,7 @@ TEST(WorkFolder, IsHeldByOne) {
   EXPECT_TRUE(fs::is_directory(folder.path()));
 }
 
-TEST(WorkFolder, TakesOverWhatAKilledRunLeft) {
+TEST(WorkFolder, TakesOverTheFolderOfAKilledRun) {
   const ScratchFolder scratch;
   fs::create_directory(scratch / ".film.mp4.poinsot");
   std::ofstream(scratch / ".film.mp4.poinsot/segment-000000000-000000059.mp4") << "half";
@@ -73,7 +73,7 @@ TEST(WorkFolder, TakesOverWhatAKilledRunLeft) {
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
-TEST(WorkFolder, LeavesOthersFilesAlone) {
+TEST(WorkFolder, KeepsFilesOfOtherPrograms) {
   const ScratchFolder scratch;
   fs::create_directory(scratch / ".film.mp4.poinsot");
   const auto foreign = scratch / ".film.mp4.poinsot/notes.txt";

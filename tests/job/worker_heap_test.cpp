@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each in a process of its own, as a worker is one: what is said of a heap is said for good. What is expected
-// stands in proc_pid_smaps(5): "hg", the advice to use large pages, is a flag of a mapping.
+// Each test runs in a process of its own, as a worker does, because settings of a heap are final. Expected values
+// follow from proc_pid_smaps(5): "hg", the advice to use large pages, is a flag of a mapping.
 #include "job/worker_heap.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kMiB = 1 << 20;
 
-/// Kibibytes of the parts of the heap that large pages are advised for.
+/// Returns the size, in KiB, of the parts of the heap that have the advice to use large pages.
 long advised_KiB() {
   std::ifstream maps("/proc/self/smaps");
   std::string line;
@@ -36,7 +36,7 @@ long advised_KiB() {
   return sum_KiB;
 }
 
-/// Whether it is true in a new process, which may have `limit_bytes` of addresses in all.
+/// Returns whether a check is true in a new process, which may have `limit_bytes` of address space.
 template <typename Check>
 bool inAProcess(Check check, rlim_t limit_bytes = RLIM_INFINITY) {
   const pid_t child = ::fork();
@@ -56,16 +56,16 @@ class WorkerHeap : public testing::Test {
   void SetUp() override { POINSOT_NOT_SANITIZED("it has a malloc of its own"); }
 };
 
-TEST_F(WorkerHeap, BeginsInLargePages) {
+TEST_F(WorkerHeap, StartsInHugePages) {
   EXPECT_TRUE(inAProcess([] {
     if (advised_KiB() != 0) return false;
-    ::malloc_trim(0);  // what other tests have left at the end of the heap is part of what it grows to
+    ::malloc_trim(0);  // memory that other tests left at the end of the heap would be part of its growth
     beginHeap(200 * kMiB);
     return advised_KiB() >= 196 * 1024 && advised_KiB() <= 204 * 1024;
   }));
 }
 
-TEST_F(WorkerHeap, HoldsBlocksAsLargeAsAPicture) {
+TEST_F(WorkerHeap, ContainsBlocksAsLargeAsAPicture) {
   EXPECT_TRUE(inAProcess([] {
     beginHeap(200 * kMiB);
     const auto* end = static_cast<const char*>(::sbrk(0));
@@ -74,7 +74,7 @@ TEST_F(WorkerHeap, HoldsBlocksAsLargeAsAPicture) {
   }));
 }
 
-TEST_F(WorkerHeap, KeepsWhatIsGivenBack) {
+TEST_F(WorkerHeap, KeepsFreedMemory) {
   EXPECT_TRUE(inAProcess([] {
     beginHeap(100 * kMiB);
     for (int i = 0; i < 3; ++i) {
@@ -88,18 +88,18 @@ TEST_F(WorkerHeap, KeepsWhatIsGivenBack) {
       std::memset(picture.get(), 1, 30 * kMiB);
     }
     ::getrusage(RUSAGE_SELF, &after);
-    return after.ru_minflt - before.ru_minflt < 8;  // given back to the kernel it would be 15, or 7680 small ones
+    return after.ru_minflt - before.ru_minflt < 8;  // 15 if the kernel got memory back, or 7680 small ones
   }));
 }
 
-TEST_F(WorkerHeap, StaysSmallForPicturesThatLeaveHoles) {
+TEST_F(WorkerHeap, UsesNoHugePagesAbove400MiB) {
   EXPECT_TRUE(inAProcess([] {
     beginHeap(500.0 * kMiB);
     return advised_KiB() == 0;
   }));
 }
 
-TEST_F(WorkerHeap, AsksForNothingWhereAddressesAreFew) {
+TEST_F(WorkerHeap, UsesNoHugePagesIfAddressSpaceIsLimited) {
   EXPECT_TRUE(inAProcess(
       [] {
         beginHeap(200 * kMiB);

@@ -17,13 +17,13 @@
 namespace poinsot::job {
 namespace {
 
-/// Frame k is one grey pixel of value k.
+/// Source whose frame k is one grey pixel of value k.
 struct GreySource : FrameSource {
   image::Frame frame(std::int64_t k) override {
     image::Image grey({1, 1}, 3);
     grey.pixels.assign(3, static_cast<std::uint8_t>(k));
     picture = grey;
-    // Each frame costs 1 and 4 s.
+    // Each frame takes 1 s to simulate and 4 s for its text.
     steps.add(core::Step::kSimulate, 1);
     steps.add(core::Step::kText, 4);
     return picture;
@@ -44,7 +44,7 @@ struct RecordingSink : output::FrameSink {
   Written& log_;
 };
 
-TEST(Worker, MakesSegmentsInTurnAndReportsEach) {
+TEST(Worker, WritesSegmentsInOrderAndReportsEach) {
   Pipe segments, reports;
   process::writeLine(segments.write.get(), toLine(request::FrameRange{3, 4}));
   process::writeLine(segments.write.get(), toLine(request::FrameRange{60, 60}));
@@ -61,7 +61,7 @@ TEST(Worker, MakesSegmentsInTurnAndReportsEach) {
   EXPECT_EQ(spent.frames, 3);
   EXPECT_EQ(spent.workers, 1);
   EXPECT_EQ(spent.first_s, 5);                       // 1 + 4
-  EXPECT_EQ(spent.steps[core::Step::kSimulate], 2);  // of the two others
+  EXPECT_EQ(spent.steps[core::Step::kSimulate], 2);  // the two other frames
   EXPECT_EQ(spent.steps[core::Step::kText], 8);
 
   reports.write.reset();
@@ -82,7 +82,7 @@ TEST(Worker, MakesSegmentsInTurnAndReportsEach) {
   EXPECT_EQ(tracedSegments, segmentStarts);
 }
 
-/// The last word of a worker, a process of its own, that makes a sequence of the request's frames into the folder.
+/// Returns the last report of a worker process that writes the request's frames as a sequence into a folder.
 WorkerReport lastWordOf(const RenderRequest& render, const std::filesystem::path& folder) {
   Pipe segments, reports;
   process::writeLine(segments.write.get(), toLine(render.frames));
@@ -97,8 +97,8 @@ WorkerReport lastWordOf(const RenderRequest& render, const std::filesystem::path
   return last;
 }
 
-// A film of two scenes would be wrong without a word.
-TEST(Worker, DrawsTheSceneAsItWasReadWhateverItsFilesHaveBecome) {
+// Otherwise a film could show two scenes without any message.
+TEST(Worker, DrawsTheLoadedSceneEvenIfItsFilesChange) {
   const ScratchFolder folder;
   folder.put("style.toml", "[style]\ntheme = \"dark\"\n");
   const auto scene = request::requestedScene(
@@ -117,7 +117,7 @@ TEST(Worker, DrawsTheSceneAsItWasReadWhateverItsFilesHaveBecome) {
   }
 }
 
-TEST(WorkerProtocol, SaysThatALineIsLostOrDamaged) {
+TEST(WorkerProtocol, ReportsLostOrDamagedLines) {
   const std::string report = toLine(FrameDone{}), segment = toLine(request::FrameRange{0, 29});
   const auto expectSaid = [](const auto& reading) {
     try {
@@ -125,7 +125,7 @@ TEST(WorkerProtocol, SaysThatALineIsLostOrDamaged) {
       ADD_FAILURE();
     } catch (const core::Error& error) {
       EXPECT_STREQ(error.what(),
-                   "a message between the render and a worker process was lost or damaged; run it again");
+                   "a message between the render and a worker process was lost or damaged; run the command again");
     }
   };
   expectSaid([&] { segmentFromLine(report); });
@@ -134,7 +134,7 @@ TEST(WorkerProtocol, SaysThatALineIsLostOrDamaged) {
   expectSaid([&] { reportFromLine("{}"); });
 }
 
-TEST(WorkerProtocol, CarriesReports) {
+TEST(WorkerProtocol, RoundTripsReports) {
   const auto failed =
       std::get<WorkerFailed>(reportFromLine(toLine(WorkerFailed{core::ErrorKind::kIo, "disk\nfull"})));
   EXPECT_EQ(failed.kind, core::ErrorKind::kIo);
@@ -161,9 +161,9 @@ TEST(WorkerProtocol, CarriesReports) {
   EXPECT_EQ(back.peakMemory_bytes, 8);
 }
 
-TEST(WorkerProtocol, CarriesSpansToTheNanosecond) {
+TEST(WorkerProtocol, RoundTripsSpansToTheNanosecond) {
   const std::int64_t late_ns =
-      9'000'000'000'000'000'001;  // 285 years after the machine's start: no double holds it
+      9'000'000'000'000'000'001;  // 285 years after the machine's start, too exact for a double
   const SpansDone done{{{"draw", late_ns, late_ns + 1, 7}, {"write", 2, 3, std::nullopt}}};
   const auto back = std::get<SpansDone>(reportFromLine(toLine(done))).spans;
   ASSERT_EQ(back.size(), 2u);

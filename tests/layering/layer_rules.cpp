@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A third party's headers, and the files of src/ they may be included in. Matched whole, paths relative to src/.
+// Headers of a third party, and the files of src/ that may include them. Patterns match whole paths relative to
+// src/.
 struct Door {
   const char* header;
   const char* files;
@@ -35,12 +36,13 @@ constexpr Door kDoors[] = {
     {R"(seccomp\.h)", R"(process/call_filter\.cpp)"},
     {R"(linux/landlock\.h)", R"(process/landlock\.cpp)"},
     {R"(libimagequant\.h)", R"(output/imagequant_library\.h)"},
-    // What is linked is seen by the packagers' tools; what is opened is not, so there is one way to do it.
+    // Packagers' tools see libraries that are linked, but not libraries that are opened, so that only one file
+    // opens any.
     {R"(dlfcn\.h)", R"(core/shared_library\.cpp)"},
     {R"(CLI/.*)", R"(cli/.*)"},
     {R"(nlohmann/json_fwd\.hpp)", R"([\w/]+\.cpp|core/json\.h)"},
     {R"(nlohmann/json\.hpp)", R"([\w/]+\.cpp)"},
-    // Doubles up to the draw list, floats from there on.
+    // Vectors are doubles up to the draw list, and floats from there on.
     {R"(Eigen/.*|unsupported/Eigen/.*)",
      R"((physics|geometry|scene|stage|describe|reference|preview|cli)/.*|core/vector2\.h)"},
     {R"(glm/.*)", R"((gl|draw|figure|output|stage|render|request|job|cli)/.*)"},
@@ -73,7 +75,6 @@ bool mayUse(const Layer& layer, const std::string& other) {
   return other == layer.name || std::ranges::find(layer.mayUse, other) != layer.mayUse.end();
 }
 
-// One file's check: where it is, and where its findings go.
 class FileCheck {
  public:
   FileCheck(const fs::path& src, const fs::path& path, Findings& findings)
@@ -105,7 +106,7 @@ class FileCheck {
     const bool ofAnyLayer = include.name.find('/') != include.name.npos && findLayer(folder) != nullptr;
     if (ofAnyLayer && !mayUse(*layer_, folder))
       report(include.line, fmt::format("{} must not include {}", layer_->name, include.name));
-    // A bare "file.h" would hide from this check where it lies. An .inc is text made by the build for its one
+    // A bare "file.h" would hide its folder from this check. An .inc is text that the build makes for its one
     // reader.
     if (include.quoted && !ofAnyLayer && !include.name.ends_with(".inc"))
       report(include.line, fmt::format("\"{}\" is in no layer; write \"layer/file.h\"", include.name));

@@ -7,16 +7,17 @@
 
 namespace poinsot::layering {
 
-/// One folder of src/ and the folders it may include and link besides itself.
+/// Folder of src/, and the other folders that it may include and link.
 struct Layer {
   std::string name;
   std::vector<std::string> mayUse;
 };
 
-/// All layers, lowest rank first: a layer may use only layers before it.
+/// Returns all layers, lowest rank first; a layer may use only layers before it.
 const std::vector<Layer>& layers();
 
-/// What is wrong under `src`, one line each: "render/a.cpp:3: render must not include physics/b.h".
+/// Result of a check: violations, one line each ("render/a.cpp:3: render must not include physics/b.h"), and how
+/// much was read.
 struct Findings {
   std::vector<std::string> violations;
   int filesRead = 0;

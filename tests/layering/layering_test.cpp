@@ -21,15 +21,15 @@ namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-TEST(Layering, OfThisSourceTreeHolds) {
+TEST(Layering, HasNoViolationsInThisSourceTree) {
   const Findings findings = checkSources(fs::path(POINSOT_SOURCE_DIR) / "src");
   EXPECT_THAT(findings.violations, IsEmpty());
-  // Had the scan read nothing, nothing would be wrong. The tree has passed these numbers for good.
+  // Guards against a scan that silently reads nothing; the tree has passed these numbers for good.
   EXPECT_GT(findings.filesRead, 100);
   EXPECT_GT(findings.includesRead, 400);
 }
 
-TEST(Layering, RanksGoStrictlyDown) {
+TEST(Layering, AllowsOnlyLowerLayersToBeUsed) {
   std::vector<std::string> lower;
   for (const Layer& layer : layers()) {
     for (const std::string& used : layer.mayUse)
@@ -38,7 +38,7 @@ TEST(Layering, RanksGoStrictlyDown) {
   }
 }
 
-/// The libraries' names and what they may use, as the table of docs/architecture.md has them.
+/// Returns the libraries and what they may use, from the table in docs/architecture.md.
 std::vector<std::string> documentedRows() {
   std::ifstream page(fs::path(POINSOT_SOURCE_DIR) / "docs/architecture.md");
   const std::regex row(R"(\| `(\w+)` \| [^|]* \| ([^|;]*?)(?:; [^|]*)?\| .*)");
@@ -49,7 +49,7 @@ std::vector<std::string> documentedRows() {
   return rows;
 }
 
-TEST(Layering, TableInTheDocsIsThatOfThisTest) {
+TEST(Layering, TableInTheDocsMatchesThisTest) {
   std::vector<std::string> rows;
   for (const Layer& layer : layers())
     rows.push_back(fmt::format("{}: {}", layer.name,
@@ -74,9 +74,9 @@ TEST(SourceScan, ReadsIncludesAndNotComments) {
   EXPECT_EQ(found[2].name, "FT_OUTLINE_H");
 }
 
-// ---- the test tested: made-up trees with one fault each --------------------------------------------------------
+// ---- tests of the check itself: made-up trees with one fault each ----
 
-class MadeUpTree : public ::testing::Test {
+class SampleTree : public ::testing::Test {
  protected:
   void SetUp() override {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
@@ -97,7 +97,7 @@ class MadeUpTree : public ::testing::Test {
   fs::path root_;
 };
 
-TEST_F(MadeUpTree, ThatIsRightHasNoViolations) {
+TEST_F(SampleTree, HasNoViolationsWithoutFaults) {
   write("physics/a.cpp",
         "#include \"physics/a.h\"\n#include <vector>\n#include <Eigen/Core>\n#include \"core/error.h\"\n");
   write("physics/CMakeLists.txt", "poinsot_layer(physics SOURCES a.cpp LINKS poinsot::core) # not poinsot::gl\n");
@@ -108,7 +108,7 @@ TEST_F(MadeUpTree, ThatIsRightHasNoViolations) {
   EXPECT_THAT(violations(), IsEmpty());
 }
 
-TEST_F(MadeUpTree, UpwardAndSidewaysIncludesAreCaught) {
+TEST_F(SampleTree, ReportsIncludesOfHigherAndSiblingLayers) {
   write("core/a.h", "\n#include \"physics/b.h\"\n");
   write("render/a.cpp", "#include <physics/free_motion.h>\n");
   write("job/a.cpp", "#include \"cli/program.h\"\n");
@@ -117,7 +117,7 @@ TEST_F(MadeUpTree, UpwardAndSidewaysIncludesAreCaught) {
                                         "render/a.cpp:1: render must not include physics/free_motion.h"));
 }
 
-TEST_F(MadeUpTree, EveryPairNotAllowedIsCaughtAndNoOther) {
+TEST_F(SampleTree, ReportsForbiddenPairsOfLayersOnly) {
   for (const Layer& from : layers())
     for (const Layer& to : layers()) {
       write(from.name + "/a.h", "#include \"" + to.name + "/b.h\"\n");
@@ -129,14 +129,14 @@ TEST_F(MadeUpTree, EveryPairNotAllowedIsCaughtAndNoOther) {
     }
 }
 
-TEST_F(MadeUpTree, ForbiddenLinksAreCaught) {
+TEST_F(SampleTree, ReportsForbiddenLinks) {
   write("scene/CMakeLists.txt", "poinsot_layer(scene\n  SOURCES a.cpp\n  LINKS poinsot::core poinsot::stage)\n");
   write("text/CMakeLists.txt", "target_link_libraries(poinsot_text PRIVATE poinsot_flags poinsot_image)\n");
   EXPECT_THAT(violations(), ElementsAre("scene/CMakeLists.txt:3: scene must not link poinsot::stage",
                                         "text/CMakeLists.txt:1: text must not link poinsot::image"));
 }
 
-TEST_F(MadeUpTree, ThirdPartiesOutsideTheirDoorsAreCaught) {
+TEST_F(SampleTree, ReportsThirdPartyHeadersOutsideTheirFiles) {
   const std::pair<const char*, const char*> kFaults[] = {{"image/image.cpp", "<png.h>"},
                                                          {"output/film.h", "<libavformat/avformat.h>"},
                                                          {"job/a.cpp", "<libswscale/swscale.h>"},
@@ -170,7 +170,7 @@ TEST_F(MadeUpTree, ThirdPartiesOutsideTheirDoorsAreCaught) {
   }
 }
 
-TEST_F(MadeUpTree, FilesThatHideTheirLayerAreCaught) {
+TEST_F(SampleTree, ReportsFilesWithoutALayer) {
   write("render/a.cpp", "#include \"renderer.h\"\n");
   write("util/a.h", "#include <vector>\n");
   EXPECT_THAT(

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is optimised how is said where a library is made, and so it is compiled.
+"""Tests that every library is compiled with its own optimisation options.
 
-gcc takes the options of optimisation from a precompiled header in place of those of the command line, and says nothing:
-with somebody else's headers a library's own options do nothing, and a closed form is another from one CPU to the next.
+gcc silently takes optimisation options from a precompiled header instead of the command line. With the header of another
+library, a library's own options would have no effect, and closed forms would differ between CPUs.
 
     own_options_test.py BUILD_FOLDER
 """
@@ -15,29 +15,29 @@ import unittest
 
 BUILD = pathlib.Path(sys.argv.pop(1))
 HEADER = 'cmake_pch.hxx'
-MADE = HEADER + '.cxx'  # what is compiled to make one
-KEPT = '-fno-tree-vectorize'  # of physics: sums in the order in which they are written
+MADE = HEADER + '.cxx'  # source of a precompiled header
+KEPT = '-fno-tree-vectorize'  # option of physics: sums keep their written order
 
 
 def commands():
-    """Of each compiled file its words, the precompiled headers among them."""
+    """Returns each compiled file, also precompiled headers, with the words of its command."""
     entries = json.loads((BUILD / 'compile_commands.json').read_text())
     return [(entry['file'], shlex.split(entry['command'])) for entry in entries]
 
 
 def header_of(words):
-    """The precompiled header that a file is compiled with, or None."""
+    """Returns the precompiled header that a file is compiled with, or None."""
     included = [after for before, after in zip(words, words[1:]) if before == '-include']
     return next((path for path in included if path.endswith(HEADER)), None)
 
 
 def optimising(words):
-    """Paths apart: those are of -fmacro-prefix-map."""
+    """Returns the options -f, -O and -m, without -fmacro-prefix-map and its path."""
     return {word for word in words if re.match('-[fOm]', word) and '=/' not in word}
 
 
 class OwnOptions(unittest.TestCase):
-    def test_headers_are_made_with_the_options_of_who_uses_them(self):
+    def test_precompiled_headers_have_the_options_of_their_users(self):
         compiled = commands()
         made = {file.removesuffix('.cxx'): optimising(words) for file, words in compiled if file.endswith(MADE)}
         users = [(file, words) for file, words in compiled if header_of(words) and not file.endswith(MADE)]
@@ -46,7 +46,7 @@ class OwnOptions(unittest.TestCase):
         for file, words in users:
             self.assertEqual(optimising(words), made[header_of(words)], file)
 
-    def test_physics_has_options_of_its_own(self):
+    def test_physics_is_compiled_with_its_own_options(self):
         physics = [words for file, words in commands()
                    if '/poinsot_physics.dir/' in words[words.index('-o') + 1] and not file.endswith(MADE)]
         self.assertTrue(physics)

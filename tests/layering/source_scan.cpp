@@ -8,7 +8,7 @@
 namespace poinsot::layering {
 namespace {
 
-// Blanks comments but keeps the lines, so that line numbers stay true.
+// Removes comments but keeps line ends, so that line numbers stay true.
 std::string withoutComments(std::string_view source) {
   std::string code;
   enum { kCode, kLine, kBlock } in = kCode;

@@ -7,18 +7,19 @@
 
 namespace poinsot::layering {
 
-/// Something named in a file: the header of an include, or a linked target.
+/// Name that a file mentions: the header of an include, or a linked target.
 struct Mention {
   int line = 0;  ///< from 1
   std::string name;
-  bool quoted = false;  ///< of an include: "..." and not <...>
+  bool quoted = false;  ///< include with "..." instead of <...>
 };
 
-/// The #includes of C++ source, comments left out. A header named by a macro (FT_FREETYPE_H) is that macro's name.
+/// Returns the #includes of C++ source, without those in comments. A header that a macro names (FT_FREETYPE_H) has
+/// the name of the macro.
 std::vector<Mention> includesOf(std::string_view source);
 
-/// The layers that a CMakeLists.txt names as poinsot::X or poinsot_X, comments left out; `layers` are all there
-/// are.
+/// Returns the layers that a CMakeLists.txt names as poinsot::X or poinsot_X outside of comments.
+/// @param layers  names of all layers
 std::vector<Mention> layersLinkedIn(std::string_view cmake, const std::vector<std::string>& layers);
 
 }  // namespace poinsot::layering

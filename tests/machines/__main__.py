@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tries what README.md promises on bare Debian systems, each in a chroot of its own that debootstrap makes: both
-commands as written, then the Debian package in another. Prints a table; needs root and a network."""
+"""Tests the promises of README.md on bare Debian systems, each in its own chroot that debootstrap makes: both commands
+as written, then the Debian package in another chroot. Prints a table; needs root and a network."""
 
 import argparse
 import fcntl
@@ -26,20 +26,20 @@ def words():
         epilog=f"Exit code 0 if all promises hold on {' and '.join(report.GATED)}; 1 if one is broken there (other suites are "
                "reported only); 2 usage; 3 if the trial cannot begin; 130 interrupted.")
     parser.add_argument("suite", nargs="*", default=["bookworm", "trixie", "sid"],
-                        help="of bookworm, trixie, sid and others that debootstrap knows; these three if none is named")
+                        help="bookworm, trixie, sid or another suite that debootstrap can make (default: these three)")
     parser.add_argument("--cache", type=Path, default=ROOT / "build" / "machines",
-                        help="folder of bare systems, of packages that were downloaded, of logs and reports (default: build/machines)")
-    parser.add_argument("--mirror", help="from which Debian comes (default: the one of this machine's apt)")
-    parser.add_argument("--only", action="append", choices=PARTS, help="only this part; may be given several times")
-    parser.add_argument("--clang", action="store_true", help="build with Clang and test; no other part")
+                        help="folder for bare systems, downloaded packages, logs and reports (default: build/machines)")
+    parser.add_argument("--mirror", help="mirror to install Debian from (default: the mirror of this machine's apt)")
+    parser.add_argument("--only", action="append", choices=PARTS, help="run only this part; may be repeated")
+    parser.add_argument("--clang", action="store_true", help="build with Clang and run the tests; no other part")
     parser.add_argument("--keep", action="store_true", help="keep the chroots, and print how to enter them")
-    parser.add_argument("--afresh", action="store_true", help=f"make bare systems anew, also those of less than {room.BASE_DAYS} days")
+    parser.add_argument("--afresh", action="store_true", help=f"make bare systems again, even if they are less than {room.BASE_DAYS} days old")
     asked = parser.parse_args()
     for suite in asked.suite:
         if not re.fullmatch(r"[a-z]+", suite):
             parser.error(f"{suite}: not the name of a suite, such as trixie")
     if asked.clang and asked.only:
-        parser.error("--clang is a part of its own: leave out --only")
+        parser.error("--clang runs a part of its own: leave out --only")
     asked.only = ["test"] if asked.clang else asked.only or list(PARTS)
     asked.cache = asked.cache.resolve()
     return asked
@@ -50,10 +50,10 @@ def say(text):
 
 
 def commit():
-    """Returns what is tried: the committed tree."""
+    """Returns the commit that is tested. Reports if there are uncommitted changes, which are not tested."""
     git = ["git", "-C", ROOT]
     if subprocess.run([*git, "diff", "--quiet", "HEAD"]).returncode != 0:
-        say("changes that are not committed are not tried")
+        say("uncommitted changes are not tested")
     return subprocess.run([*git, "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
 
 
@@ -73,7 +73,7 @@ def main():
     if os.geteuid() != 0:
         say("tests/machines needs root, for chroot and mounts: start it with sudo")
         return 3
-    for number in (signal.SIGINT, signal.SIGTERM):  # a shell has jobs in the background ignore the first
+    for number in (signal.SIGINT, signal.SIGTERM):  # shells let background jobs ignore SIGINT
         signal.signal(number, interrupt)
     asked.cache.mkdir(parents=True, exist_ok=True)
     asked.mirror = asked.mirror or room.configured_mirror()

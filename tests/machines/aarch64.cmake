@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Debian's cross compiler for arm64, with the packages of that architecture beside this machine's.
+# Toolchain file for Debian's arm64 cross compiler, with arm64 packages installed beside those of this machine.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)

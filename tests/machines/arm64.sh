@@ -3,7 +3,7 @@
 # Compares a poinsot for arm64, which qemu-aarch64 starts, with one of this machine: arm64.sh PROGRAM ARM64_PROGRAM.
 # Prints the digest of the trajectories of each scene of the gallery by both, makes a film of 30 frames, and prints the
 # verdicts of ten pictures of the golden suite. Exit code 1 if a trajectory differs or a picture is different.
-# docs/testing.md says how to build the second program.
+# docs/testing.md explains how to build the second program.
 set -euo pipefail
 (($# == 2)) || { echo "usage: tests/machines/arm64.sh PROGRAM ARM64_PROGRAM" >&2; exit 2; }
 program=$(realpath "$1") arm64=(qemu-aarch64 -L / "$(realpath "$2")")
@@ -11,7 +11,7 @@ cd "${BASH_SOURCE[0]%/*}/../.."
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
-# Prints the digest of a trajectory: 30 rows a second, but only a few in scenes that last months.
+# Prints the digest of a trajectory: 30 rows per second, but 101 rows in scenes that last months.
 digest() {
   local times=(--rate 30) name
   name=$(basename "${!#}" .toml)

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Runs a command in a room, a folder with a whole system in it: enter.sh ROOM [WORD ...]; a shell without words.
-# POINSOT_DEBS names a folder that keeps what apt downloads. Needs root.
+# Runs a command, by default a shell, in a room, which is a folder with a complete system: enter.sh ROOM [WORD ...].
+# POINSOT_DEBS names a folder that caches the downloads of apt. Needs root.
 #
-# Mounts are in a namespace of the command, and its processes end with their first: nothing stays behind.
+# The command has its own namespace of mounts, and all its processes end with the first one, so that nothing stays behind.
 set -euo pipefail
 room=$(realpath -- "$1")
 shift
 (($#)) || set -- bash
-# The first process of a room is this shell and not the command, because orphans need somebody who waits for them.
+# The first process of a room is this shell instead of the command, because it must wait for orphans.
 exec setpriv --pdeathsig KILL unshare --mount --pid --fork --kill-child bash -euc '
   room=$1 debs=$2
   shift 2

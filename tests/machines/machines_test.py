@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the trial reads out of other programs' words, what it holds the figures to, and how a room ends.
+"""Tests how the trial reads other programs' output, how it judges figures, and that a room leaves nothing behind.
 
     machines_test.py TESTS_MACHINES
 """
@@ -18,7 +18,7 @@ import readings  # noqa: E402
 import report  # noqa: E402
 import room  # noqa: E402
 
-# As CTest 3.25 prints them; 4.3 appends the labels, as in the second line of those that failed.
+# Summary as CTest 3.25 prints it. CTest 4.3 appends labels, as in the second line of the failed tests.
 SUMMARY = """\
 2/8 Test #2: B.Fails ..........................***Failed    0.01 sec
 43% tests passed, 4 tests failed out of 7
@@ -86,7 +86,7 @@ def good():
 class Readings(unittest.TestCase):
     def test_counts_tests_as_passed_only_if_they_ran(self):
         summary = readings.ctest_summary(SUMMARY)
-        self.assertEqual(summary["passed"], 1)  # 7, less 4 that failed and 2 that were skipped
+        self.assertEqual(summary["passed"], 1)  # 7 tests, of which 4 failed and 2 were skipped
         self.assertEqual(summary["failed"],
                          {"B.Fails": "Failed", "E.NotThere": "Not Run", "G.Crash": "SEGFAULT", "H.Slow": "Timeout"})
         self.assertEqual(list(summary["not_run"]), ["BackEnds/C.Skips/OsMesa", "D.Code", "F.Disabled"])
@@ -102,7 +102,7 @@ class Readings(unittest.TestCase):
             "disabled": ["F.Disabled"],
             readings.NO_REASON: ["Gone.FromTheLog"]})
 
-    def test_reads_what_the_ctest_of_this_machine_writes(self):
+    def test_reads_the_output_of_this_machines_ctest(self):
         with tempfile.TemporaryDirectory() as folder:
             skip = 'printf "[ RUN      ] A.B\\\\n/x/y.cpp:3: Skipped\\\\nno disk\\\\n\\\\n[  SKIPPED ] A.B (0 ms)\\\\n"'
             pathlib.Path(folder, "CTestTestfile.cmake").write_text(
@@ -120,7 +120,7 @@ class Readings(unittest.TestCase):
         self.assertEqual(readings.warnings(log + "cc1plus: warning: x.gch: not used\n"),
                          ["/x/a.h:3:5: warning: unused [-Wunused]", "cc1plus: warning: x.gch: not used"])
 
-    def test_takes_versions_of_what_is_installed_without_debians_additions(self):
+    def test_takes_upstream_versions_of_installed_packages(self):
         dpkg = ("g++ installed 4:14.2.0-1\nlibavcodec-dev:amd64 installed 7:5.1.6-0+deb12u1\nclang installed 1:14.0-55.7~deb12u1\n"
                 "python3 installed 3.11.2-1+b1\nlibeigen3-dev installed 3.4.0+dfsg-1\ncmake config-files 3.25.1-1\n")
         self.assertEqual(readings.versions(dpkg),
@@ -137,19 +137,19 @@ class Readings(unittest.TestCase):
         self.assertEqual(readings.verdicts(json.dumps({"pictures": pictures})), {"identical": 2, "near": 1})
         self.assertEqual(readings.verdicts("no suite"), {})
 
-    def test_times_apt_by_the_launchers_notes(self):
+    def test_takes_the_time_of_apt_from_the_launchers_notes(self):
         lines = ["Get:1 x", "poinsot: installing g++", "Setting up g++", "poinsot: building (log: build/compile.log)", "done"]
         outcome = room.Outcome(0, 100.0, lines, [1.0, 5.0, 30.0, 45.5, 99.0])
         self.assertEqual(readings.apt_seconds(outcome), 40.5)
         self.assertEqual(readings.apt_seconds(room.Outcome(0, 9.0, lines[:1], [1.0])), 0)
-        self.assertEqual(readings.apt_seconds(room.Outcome(3, 60.0, lines[:3], [1.0, 5.0, 30.0])), 55.0)  # it ended there
+        self.assertEqual(readings.apt_seconds(room.Outcome(3, 60.0, lines[:3], [1.0, 5.0, 30.0])), 55.0)  # ended during apt
 
 
 class Report(unittest.TestCase):
-    def test_good_figures_break_nothing(self):
+    def test_good_figures_have_no_problems(self):
         self.assertEqual(report.problems(good()), [])
         only = {"commands": {"render": {"status": 0, "seconds": 9.0}}, "film": dict(report.FILM)}
-        self.assertEqual(report.problems(only), [])  # a part that was not asked for is no problem
+        self.assertEqual(report.problems(only), [])  # a part that was not requested is not a problem
 
     def test_each_broken_promise_has_a_sentence(self):
         def change(figures, path, value):
@@ -175,7 +175,7 @@ class Report(unittest.TestCase):
                 figures = good()
                 change(figures, path, value)
                 self.assertEqual(report.problems(figures), [sentence])
-        for key, sentence in {"tests": "test: CTest did not come to its summary", "pictures": "pictures: 0 not compared"}.items():
+        for key, sentence in {"tests": "test: CTest did not print its summary", "pictures": "pictures: 0 not compared"}.items():
             figures = good()
             del figures[key]
             self.assertEqual(report.problems(figures), [sentence])
@@ -200,11 +200,11 @@ class Command(unittest.TestCase):
     def run_(self, *words, before=()):
         return subprocess.run([*before, sys.executable, "-B", MACHINES, *words], capture_output=True, text=True)
 
-    def test_refuses_words_that_mean_nothing(self):
+    def test_rejects_invalid_arguments(self):
         for words in (["../etc"], ["Trixie"], ["--only", "dance"], ["--clang", "--only", "test"]):
             self.assertEqual(self.run_(*words).returncode, 2, words)
 
-    def test_says_that_it_needs_root(self):
+    def test_reports_that_it_needs_root(self):
         before = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"] if os.geteuid() == 0 else []
         if subprocess.run([*before, "test", "-r", MACHINES / "room.py"]).returncode != 0:
             self.skipTest("nobody may read the sources where they are")
@@ -214,7 +214,7 @@ class Command(unittest.TestCase):
 
 
 class Rooms(unittest.TestCase):
-    """A room whose system is this machine's own, seen through links in an empty folder."""
+    """Tests a room that shows this machine's own system through links in an empty folder."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -229,29 +229,29 @@ class Rooms(unittest.TestCase):
                           capture_output=True).returncode != 0:
             self.skipTest("mounting needs root and a kernel that lets it")
         self.room = room.Room(self.folder, "room", debs=False)
-        # enter.sh mounts in a namespace of its own; one more around it lends it /usr.
+        # enter.sh mounts in its own namespace. Another namespace around it adds /usr to the room.
         script = f'mount --make-rprivate /; mount --bind /usr {self.room.path}/usr; exec "$@"'
         self.start = ["setpriv", "--pdeathsig", "KILL", "unshare", "--mount", "bash", "-c", script, "bash", MACHINES / "enter.sh", self.room.path]
 
     def mounted(self):
         return str(self.folder) in pathlib.Path("/proc/mounts").read_text()
 
-    def test_a_command_sees_an_empty_home_and_nothing_of_the_callers(self):
+    def test_a_command_gets_an_empty_home_and_a_clean_environment(self):
         run = subprocess.run([*self.start, "sh", "-c", 'ls -A $HOME; pwd; env | cut -d= -f1 | sort | xargs; echo $$; exit 7'],
                              capture_output=True, text=True, env=os.environ | {"POINSOT_SECRET": "x"})
         self.assertEqual(run.returncode, 7, run.stderr)
         home, names, number = run.stdout.splitlines()
         self.assertEqual((home, names.replace("OLDPWD ", "")), ("/home/trial", "HOME LANG PATH PWD TERM"))
-        self.assertLess(int(number), 20)  # processes of the room have numbers of their own
+        self.assertLess(int(number), 20)  # a room has its own process numbers
         self.assertFalse(self.mounted())
 
-    def test_nothing_stays_when_it_is_killed(self):
+    def test_no_process_and_no_mount_stays_after_a_kill(self):
         mark = f"{time.time_ns()}"
         process = subprocess.Popen([*self.start, "sh", "-c", f"echo begun; sleep 600.{mark} & exec sleep 601.{mark}"],
                                    stdout=subprocess.PIPE, text=True)
         self.assertEqual(process.stdout.readline(), "begun\n")
         process.kill()
-        process.communicate()  # ends when nobody holds the other end
+        process.communicate()  # returns when no process holds the pipe open
         running = [path for path in pathlib.Path("/proc").glob("[0-9]*/cmdline") if mark in words_of(path)]
         self.assertEqual(running, [])
         self.assertFalse(self.mounted())
@@ -263,7 +263,7 @@ class Rooms(unittest.TestCase):
 def words_of(path):
     try:
         return path.read_text()
-    except OSError:  # it has ended
+    except OSError:  # the process has ended
         return ""
 
 

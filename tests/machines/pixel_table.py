@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figures of pixels.py as a table in Markdown."""
+"""Formats the figures of pixels.py as a Markdown table."""
 
-MOST_NAMED = 8  # pictures that move, in a cell
+MOST_NAMED = 8  # moved pictures in a cell
 HEAD = ("system", "Mesa", "LLVM", "back end", "pictures", "equal", "pixels that differ", "largest difference", "verdict",
         "pictures that move: pixels, by levels")
 SETS = {"stills": "stills of {}", "suite": "golden suite"}
 
 
 def moved_text(moved):
-    """Pictures with most pixels first: "frisbee (12 by 1)"."""
+    """Returns the moved pictures as text, most differing pixels first: "frisbee (12 by 1)"."""
     ordered = sorted(moved, key=lambda each: -(each["differing_pixels"] or 0))
     texts = [f"{each['name'].removesuffix('.png')} ({each['differing_pixels']} by {each['max_difference']:g})"
              if each["differing_pixels"] is not None else each["name"] for each in ordered[:MOST_NAMED]]
@@ -26,7 +26,7 @@ def line(texts):
 
 
 def markdown(report):
-    """The table. Rows of one set follow one another, and a back end that is absent has a line below."""
+    """Returns the table with its rows grouped by set, and a line below it for each absent back end."""
     rows = sorted(report["rows"], key=lambda row: list(SETS).index(row["set"]))  # sorted() keeps the order of systems
     text = line(HEAD) + line("---" for _ in HEAD) + "".join(line(cells(row, report["size"])) for row in rows)
     for each in report["absent"]:

@@ -17,7 +17,7 @@ from system import Failure, System
 ROOT = Path(__file__).resolve().parents[2]
 SUITE = "tests/golden/golden.toml"
 REFERENCES = ROOT / "tests/golden/images"
-SCENES = ("scenes/*.toml", SUITE, "tests/golden/scenes/**/*.toml")  # what systems are given to draw
+SCENES = ("scenes/*.toml", SUITE, "tests/golden/scenes/**/*.toml")  # files that each system receives
 EXAMPLES = """exit code: 0 if all pictures are identical or near, 1 if one is different, 2 usage, 3 if nothing could be measured
 
 examples:
@@ -27,11 +27,11 @@ examples:
 
 
 class OfLastProgram(argparse.Action):
-    """Gives a value to the program that was named last."""
+    """Applies an option to the --program before it."""
 
     def __call__(self, parser, asked, value, option=None):
         if not asked.systems:
-            parser.error(f"{option}: goes after the --program that it is for")
+            parser.error(f"{option}: must follow the --program that it applies to")
         setattr(asked.systems[-1], self.dest, value)
 
 
@@ -39,35 +39,35 @@ def words():
     parser = argparse.ArgumentParser(prog="pixels.py", description=__doc__, epilog=EXAMPLES,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", dest="systems", metavar="PATH", type=System, action="append", required=True,
-                        help="a poinsot that draws; may be repeated, and the first is what others are compared with")
+                        help="poinsot program that draws; may be repeated; the others are compared with the first")
     parser.add_argument("--enter", metavar="COMMAND", action=OfLastProgram,
-                        help="command that runs a shell command in the last program's system: it gets one argument more, and its "
-                        "standard input and output are passed on. PATH is then absolute, and of that system")
+                        help="command that runs a shell command in the last program's system: it receives one more argument, and its "
+                        "standard input and output are passed on. PATH must then be absolute, in that system")
     parser.add_argument("--name", metavar="NAME", action=OfLastProgram,
-                        help="name of the last program's system, in place of its own")
+                        help="name of the last program's system in the table (default: the system's own name)")
     parser.add_argument("--diff-by", metavar="PATH", type=Path, default=ROOT / "build/bin/poinsot",
-                        help="the poinsot that compares, on this machine (default: %(default)s)")
+                        help="poinsot program on this machine that compares (default: %(default)s)")
     parser.add_argument("--size", metavar="WxH", default="1920x1080", help="size of the stills (default: %(default)s)")
     parser.add_argument("--stills", nargs="+", metavar="SCENE", default=[], help="only the stills of these scenes")
     parser.add_argument("--suite", nargs="+", metavar="TEST", default=[], help="only these tests of the golden suite")
     parser.add_argument("--json", metavar="FILE", type=Path, help="write all figures to a file")
-    parser.add_argument("--keep", metavar="FOLDER", type=Path, help="keep the pictures in a folder that is new")
+    parser.add_argument("--keep", metavar="FOLDER", type=Path, help="keep the pictures in this folder, which must not exist")
     asked = parser.parse_args()
     for system in asked.systems:
         if system.enter and not Path(system.program).is_absolute():
-            parser.error(f"--program {system.program}: must be absolute, as --enter runs it elsewhere")
+            parser.error(f"--program {system.program}: must be absolute, because --enter runs it in another system")
     if asked.keep and asked.keep.exists():
         parser.error(f"--keep {asked.keep}: exists; name a new folder")
     return asked
 
 
 def draw(asked, system, backend, folder):
-    """Has a system make all pictures, into the folders stills and suite."""
+    """Lets a system draw all pictures into the folders stills and suite."""
     files = [file for pattern in SCENES for file in ROOT.glob(pattern)]
     drawing = ["--backend", backend, "--quiet"]
     stills = ["gallery", "scenes", "--reproducible", "--size", asked.size, "--no-sheet", "-o", "stills", *drawing]
-    suite = ["golden", SUITE, "-o", "suite", *drawing]  # it is reproducible unless told otherwise
-    system.draw([(stills + only(asked.stills), 0), (suite + only(asked.suite), 1)],  # 1: no reference is there to compare with
+    suite = ["golden", SUITE, "-o", "suite", *drawing]  # golden is reproducible by default
+    system.draw([(stills + only(asked.stills), 0), (suite + only(asked.suite), 1)],  # exit code 1: there are no references
                 {file.relative_to(ROOT): file.read_bytes() for file in files}, folder)
 
 
@@ -76,7 +76,7 @@ def only(names):
 
 
 def approved(asked, folder):
-    """The approved pictures of the suite's tests that are asked for, in a folder."""
+    """Links the approved pictures of the selected tests of the suite in a folder, and returns the folder."""
     listed = subprocess.run([asked.diff_by.resolve(), "golden", SUITE, "--list", *only(asked.suite)], cwd=ROOT, capture_output=True,
                             text=True)
     if listed.returncode:
@@ -88,13 +88,13 @@ def approved(asked, folder):
 
 
 def compare(asked, reference, drawn):
-    """The figures of a row, from `diff` and its default rule."""
+    """Returns the figures of a row, from `diff` with its default rule."""
     run = subprocess.run([asked.diff_by.resolve(), "diff", reference, drawn, "--json"], capture_output=True, text=True)
     if run.returncode not in (0, 1):
         raise Failure(run.stderr)
     outcome = json.loads(run.stdout)
     if missing := outcome["only_in_reference"] + outcome["only_in_test"]:
-        raise Failure(f"{drawn}: there is no pair of {', '.join(missing)}")
+        raise Failure(f"{drawn}: no counterpart of {', '.join(missing)}")
     pictures = outcome["pictures"]
     moved = [{key: picture[key] for key in ("name", "verdict", "differing_pixels", "max_difference")}
              for picture in pictures if picture["verdict"] != "identical"]
@@ -104,7 +104,7 @@ def compare(asked, reference, drawn):
 
 
 def measure(asked, folder):
-    """A row for each system, back end and set of pictures."""
+    """Returns a row for each system, back end and set of pictures, and the absent back ends."""
     references = {"suite": approved(asked, folder / "approved")}
     rows, absent = [], []
     for number, system in enumerate(asked.systems):

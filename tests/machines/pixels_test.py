@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""pixels.py measures this machine's back ends, and says so where a system draws otherwise, lacks a back end or fails.
+"""Tests that pixels.py measures back ends, and reports systems that draw differently, lack a back end or fail.
 
     pixels_test.py PROGRAM
 """
@@ -16,7 +16,7 @@ from pixel_table import markdown
 
 PROGRAM = sys.argv.pop(1)
 PIXELS = pathlib.Path(__file__).with_name("pixels.py")
-# Stands for a system without OSMesa whose Mesa draws the stills, and nothing else, otherwise.
+# Fakes a system without OSMesa, whose Mesa draws the stills differently but the suite the same.
 OTHER_SYSTEM = f"""#!/bin/sh
 case $1 in
   doctor)
@@ -59,7 +59,7 @@ class Pixels(unittest.TestCase):
         self.assertEqual([row["backend"] for row in own], [name for name in working() for _ in range(2)])
         self.assertEqual([row["is_reference"] for row in own], [True] + [False] * (len(own) - 1))
         for row in own:
-            # Bytes of OSMesa and EGL are promised to be equal.
+            # OSMesa and EGL are promised to draw the same bytes.
             count = {"stills": 2, "suite": 1}[row["set"]]
             self.assertEqual((row["pictures"], row["equal"], row["differing_pixels"]), (count, count, 0), row)
 
@@ -69,11 +69,11 @@ class Pixels(unittest.TestCase):
         self.assertEqual((stills["system"], stills["mesa"], stills["llvm"], stills["backend"]), ("sid", "26.2.0", "21.1.8", "egl"))
         self.assertEqual((stills["verdict"], stills["equal"]), ("different", 0))
         self.assertEqual({each["name"] for each in stills["moved"]}, {"football.png", "sphere.png"})
-        self.assertGreater(stills["differing_pixels"], 192 * 108)  # the paper of both pictures
+        self.assertGreater(stills["differing_pixels"], 192 * 108)  # the background of both pictures differs
         self.assertEqual((suite["verdict"], suite["equal"]), ("identical", 1))
         self.assertIn("\nsid has no osmesa.\n", self.run_.stdout)
 
-    def test_what_cannot_be_measured_is_an_error(self):
+    def test_failures_and_wrong_options_have_exit_codes(self):
         missing = pixels("--program", "/nowhere/none")
         self.assertEqual(missing.returncode, 3)
         self.assertIn("none: exit code", missing.stderr)

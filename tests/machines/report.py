@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a trial's figures are held to, and how they are printed."""
+"""Judges the figures of a trial, and prints them."""
 
-GATED = ("bookworm", "trixie")  # other suites move from day to day, and are reported only
+GATED = ("bookworm", "trixie")  # other suites change daily and are only reported
 MOST_SKIPS = 25
 MOST_SECONDS = 60  # for installing the package and making a film, after the download
 # README.md promises size, rate and codec; the scene lasts 14 s.
@@ -29,7 +29,7 @@ def problems(report):
 
 def _test_problems(report):
     if "tests" not in report:
-        return ["test: CTest did not come to its summary"]
+        return ["test: CTest did not print its summary"]
     tests, found = report["tests"], [f"test: {name}: {word}" for name, word in report["tests"]["failed"].items()]
     if tests["passed"] == 0:
         found.append("test: no test passed")
@@ -57,7 +57,7 @@ def megabytes(count):
 
 
 def markdown(suites):
-    """Returns the table, a suite in each column, and below it the reasons of skips and the problems."""
+    """Returns a table with a column for each suite, and below it the reasons of skipped tests and the problems."""
     reports = list(suites.values())
     rows = {}
     for name in dict.fromkeys(name for report in reports for name in report["versions"]):
@@ -93,7 +93,7 @@ CELLS = {
 def _cell(cell, report):
     try:
         return cell(report)
-    except KeyError:  # a part that was not asked for, or not reached
+    except KeyError:  # the part was not requested, or not reached
         return None
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rooms: folders with a whole Debian in them, made by debootstrap and entered by enter.sh. Both need root."""
+"""Rooms are folders with a complete Debian system, made by debootstrap and entered by enter.sh. Both need root."""
 
 import os
 import shutil
@@ -9,17 +9,17 @@ from dataclasses import dataclass
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-BASE_DAYS = 7  # an older base lacks packages that sid has replaced
+BASE_DAYS = 7  # sid may have replaced packages of an older base
 DEBIAN = "http://deb.debian.org/debian"
 
 
 class Failure(Exception):
-    """A room that cannot be made: the message says why."""
+    """A room cannot be made. The message has the reason."""
 
 
 @dataclass
 class Outcome:
-    """What a command in a room came to. `since_s` has each line that it printed and when."""
+    """Result of a command in a room. `since_s` has the time of each line of its output, from the start."""
     status: int
     seconds: float
     lines: list
@@ -31,7 +31,7 @@ class Outcome:
 
 
 def configured_mirror():
-    """Returns the mirror from which this machine's apt gets Debian; Debian's own if it has none."""
+    """Returns the mirror from which this machine's apt gets Debian, or Debian's own mirror."""
     form = "$(ORIGIN) $(LABEL) $(REPO_URI)"
     try:
         targets = subprocess.run(["apt-get", "indextargets", "--format", form, "Created-By: Packages"],
@@ -42,12 +42,12 @@ def configured_mirror():
 
 
 def remove(folder):
-    """Deletes a room. The processes of one that was interrupted may still be ending, and write."""
+    """Deletes a room. Tries again, because processes of an interrupted room may still write."""
     for _ in range(20):
         if subprocess.run(["rm", "-rf", "--one-file-system", folder], stderr=subprocess.DEVNULL).returncode == 0:
             return
         time.sleep(0.2)
-    raise Failure(f"{folder}: cannot be deleted; see which process still writes there")
+    raise Failure(f"{folder}: cannot be deleted; check which process still writes there")
 
 
 def make_base(suite, mirror, folder, afresh):
@@ -84,15 +84,15 @@ class Room:
             self._debs.mkdir(exist_ok=True)
         settings = self.path / "etc/apt/apt.conf.d"
         settings.mkdir(parents=True, exist_ok=True)
-        # A mirror may be a snapshot, whose lists are of another day.
+        # A mirror may be a snapshot, whose lists have expired.
         (settings / "90trial").write_text('APT::Keep-Downloaded-Packages "true";\nAcquire::Check-Valid-Until "false";\n')
 
     def clone(self, checkout):
-        """Puts the committed tree of a checkout where commands begin."""
+        """Clones the committed tree of a checkout into the folder in which commands start."""
         subprocess.run(["git", "clone", "--quiet", "--depth=1", f"file://{checkout}", self.path / "src/poinsot"], check=True)
 
     def run(self, words, log):
-        """Runs a command, and keeps all that it prints in the file `log`."""
+        """Runs a command, and writes all its output to the file `log`."""
         environment = os.environ | {"POINSOT_DEBS": str(self._debs or "")}
         begin, lines, since_s = time.monotonic(), [], []
         with open(log, "w") as file, subprocess.Popen(
@@ -105,9 +105,9 @@ class Room:
                     since_s.append(time.monotonic() - begin)
                 status = process.wait()
             finally:
-                process.kill()  # and by that the room's first process with all others; nothing once it has ended
+                process.kill()  # also ends all processes of the room; does nothing after a normal end
         return Outcome(status, time.monotonic() - begin, lines, since_s)
 
     def says(self, *words):
-        """Returns what a command prints to its standard output."""
+        """Returns the standard output of a command."""
         return self.run(["sh", "-c", '"$@" 2>/dev/null', "sh", *words], os.devnull).text

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A system with a poinsot that draws. Scenes go in and pictures come out as tar, so that a chroot, a container and
-another machine are all one: a command that runs a shell command there."""
+"""A system on which poinsot draws. Scenes and pictures are sent as tar archives, so that a chroot, a container or another
+machine needs only a command that runs a shell command there."""
 
 import io
 import re
@@ -9,24 +9,24 @@ import subprocess
 import tarfile
 from pathlib import Path
 
-LONGEST_S = 3600  # of one command; a sound drawing of all pictures takes a minute or two
+LONGEST_S = 3600  # limit of one command; drawing all pictures normally takes a minute or two
 ERROR_LINES = 8
 
 
 class Failure(Exception):
-    """Why nothing can be measured."""
+    """Nothing can be measured. The message has the reason."""
 
 
 class System:
-    """A program on this machine, or behind `enter`."""
+    """A poinsot program on this machine, or on the system that the command `enter` reaches."""
 
     def __init__(self, program):
         self.program = program
         self.enter = None  # command line
-        self.name = None  # in place of what the system calls itself
+        self.name = None  # replaces the system's own name
 
     def probe(self):
-        """Its facts, and its back ends: name, whether it works, and the renderer or why not."""
+        """Returns facts of the system, and its back ends: name, whether it works, and the renderer or the reason."""
         program = self.quoted()
         text = self.run(f"set -e; . /etc/os-release; echo $PRETTY_NAME; {program} --version; {program} doctor || true").decode()
         system, version = text.splitlines()[:2]
@@ -42,9 +42,9 @@ class System:
         return facts, backends
 
     def draw(self, commands, files, folder):
-        """Runs commands of the program beside files, and keeps the pictures that they make.
+        """Runs commands of the program in a folder with `files`, and stores their pictures in `folder`.
 
-        commands: words of each, and the largest exit code that is none of a fault. files: bytes by relative path.
+        commands: words of each, and the largest accepted exit code. files: contents by relative path.
         """
         lines = [f"{self.quoted()} {shlex.join(command)} || [ $? -le {most} ]" for command, most in commands]
         script = "\n".join(["set -eu", "folder=$(mktemp -d)", "trap 'rm -rf \"$folder\"' EXIT", 'cd "$folder"', "tar xf -",
@@ -55,7 +55,7 @@ class System:
         return shlex.quote(self.program if self.enter else str(Path(self.program).resolve()))
 
     def run(self, script, given=b""):
-        """What a shell script writes there. @raises Failure"""
+        """Runs a shell script on the system, and returns its output. @raises Failure"""
         command = [*shlex.split(self.enter or "sh -c"), script]
         try:
             done = subprocess.run(command, input=given, capture_output=True, timeout=LONGEST_S)
@@ -78,7 +78,7 @@ def tar_of(files):
 
 
 def unpack(archive, folder):
-    """Keeps the pictures of an archive, each directly below its set's folder; maps of a difference are none."""
+    """Extracts the pictures of an archive into the folder of their set, without subfolders and difference maps."""
     with tarfile.open(fileobj=io.BytesIO(archive)) as tar:
         for entry in tar:
             path = Path(entry.name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The trial of one suite: what a user types on a bare system, and what comes of it."""
+"""Trial of one suite of Debian: runs the commands of a user on a bare system, and collects figures."""
 
 import datetime
 import shutil
@@ -8,7 +8,7 @@ import readings
 from room import Failure, Room, make_base, remove
 
 FILM = "out/tennis_racket.mp4"
-RENDER = ["./poinsot", "render", "scenes/tennis_racket.toml", "-o", FILM]  # as README.md has both
+RENDER = ["./poinsot", "render", "scenes/tennis_racket.toml", "-o", FILM]  # README.md has this command and the next
 TEST = ["./poinsot", "test"]
 INSTALLED = ["poinsot", "render", "/usr/share/poinsot/scenes/tennis_racket.toml", "-o", "/home/trial/racket.mp4"]
 CLANG = ["env", "CC=clang", "CXX=clang++", "POINSOT_BUILD_DIR=/src/poinsot/build-clang"]
@@ -50,7 +50,7 @@ class Trial:
         return self.report
 
     def _command(self, name, words, room=None):
-        """Runs it, and keeps its figures and its log by this name."""
+        """Runs a command, and stores its figures and its log under `name`."""
         self.say(f"{self.suite}: {' '.join(words)}")
         outcome = (room or self.room).run(words, self.logs / f"{name}.log")
         self.report["commands"][name] = {"status": outcome.status, "seconds": round(outcome.seconds, 1)}
@@ -64,7 +64,7 @@ class Trial:
                 raise Failure(f"apt could not install {' '.join(packages)}; see {log}")
 
     def _keep(self, inside, name):
-        """Copies a file of the room to the logs. Returns its text; empty if there is none."""
+        """Copies a file of the room to the logs. Returns its text, or an empty text if the file is missing."""
         source = self.room.path / "src/poinsot" / inside
         if not source.is_file():
             return ""
@@ -99,8 +99,8 @@ class Trial:
             self._use(program)
 
     def _use(self, deb):
-        """Installs the package in a room that nothing was built in, and makes a film there."""
-        room = Room(self.folder, "installed", debs=False)  # downloading is measured
+        """Installs the package in a fresh room, and makes a film there."""
+        room = Room(self.folder, "installed", debs=False)  # no cache of packages, because the download is measured
         shutil.copy(deb, room.path / "home/trial" / deb.name)
         apt = ["env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "-y", "-qq"]
         self._command("update", [*apt, "update"], room)
@@ -119,7 +119,7 @@ class Trial:
         return sum(int(size) for size in room.says("dpkg-query", "-W", "-f", "${Installed-Size}\n").split())
 
     def _probe(self, film):
-        """Keeps a film, and returns what the ffprobe of the room says of it; None if there is no film."""
+        """Copies a film to the logs, and returns its facts by the room's ffprobe; None if there is no film."""
         if not film.is_file():
             return None
         shutil.copyfile(film, self.logs / film.name)

@@ -73,7 +73,7 @@ std::map<std::string, std::string> probed(const std::filesystem::path& film) {
     std::string text(line);
     text.pop_back();
     const auto equals = text.find('=');
-    // The stream comes before the file: its "duration" is the one that stays.
+    // The stream comes before the file, so that the stream's "duration" is kept.
     if (equals != std::string::npos) facts.emplace(text.substr(0, equals), text.substr(equals + 1));
   }
   if (::pclose(pipe) != 0) throw std::runtime_error("ffprobe failed");
@@ -81,7 +81,7 @@ std::map<std::string, std::string> probed(const std::filesystem::path& film) {
 }
 
 std::vector<image::Image> shown(const std::filesystem::path& film, image::PixelSize size, int count) {
-  // ffmpeg's own decoder of VP9 leaves alpha out.
+  // ffmpeg's own decoder of VP9 drops alpha.
   const char* decoder =
       film.extension() == ".webm" && probed(film).at("codec_name") == "vp9" ? "-c:v libvpx-vp9 " : "";
   const std::string command =

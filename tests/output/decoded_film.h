@@ -19,20 +19,22 @@ struct DecodedFrame {
   std::vector<std::uint8_t> y, cb, cr;
 };
 
-/// All frames of a film in shown order, decoded by libavcodec.
+/// Returns all frames of a film in the order shown, decoded by libavcodec.
 std::vector<DecodedFrame> decoded(const std::filesystem::path& film);
 
-/// What ffprobe, run as a process, says of the first stream and the file: "width" -> "320", "tag:title" -> "...".
+/// Returns ffprobe's report on the first stream and the file: "width" -> "320", "tag:title" -> "...". Runs ffprobe
+/// as a process.
 std::map<std::string, std::string> probed(const std::filesystem::path& film);
 
-/// The first `count` pictures of a film as the program ffmpeg shows them, going by what the file says of its
-/// colours: RGBA. Empty if it fails.
+/// Returns the first `count` pictures of a film as RGBA, as the program ffmpeg shows them by the file's own colour
+/// tags. Empty if ffmpeg fails.
 std::vector<image::Image> shown(const std::filesystem::path& film, image::PixelSize size, int count);
 
-/// The usual film, at that rate factor.
+/// Returns the default film format with the rate factor `crf`.
 FilmFormat h264(double crf);
 
-/// Frame k of a test film: a bright disc that crosses a dark gradient, with a fine line; distinct for each k.
+/// Returns frame k of a test film: a bright disc that crosses a dark gradient, with a fine line; distinct for each
+/// k.
 image::Image movingDisc(image::PixelSize size, std::int64_t k);
 
 }  // namespace poinsot::output

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A film of which any byte has changed is never taken for the one that was written. What was written, and the
-// bytes that are changed, are known to the test; the digest is computed again by sha256sum.
+// Checks that a film with any changed byte is never taken for the film that was written. The test has the original
+// and changes the bytes itself; sha256sum computes the digest again.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -49,14 +49,14 @@ class FilmDamage : public FolderTest, public testing::WithParamInterface<FilmCon
   std::string whole_;
 };
 
-TEST_P(FilmDamage, IsNoneInWhatWasWritten) {
+TEST_P(FilmDamage, IsNotReportedForAnUnchangedFilm) {
   EXPECT_EQ(filmState(film_, kOrigin), FilmState::kWhole);
   EXPECT_TRUE(isWholeFilm(film_));
   EXPECT_EQ(filmState(film_, "frames 0-6 of scene sha256 1f; job sha256 2e; "), FilmState::kOther);
   EXPECT_EQ(filmState(in("none.mp4"), kOrigin), FilmState::kOther);
 }
 
-/// CRC-32 of a PNG chunk, bit by bit (PNG, annex D).
+/// Returns the CRC-32 of a PNG chunk, bit by bit (PNG, annex D).
 std::uint32_t pngCheckSum(std::string_view bytes) {
   std::uint32_t sum = 0xffffffff;
   for (const char byte : bytes) {
@@ -70,8 +70,7 @@ constexpr std::string_view kWord = "film sha256 ";
 
 std::string sealIn(const std::string& film) { return film.substr(film.find(kWord), kWord.size() + 64); }
 
-// Anyone can check a film with the tools of a shell.
-TEST_P(FilmDamage, IsFoundBySha256sum) {
+TEST_P(FilmDamage, CanBeDetectedWithSha256sum) {
   const auto at = whole_.find(kWord) + kWord.size();
   ASSERT_LT(at, whole_.size());
   const std::string digits = whole_.substr(at, 64);
@@ -88,7 +87,7 @@ TEST_P(FilmDamage, IsFoundBySha256sum) {
   EXPECT_EQ(std::system(check.c_str()), 0);
 }
 
-/// Damages that happen: to disks, copies and careless writers.
+/// Random damages of the kinds that happen to disks, to copies and through careless writers.
 class Damages {
  public:
   explicit Damages(std::string whole) : whole_(std::move(whole)) {}
@@ -126,10 +125,10 @@ class Damages {
                          bytes.begin() + static_cast<std::ptrdiff_t>(to));
         return bytes;
       }
-      case 5:  // a block of something else
+      case 5:  // a block of noise
         for (std::size_t i = at; i < at + count; ++i) bytes[i] = noise();
         return bytes;
-      default:  // all of it
+      default:  // everything becomes noise
         for (char& byte : bytes) byte = noise();
         return bytes;
     }
@@ -139,7 +138,7 @@ class Damages {
   std::mt19937 random_{33};
 };
 
-TEST_P(FilmDamage, IsNoticedWhateverItIs) {
+TEST_P(FilmDamage, IsNoticedAfterRandomChanges) {
   constexpr int kDamages = 200;
   Damages damages(whole_);
   int noticed = 0, ours = 0;
@@ -153,12 +152,12 @@ TEST_P(FilmDamage, IsNoticedWhateverItIs) {
     ours += own ? 1 : 0;
   }
   EXPECT_EQ(noticed, kDamages);
-  EXPECT_GT(ours, kDamages / 2);  // 130 to 173
+  EXPECT_GT(ours, kDamages / 2);  // measured 130 to 173
   EXPECT_EQ(stateOf(whole_), FilmState::kWhole);
   RecordProperty("ours", ours);
 }
 
-// One bit of every byte; of a larger film, of every n-th.
+// Changes one bit of every byte, or of every n-th byte of a larger film.
 TEST_P(FilmDamage, IsNoticedInEveryByte) {
   constexpr std::size_t kMost = 12'000;
   const std::size_t step = 1 + whole_.size() / kMost;
@@ -175,8 +174,8 @@ TEST_P(FilmDamage, IsNoticedInEveryByte) {
   RecordProperty("bytes", static_cast<int>(whole_.size()));
 }
 
-// Only its end is missing: the mark stands before the pictures, so that the film may be made again in its place.
-TEST_P(FilmDamage, LeavesACutFilmOurs) {
+// The film lacks its end only. The mark stands before the pictures, so that poinsot may replace the film.
+TEST_P(FilmDamage, TruncatedFilmIsStillRecognisedAsOurs) {
   for (const double share : {0.5, 0.8, 0.99}) {
     const auto size = static_cast<double>(whole_.size());
     EXPECT_NE(stateOf(whole_.substr(0, static_cast<std::size_t>(share * size))), FilmState::kWhole);
@@ -184,8 +183,8 @@ TEST_P(FilmDamage, LeavesACutFilmOurs) {
   }
 }
 
-// FFmpeg keeps the texts of a film that it copies, such as a film that somebody gave a sound.
-TEST_P(FilmDamage, IsNotWhatAnotherProgramCopied) {
+// FFmpeg keeps the texts of a film that it copies, such as a film to which somebody added sound.
+TEST_P(FilmDamage, CopiesByFfmpegAreNotRecognisedAsOurs) {
   if (isMadeWhole(GetParam())) GTEST_SKIP() << "copies of this format do not name their writer";
   if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no ffmpeg";
   const auto copy = in("copy" + film_.extension().string());
@@ -197,8 +196,8 @@ TEST_P(FilmDamage, IsNotWhatAnotherProgramCopied) {
   EXPECT_FALSE(isOwnFilm(copy));
 }
 
-// A title is the user's. A digest of a film in it is taken for no seal, and is left as it is.
-TEST_P(FilmDamage, IsNotToldByTheWordsOfATitle) {
+// A title is the user's. A digest of a film in a title is not taken for a seal, and is left unchanged.
+TEST_P(FilmDamage, IgnoresDigestsInATitle) {
   const std::string words = "film sha256 " + std::string(64, '0');
   joinSegments({in("segment_0")}, film_, {GetParam(), {25, 1}}, {words, words + " again", kOrigin, "a test"});
   EXPECT_EQ(filmState(film_, kOrigin), FilmState::kWhole);
@@ -206,8 +205,8 @@ TEST_P(FilmDamage, IsNotToldByTheWordsOfATitle) {
   EXPECT_THAT(std::string(bytes.begin(), bytes.end()), testing::HasSubstr(words));
 }
 
-// A work folder, which may come from anyone, names the origin. Containers end texts at a zero.
-TEST_P(FilmDamage, IsNoticedOrRefusedWhateverTheOrigin) {
+// A work folder, which may come from anyone, names the origin. Containers end texts at a zero byte.
+TEST_P(FilmDamage, OriginWithAZeroByteIsKeptOrRejected) {
   const std::string origin("job \0 sha256; ", 14);
   const std::string refusal = messageOf(core::ErrorKind::kIo, [&] {
     joinSegments({in("segment_0")}, film_, {GetParam(), {25, 1}}, {"", "", origin, "a test"});
@@ -215,7 +214,7 @@ TEST_P(FilmDamage, IsNoticedOrRefusedWhateverTheOrigin) {
   if (refusal.empty())
     EXPECT_EQ(filmState(film_, origin), FilmState::kWhole);
   else
-    EXPECT_THAT(refusal, testing::EndsWith("the film cannot keep the text of its origin"));
+    EXPECT_THAT(refusal, testing::EndsWith("cannot store the text of the film's origin in the file"));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FilmDamage, testing::ValuesIn(filmContainers().begin(), filmContainers().end()),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every kind of film, written as segments, put together, and read back by ffprobe and ffmpeg as processes: what
-// they see is what was put in, and what the file says of it is true.
+// Every kind of film is written as segments, joined, and read back by ffprobe and ffmpeg as processes. The
+// pictures must be those that were written, and the file's tags must be true.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -28,8 +28,8 @@ using Codec = FilmCodec;
 constexpr image::PixelSize kSize = {128, 64};
 constexpr int kCells = 4, kRows = 2, kCell = 32;
 
-/// Flat squares of the primaries, their complements, black and white: they change places from frame to frame. If
-/// `transparent`, each next one lets more through.
+/// Returns flat squares of the primaries, their complements, black and white, which change places from frame to
+/// frame. If `transparent` is set, each next square lets more through.
 image::Image primaries(std::int64_t k, bool transparent) {
   image::Image picture(kSize, transparent ? 4 : 3);
   for (int y = 0; y < kSize.height; ++y)
@@ -45,7 +45,7 @@ image::Image primaries(std::int64_t k, bool transparent) {
 struct Format {
   const char* name;
   FilmFormat format;
-  std::map<std::string, std::string> facts;  ///< what ffprobe has to say
+  std::map<std::string, std::string> facts;  ///< expected from ffprobe
   int tolerance;  ///< of a colour in the middle of a square, in levels; measured 1, VP9 with alpha 2, AV1 2 and 3
 };
 
@@ -62,7 +62,8 @@ std::map<std::string, std::string> with(std::map<std::string, std::string> facts
   return facts;
 }
 
-/// QuickTime has no place for a range: FFmpeg 5 assumes one, FFmpeg 7 none.
+/// Returns facts without the colour range, for which QuickTime has no place: FFmpeg 5 assumes a range, FFmpeg 7
+/// none.
 std::map<std::string, std::string> withoutRange(std::map<std::string, std::string> facts) {
   facts = with(std::move(facts));
   facts.erase("color_range");
@@ -113,7 +114,7 @@ class FilmFormats : public FolderTest, public testing::WithParamInterface<Format
   }
   static bool transparent() { return GetParam().format.transparent; }
 
-  /// A film of two segments, 10 and 7 frames long.
+  /// Writes a film of two segments, 10 and 7 frames long.
   std::filesystem::path film(const std::string& name = "film") const {
     const FilmFormat& format = GetParam().format;
     std::vector<std::filesystem::path> segments;
@@ -129,7 +130,7 @@ class FilmFormats : public FolderTest, public testing::WithParamInterface<Format
   }
 };
 
-TEST_P(FilmFormats, SaysWhatItIs) {
+TEST_P(FilmFormats, ReportsItsFormatToFfprobe) {
   const auto facts = probed(film());
   for (const auto& [key, value] : GetParam().facts)
     EXPECT_EQ(facts.count(key) ? facts.at(key) : "(none)", value) << key;
@@ -139,7 +140,7 @@ TEST_P(FilmFormats, SaysWhatItIs) {
   EXPECT_EQ(facts.at("r_frame_rate"), "25/1");
 }
 
-/// How far pictures are from what was drawn, in the middle of each square.
+/// Largest distance of pictures from what was drawn, in the middle of each square, in levels.
 struct Distance {
   int color = 0, alpha = 0;
 };
@@ -159,8 +160,8 @@ Distance distance(const std::vector<image::Image>& pictures, bool transparent) {
   return worst;
 }
 
-// Oracle: what was drawn. ffmpeg, told nothing, goes by the file's tags.
-TEST_P(FilmFormats, ShowsTheColorsThatWerePutIn) {
+// Expected: what was drawn. ffmpeg gets no options for colour, so that it goes by the file's tags.
+TEST_P(FilmFormats, ShowsTheColorsThatWereDrawn) {
   const auto pictures = shown(film(), kSize, 17);
   ASSERT_EQ(pictures.size(), 17u);
   const Distance worst = distance(pictures, transparent());
@@ -170,7 +171,7 @@ TEST_P(FilmFormats, ShowsTheColorsThatWerePutIn) {
   RecordProperty("worstAlpha", worst.alpha);
 }
 
-/// Of 8 bits, rounded where it has 16.
+/// Returns a picture of 8 bits, rounded if the original has 16.
 image::Image flattened(const image::AnyImage& picture) {
   if (const auto* flat = std::get_if<image::Image>(&picture)) return *flat;
   const auto& deep = std::get<image::DeepImage>(picture);
@@ -180,8 +181,7 @@ image::Image flattened(const image::AnyImage& picture) {
   return flat;
 }
 
-// Oracle: what was drawn, again.
-TEST_P(FilmFormats, IsReadByTheReader) {
+TEST_P(FilmFormats, FilmReaderReturnsTheWrittenPictures) {
   FilmReader reader(film());
   EXPECT_EQ(reader.size(), kSize);
   EXPECT_EQ(reader.fps(), (core::Rational{25, 1}));
@@ -195,7 +195,8 @@ TEST_P(FilmFormats, IsReadByTheReader) {
 
 TEST_P(FilmFormats, HasTheSameBytesEachTime) { EXPECT_EQ(content(film("a")), content(film("b"))); }
 
-/// The text of a user data atom: its name, 16 bits of length, 16 of language (QuickTime File Format, "User Data").
+/// Returns the text of a user data atom, which has a name, 16 bits of length and 16 of language (QuickTime File
+/// Format, "User Data").
 std::string atomText(const std::string& bytes, const std::string& name) {
   const auto at = bytes.find(name);
   if (at == bytes.npos) return "(none)";
@@ -205,8 +206,8 @@ std::string atomText(const std::string& bytes, const std::string& name) {
   return bytes.substr(at + 8, 256 * byte(4) + byte(5));
 }
 
-// Players show this text of a QuickTime film; those of other kinds have it by the name that libav knows.
-TEST_P(FilmFormats, HasTheWordsOfTheFilmInTheDescription) {
+// Players show this text of a QuickTime film. Films of other kinds have the text under libav's own name.
+TEST_P(FilmFormats, HasTheDescriptionInItsTags) {
   const auto box = GetParam().format.container;
   const auto bytes = content(film());
   const std::string text(bytes.begin(), bytes.end());
@@ -219,7 +220,7 @@ TEST_P(FilmFormats, HasTheWordsOfTheFilmInTheDescription) {
   EXPECT_THAT(probed(film()).at("TAG:model"), testing::MatchesRegex("of here; film sha256 [0-9a-f]+; a test"));
 }
 
-TEST_P(FilmFormats, IsKnownAgainUnlessItIsCut) {
+TEST_P(FilmFormats, TruncatedFilmIsReportedAsDamaged) {
   const auto file = film();
   EXPECT_TRUE(isOwnFilm(file));
   EXPECT_EQ(filmState(file, kTexts.origin), FilmState::kWhole);
@@ -227,7 +228,7 @@ TEST_P(FilmFormats, IsKnownAgainUnlessItIsCut) {
   EXPECT_EQ(filmState(file, kTexts.origin), FilmState::kDamaged);
 }
 
-class MadeWhole : public FolderTest, public ::testing::WithParamInterface<FilmContainer> {
+class GifOrApngFilm : public FolderTest, public ::testing::WithParamInterface<FilmContainer> {
  protected:
   std::filesystem::path segment(const std::string& name, const image::Image& picture) const {
     const FilmFormat format = of(GetParam(), codecsOf(GetParam()).front(), Chroma::k420, picture.channels == 4);
@@ -241,24 +242,24 @@ class MadeWhole : public FolderTest, public ::testing::WithParamInterface<FilmCo
   }
 };
 
-// What is written has room for pictures of the first one's size only.
-TEST_P(MadeWhole, OfPicturesOfOneSizeAndKind) {
+// The file has room for pictures of the size of the first only.
+TEST_P(GifOrApngFilm, RejectsPicturesOfAnotherSizeOrKind) {
   const auto first = segment("first.mkv", primaries(0, false)),
              large = segment("large.mkv", image::Image({2 * kSize.width, 2 * kSize.height}, 3));
   EXPECT_EQ(refusal({first, first}), "");
   EXPECT_THAT(refusal({first, large}), HasSubstr("large.mkv: has pictures of another size or kind"));
   EXPECT_THAT(refusal({large, first}), HasSubstr("first.mkv: has pictures of another size or kind"));
-  if (GetParam() == Box::kGif) return;  // whose pictures have no alpha
+  if (GetParam() == Box::kGif) return;  // pictures of a GIF have no alpha
   const auto alpha = segment("alpha.mkv", primaries(0, true));
   EXPECT_THAT(refusal({first, alpha}), HasSubstr("alpha.mkv: has pictures of another size or kind"));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, MadeWhole, testing::Values(Box::kGif, Box::kApng),
+INSTANTIATE_TEST_SUITE_P(All, GifOrApngFilm, testing::Values(Box::kGif, Box::kApng),
                          [](const auto& tested) { return tested.param == Box::kGif ? "Gif" : "Apng"; });
 
-class Reader : public FolderTest {};
+class FilmReaderTest : public FolderTest {};
 
-TEST_F(Reader, DoesNotWaitForAPipe) {
+TEST_F(FilmReaderTest, DoesNotWaitForAPipe) {
   ASSERT_EQ(::mkfifo(in("fifo.mp4").c_str(), 0600), 0);
   EXPECT_THAT(messageOf(core::ErrorKind::kIo, [&] { FilmReader(in("fifo.mp4")); }),
               HasSubstr("not a regular file"));
@@ -267,8 +268,8 @@ TEST_F(Reader, DoesNotWaitForAPipe) {
   EXPECT_FALSE(isOwnFilm(in("fifo.gif")));
 }
 
-// In Matroska the width, here of two bytes, stands after the mark of its element and its length.
-TEST_F(Reader, RefusesLargePictures) {
+// In Matroska the width, which has two bytes here, stands after the mark and the length of its element.
+TEST_F(FilmReaderTest, RejectsTooLargePictures) {
   const image::PixelSize size{320, 64};
   VideoSegmentWriter writer(in("a.mkv"), size, {25, 1}, of(Box::kApng, Codec::kApng), 0);
   writer.write({image::Image(size, 3)}, 0);
@@ -280,12 +281,13 @@ TEST_F(Reader, RefusesLargePictures) {
   EXPECT_EQ(FilmReader(in("a.mkv")).size(), size);
   text.replace(width + 2, 2, "\xff\xff");
   const auto file = save("b.mkv", text);
-  EXPECT_THAT(messageOf(core::ErrorKind::kLimit, [&] { FilmReader reader(file); }),
-              HasSubstr("b.mkv: pictures of 65535x64; at most 16384 a side and 64 million pixels are read"));
+  EXPECT_THAT(
+      messageOf(core::ErrorKind::kLimit, [&] { FilmReader reader(file); }),
+      HasSubstr("b.mkv: the pictures are 65535x64 pixels; at most 16384 per side and 64 million pixels are read"));
 }
 
-// Two films one behind the other, as ffmpeg copies them into one.
-TEST_F(Reader, RefusesPicturesThatChangeTheirSize) {
+// The file holds two films, one behind the other, as ffmpeg copies them into one.
+TEST_F(FilmReaderTest, RejectsPicturesThatChangeTheirSize) {
   const std::string make = "ffmpeg -v error -f lavfi -i color=rate=25:size=";
   const std::string commands = "cd '" + in("").native() + "' && " + make + "320x64 -frames:v 2 a.ts && " + make +
                                "256x64 -frames:v 2 b.ts && cat a.ts b.ts > ab.ts && " +
@@ -295,28 +297,28 @@ TEST_F(Reader, RefusesPicturesThatChangeTheirSize) {
     FilmReader reader(in("ab.mp4"));
     while (reader.next()) continue;
   };
-  EXPECT_THAT(messageOf(core::ErrorKind::kIo, readAll), HasSubstr("ab.mp4: its pictures change their size"));
+  EXPECT_THAT(messageOf(core::ErrorKind::kIo, readAll), HasSubstr("ab.mp4: its pictures differ in size"));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FilmFormats, testing::ValuesIn(formats()),
                          [](const auto& tested) { return tested.param.name; });
 
-// ---- what is refused
+// ---- refusals
 
 std::string refusal(const FilmFormat& format, image::PixelSize size = kSize, const core::Rational& fps = {25, 1}) {
   return messageOf(core::ErrorKind::kUsage, [&] { checkFormat(format, size, fps); });
 }
 
-TEST(FilmFormatRefusals, SayWhatThereIs) {
-  EXPECT_EQ(refusal(of(Box::kMp4, Codec::kVp9)), "codec vp9: does not go into a .mp4; there go: h264, hevc");
-  EXPECT_EQ(
-      refusal(of(Box::kMp4, Codec::kH264, Chroma::k420, true)),
-      "h264 in a .mp4 has no pixels that are half transparent; these have: vp9 in a .webm, prores in a .mov, "
-      ".apng, numbered pictures");
-  EXPECT_EQ(refusal(of(Box::kWebm, Codec::kAv1, Chroma::k420, true)).substr(0, 37),
-            "av1 in a .webm has no pixels that are");
+TEST(FilmFormatErrors, NamePossibleAlternatives) {
+  EXPECT_EQ(refusal(of(Box::kMp4, Codec::kVp9)),
+            "codec vp9: not possible in a .mp4, which can contain: h264, hevc");
+  EXPECT_EQ(refusal(of(Box::kMp4, Codec::kH264, Chroma::k420, true)),
+            "h264 in a .mp4 has no half-transparent pixels; use vp9 in a .webm, prores in a .mov, .apng or "
+            "numbered pictures");
+  EXPECT_EQ(refusal(of(Box::kWebm, Codec::kAv1, Chroma::k420, true)).substr(0, 45),
+            "av1 in a .webm has no half-transparent pixels");
   EXPECT_EQ(refusal(of(Box::kWebm, Codec::kAv1, Chroma::k444)),
-            "chroma 4:4:4: not with av1; with h264, hevc, prores, vp9, gif, apng");
+            "chroma 4:4:4: not possible with av1, only with h264, hevc, prores, vp9, gif, apng");
   EXPECT_EQ(refusal(of(Box::kWebm, Codec::kAv1, Chroma::k420, false, 0)),
             "crf 0: av1 is never lossless; h264, hevc, vp9, apng can be");
   EXPECT_THAT(refusal(of(Box::kWebm, Codec::kVp9, Chroma::k444, true)), HasSubstr("prores in a .mov has both"));

@@ -25,7 +25,7 @@ const FilmTrack kTrack{FilmContainer::kMp4, {30, 1}};
 
 class FilmTest : public FolderTest {
  protected:
-  /// Segments of these lengths, one after the other from frame 0.
+  /// Writes segments of these lengths, one after the other from frame 0.
   std::vector<std::filesystem::path> segments(const std::vector<int>& lengths,
                                               const core::Rational& fps = {30, 1}) const {
     std::vector<std::filesystem::path> files;
@@ -46,7 +46,7 @@ class FilmTest : public FolderTest {
   }
 };
 
-TEST_F(FilmTest, HasTheFactsThatFfprobeReads) {
+TEST_F(FilmTest, ReportsItsPropertiesToFfprobe) {
   joinSegments(segments({10, 10, 10, 10}), in("film.mp4"), kTrack, {.title = "Rolling"});
   const auto facts = probed(in("film.mp4"));
   const std::map<std::string, std::string> expected = {{"codec_name", "h264"},
@@ -74,8 +74,8 @@ TEST_F(FilmTest, HasTheFactsThatFfprobeReads) {
   EXPECT_EQ(facts.count("TAG:creation_time"), 0u);
 }
 
-// Whatever the lengths and the rate, film frame i is picture i at exactly i frames' time, borders included.
-TEST_F(FilmTest, RunsOnOverTheBorders) {
+// For any lengths and rate, film frame i is picture i at exactly i frames' time, also at the borders of segments.
+TEST_F(FilmTest, HasEqualFrameTimesAcrossSegmentBorders) {
   struct Case {
     core::Rational fps;
     std::int64_t ticks;
@@ -94,8 +94,8 @@ TEST_F(FilmTest, RunsOnOverTheBorders) {
   }
 }
 
-// Joining copies: each frame decodes to the same bytes as in its segment.
-TEST_F(FilmTest, ChangesNoPicture) {
+// Joining copies packets: each frame decodes to the same bytes as in its segment.
+TEST_F(FilmTest, KeepsEveryPictureUnchanged) {
   const auto files = segments({7, 9});
   joinSegments(files, in("film.mp4"), kTrack);
   auto expected = decoded(files[0]);
@@ -110,7 +110,7 @@ TEST_F(FilmTest, ChangesNoPicture) {
   }
 }
 
-TEST_F(FilmTest, OfOneFrameLastsOneFrame) {
+TEST_F(FilmTest, LastsOneFrameIfItHasOneFrame) {
   joinSegments(segments({1}), in("film.mp4"), kTrack);
   const auto facts = probed(in("film.mp4"));
   EXPECT_EQ(facts.at("nb_frames"), "1");
@@ -130,7 +130,7 @@ TEST_F(FilmTest, HasTheSameBytesEachTimeAndTheIndexFirst) {
   EXPECT_EQ(text.find(in("").native()), std::string::npos);  // no path either
 }
 
-TEST_F(FilmTest, TakesNamesThatLookLikeSomethingElse) {
+TEST_F(FilmTest, AcceptsFileNamesThatLookLikeFfmpegSyntax) {
   const auto file = in("pipe:1 'a' %d.mp4");
   joinSegments(segments({2}), file, kTrack);
   EXPECT_EQ(decoded(file).size(), 2u);
@@ -150,7 +150,7 @@ TEST_F(FilmTest, RefusesSegmentsOfOtherSettings) {
   EXPECT_FALSE(std::filesystem::exists(in("film.mp4")));
 }
 
-TEST_F(FilmTest, RefusesWhatIsNoSegment) {
+TEST_F(FilmTest, RejectsFilesThatAreNotSegments) {
   const auto good = segments({2}).front();
   const auto message = [&](const std::filesystem::path& file) {
     return messageOf(kIo, [&] { joinSegments({good, file}, in("film.mp4"), kTrack); });
@@ -162,14 +162,14 @@ TEST_F(FilmTest, RefusesWhatIsNoSegment) {
   Bytes bytes = content(good);
   std::string foreign(bytes.begin(), bytes.end());
   foreign.replace(foreign.find("poinsot 0"), 9, "another 0");
-  EXPECT_THAT(message(save("foreign.mp4", foreign)), HasSubstr("no segment written by this version"));
+  EXPECT_THAT(message(save("foreign.mp4", foreign)), HasSubstr("not a segment written by this version"));
   ASSERT_EQ(::mkfifo(in("fifo.mp4").c_str(), 0600), 0);
   EXPECT_THAT(message(in("fifo.mp4")), HasSubstr("not a regular file"));  // and does not wait
 }
 
-// A frame's time is moved far away, in the table that has the times of what is shown in another order than
+// The test moves a frame's time far away, in the table of times for frames that are shown in another order than
 // decoded.
-TEST_F(FilmTest, RefusesTimesThatAreNone) {
+TEST_F(FilmTest, RejectsImpossibleFrameTimes) {
   const auto good = segments({10}).front();
   const Bytes whole = content(good);
   const std::string text(whole.begin(), whole.end());
@@ -182,13 +182,13 @@ TEST_F(FilmTest, RefusesTimesThatAreNone) {
     return messageOf(kIo, [&] { joinSegments({save("forged.mp4", forged)}, in("film.mp4"), kTrack); });
   };
   const std::string far("\x06\x1a\x80\x00", 4);  // 200 000 frames of 512 ticks
-  EXPECT_THAT(message(1, far), ::testing::ContainsRegex("has a frame 19999[0-9]$"));
-  EXPECT_THAT(message(1, far.substr(0, 3) + "\x01"), HasSubstr("has frames between the frames"));
-  EXPECT_THAT(message(0, far), HasSubstr("has frames between the frames"));
+  EXPECT_THAT(message(1, far), ::testing::ContainsRegex("has frame number 19999[0-9], which is too large$"));
+  EXPECT_THAT(message(1, far.substr(0, 3) + "\x01"), HasSubstr("has a frame at a time between two frames"));
+  EXPECT_THAT(message(0, far), HasSubstr("has a frame at a time between two frames"));
 }
 
-// The table of times says what no encoder of ours does: one frame is shown in the place of another; one stands
-// further back than frames are ever reordered.
+// The table of times has values that poinsot's encoders never write: one frame is shown in the place of another,
+// or a frame stands further back than frames are ever reordered.
 TEST_F(FilmTest, RefusesFramesInDisorder) {
   const Bytes whole = content(segments({10}).front());
   const std::string text(whole.begin(), whole.end());
@@ -205,12 +205,12 @@ TEST_F(FilmTest, RefusesFramesInDisorder) {
   // After the table's name, its version and its count come the entries, a count and a time each.
   const std::size_t times = text.find("ctts") + 12, last = times + 8 * (number(times - 4) - 1);
   constexpr std::uint32_t kFrame = 512;  // ticks
-  EXPECT_THAT(message(last + 4, number(last + 4) + kFrame), HasSubstr("forged.mp4: lacks its frame"));
+  EXPECT_THAT(message(last + 4, number(last + 4) + kFrame), HasSubstr("forged.mp4: lacks frame"));
   EXPECT_THAT(message(last + 4, number(times + 4) - 7 * kFrame),
-              HasSubstr("forged.mp4: has its frames in no order that can be shown"));
+              HasSubstr("forged.mp4: has its frames in an order that cannot be played"));
 }
 
-// A segment is cut at every 23rd byte: none of them gives a film.
+// A segment that is cut, at every 23rd byte in turn, never gives a film.
 TEST_F(FilmTest, RefusesATruncatedSegment) {
   const auto good = segments({5}).front();
   const Bytes whole = content(good);
@@ -228,7 +228,8 @@ TEST_F(FilmTest, RefusesATruncatedSegment) {
   EXPECT_THAT(names(), ElementsAre("cut.mp4", "old.mp4", "segment_0.mp4"));
 }
 
-// The disk is full at every size up to the film's: no film, what was there stays, nothing temporary is left.
+// The disk is full at every size up to the film's. No film appears, the old file stays, and nothing temporary is
+// left.
 TEST_F(FilmTest, SurvivesAFullDisk) {
   const auto files = segments({5, 5});
   joinSegments(files, in("film.mp4"), kTrack);
@@ -252,14 +253,14 @@ TEST_F(FilmTest, SurvivesAFullDisk) {
   EXPECT_THAT(names(), ElementsAre("film.mp4", "segment_0.mp4", "segment_5.mp4"));
 }
 
-TEST_F(FilmTest, IsKnownAsOurs) {
+TEST_F(FilmTest, IsRecognisedAsOurs) {
   const auto file = segments({2}).front();
   joinSegments({file}, in("film.mp4"), kTrack);
   EXPECT_TRUE(isOwnFilm(in("film.mp4")));
   EXPECT_FALSE(isOwnFilm(save("text.mp4", "poinsot 0.1.0")));
   EXPECT_FALSE(isOwnFilm(in("none.mp4")));
   EXPECT_FALSE(isOwnFilm(in("")));
-  // The same film with another program's name in the same place.
+  // The file is the same film with another program's name in the same place.
   Bytes bytes = content(in("film.mp4"));
   std::string text(bytes.begin(), bytes.end());
   text.replace(text.find("poinsot 0"), 9, "another 0");

@@ -18,7 +18,7 @@ TEST(FramePattern, NumbersFrames) {
   EXPECT_THROW(FramePattern("{frame}.png").path(-1), std::logic_error);
 }
 
-TEST(FramePattern, FindsTheNumberOfAName) {
+TEST(FramePattern, ReadsTheFrameNumberFromAName) {
   const FramePattern pattern("out/a_{frame:03}.png");
   for (const std::int64_t k : {0, 7, 999, 1000, 1234567})
     EXPECT_EQ(pattern.frameOf(pattern.path(k).filename()), k);
@@ -27,13 +27,13 @@ TEST(FramePattern, FindsTheNumberOfAName) {
     EXPECT_EQ(pattern.frameOf(name), std::nullopt) << name;
 }
 
-TEST(FramePattern, IsToldFromAPlainName) {
+TEST(FramePattern, IsDistinguishedFromAPlainName) {
   EXPECT_TRUE(FramePattern::isPattern("a_{frame}.png"));
-  EXPECT_TRUE(FramePattern::isPattern("a_}.png"));  // meant as one, and refused as one
+  EXPECT_TRUE(FramePattern::isPattern("a_}.png"));  // a malformed pattern, not a plain name
   EXPECT_FALSE(FramePattern::isPattern("a_%05d.png"));
 }
 
-TEST(FramePattern, RefusesTheRest) {
+TEST(FramePattern, RejectsMalformedPatterns) {
   for (const char* text : {"a.png", "{}.png", "{Frame}.png", "{frame:5}.png", "{frame:00}.png", "{frame:010}.png",
                            "{frame:0x}.png", "{frame:}.png", "{frame", "frame}", "}frame{", "{{frame}}.png",
                            "{frame}_{frame}.png", "{frame}/a.png", "{frame}}.png", "{frame:-5}.png"})

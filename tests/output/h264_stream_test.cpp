@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Streams put together by hand from ITU-T H.264: start codes (annex B), unit types (table 7-1), SEI messages
+// Streams are put together by hand from ITU-T H.264: start codes (annex B), unit types (table 7-1), SEI messages
 // (7.3.2.3.1).
 #include "output/h264_stream.h"
 
@@ -21,7 +21,7 @@ Bytes operator+(Bytes a, const Bytes& b) {
   return a;
 }
 
-/// An SEI unit with one user data message of the UUID and text.
+/// Returns an SEI unit with one user data message, which has a UUID and a text.
 Bytes note(const Bytes& uuid, const std::string& text) {
   Bytes unit = {0, 0, 1, 6, 5};
   std::size_t size = 16 + text.size() + 1;
@@ -38,7 +38,7 @@ Bytes cleaned(Bytes stream, std::string* text = nullptr) {
   return stream;
 }
 
-TEST(EncoderNote, IsTakenOut) {
+TEST(EncoderNote, IsRemovedFromTheStream) {
   for (const std::string& text : {std::string("x264 - core 164"), std::string(700, 'o'), std::string(238, 'p')}) {
     std::string found;
     EXPECT_EQ(cleaned(kParameters + note(kX264, text) + kPicture, &found), kParameters + kPicture);
@@ -49,7 +49,7 @@ TEST(EncoderNote, IsTakenOut) {
   }
 }
 
-TEST(EncoderNote, LeavesEverythingElse) {
+TEST(EncoderNote, IsRemovedWithoutChangingOtherUnits) {
   Bytes otherUuid = kX264;
   otherUuid[15] ^= 1;
   const Bytes pictureTiming = {0, 0, 1, 6, 1, 2, 7, 7, 0x80};
@@ -60,7 +60,7 @@ TEST(EncoderNote, LeavesEverythingElse) {
   }
 }
 
-TEST(EncoderNote, SurvivesDamage) {
+TEST(EncoderNote, IsSearchedSafelyInDamagedStreams) {
   const Bytes whole = kParameters + note(kX264, "x264") + kPicture;
   for (std::size_t n = 0; n <= whole.size(); ++n) {
     Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(n));

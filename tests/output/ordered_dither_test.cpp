@@ -23,14 +23,14 @@ std::vector<std::uint8_t> dithered(OrderedDither& dither, const image::Image& pi
   return indices;
 }
 
-TEST(OrderedDither, LeavesColorsOfThePaletteAlone) {
+TEST(OrderedDither, KeepsColorsOfThePaletteUnchanged) {
   OrderedDither dither({{250, 250, 248}, {251, 250, 248}, {10, 20, 30}});
   for (std::size_t i = 0; i < 3; ++i)
     for (const std::uint8_t index : dithered(dither, flat(dither.palette()[i]))) ASSERT_EQ(index, i);
 }
 
-// In the mean over the pattern a mixed colour is the wanted one, to half of one of its 64 steps.
-TEST(OrderedDither, MixesTheMeanThatIsWanted) {
+// The mean over the pattern is the wanted colour, to half of one of its 64 steps.
+TEST(OrderedDither, MixesTheWantedMeanColor) {
   OrderedDither dither({{0, 0, 0}, {64, 64, 64}});
   for (const int grey : {9, 20, 31, 32, 33, 50}) {
     const auto level = static_cast<std::uint8_t>(grey);
@@ -40,14 +40,14 @@ TEST(OrderedDither, MixesTheMeanThatIsWanted) {
   }
 }
 
-// A pattern of one dark pixel in 64 would be seen more than the difference.
-TEST(OrderedDither, LeavesASmallDifference) {
+// A pattern of one dark pixel in 64 would be more visible than the difference.
+TEST(OrderedDither, DoesNotDitherASmallDifference) {
   OrderedDither dither({{0, 0, 0}, {64, 64, 64}});
   for (const std::uint8_t index : dithered(dither, flat({1, 1, 1}))) ASSERT_EQ(index, 0);
   for (const std::uint8_t index : dithered(dither, flat({63, 63, 63}))) ASSERT_EQ(index, 1);
 }
 
-// What does not change stays: a pixel's index depends on its colour and place only.
+// A pixel's index depends on its colour and place only, so that unchanged parts stay still.
 TEST(OrderedDither, IsStableFromPictureToPicture) {
   OrderedDither dither({{0, 0, 0}, {255, 255, 255}, {200, 30, 30}});
   image::Image picture = flat({120, 90, 80});

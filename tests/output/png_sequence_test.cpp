@@ -27,7 +27,7 @@ TEST_F(PngSequenceTest, WritesEachFrameUnderItsNumber) {
   EXPECT_EQ(image::readPng(in("frames/f_0008.png")), grey(10));  // at once, not only at the end
   sink.write({grey(20)}, 9);
   sink.finish();
-  sink.finish();  // nothing new to make durable
+  sink.finish();  // nothing new to sync
   EXPECT_EQ(image::readPng(in("frames/f_0009.png")), grey(20));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(in("frames")), {}), 2);
   EXPECT_TRUE(image::isOwnPng(in("frames/f_0008.png")));
@@ -37,7 +37,7 @@ TEST_F(PngSequenceTest, WritesSixteenBits) {
   image::DeepImage picture({2, 1}, 3);
   picture.pixels = {0, 257, 514, 20000, 65535, 1};
   PngSequence(FramePattern(in("f_{frame}.png"))).write({picture}, 1);
-  EXPECT_EQ(content(in("f_1.png")).at(24), 16);  // bits, says IHDR
+  EXPECT_EQ(content(in("f_1.png")).at(24), 16);  // bit depth in IHDR
   EXPECT_EQ(image::readPng(in("f_1.png")).pixels, (std::vector<std::uint8_t>{0, 1, 2, 78, 255, 0}));
 }
 
@@ -47,7 +47,7 @@ TEST_F(PngSequenceTest, WritesTheSameBytesEachTime) {
   EXPECT_EQ(content(in("a_1.png")), content(in("b_1.png")));
 }
 
-TEST_F(PngSequenceTest, CreatesOneFolderOnly) {
+TEST_F(PngSequenceTest, CreatesAtMostOneFolder) {
   EXPECT_THAT(messageOf(core::ErrorKind::kIo, [&] { PngSequence(FramePattern(in("no/such/f_{frame}.png"))); }),
               HasSubstr("folder cannot be created: No such file or directory"));
   save("file", "x");
@@ -69,7 +69,7 @@ TEST_F(PngSequenceTest, WritesOnePicture) {
   EXPECT_THAT(names(), ElementsAre("one.png"));
 }
 
-TEST(LibraryVersions, AreThoseLoaded) {
+TEST(LibraryVersions, NameTheLoadedLibraries) {
   const auto versions = libraryVersions();
   ASSERT_EQ(versions.size(), 4u);
   const char* expected[] = {"libpng", "libavcodec", "libavformat", "x264"};

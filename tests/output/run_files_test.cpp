@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 
 class RunFilesTest : public FolderTest {
  protected:
-  /// The message with which an output is refused; empty where it is not.
+  /// Returns the message that refuses an output; empty if the output is accepted.
   std::string clash(const std::filesystem::path& file, const std::string& role = "-o") {
     return messageOf(core::ErrorKind::kUsage, [&] { files_.claims(file, role); });
   }
@@ -42,13 +42,13 @@ TEST_F(RunFilesTest, ComparesFilesAndNotTheSpellingOfPaths) {
 TEST_F(RunFilesTest, ComparesFilesThatDoNotExistYet) {
   std::filesystem::create_directory_symlink(".", in("link"));
   files_.claims(in("film"), "-o");
-  EXPECT_THAT(clash(in("link/./link/film"), "--trace"), HasSubstr("which this run writes, too"));
-  EXPECT_THAT(clash(in("none/../film"), "--trace"), HasSubstr("which this run writes, too"));
+  EXPECT_THAT(clash(in("link/./link/film"), "--trace"), HasSubstr("which this run also writes"));
+  EXPECT_THAT(clash(in("none/../film"), "--trace"), HasSubstr("which this run also writes"));
   EXPECT_EQ(clash(in("film.json"), "--trace"), "");
 }
 
-// A link that is read is a file of its own, too: an output would replace the link.
-TEST_F(RunFilesTest, KnowsAnInputByItsLinkAndByItsTarget) {
+// A link that is read is also a file of its own, because an output would replace the link.
+TEST_F(RunFilesTest, RecognisesAnInputByItsLinkAndByItsTarget) {
   save("real", "x");
   std::filesystem::create_symlink("real", in("link"));
   files_.reads(in("link"), "SCENE");
@@ -56,21 +56,21 @@ TEST_F(RunFilesTest, KnowsAnInputByItsLinkAndByItsTarget) {
   EXPECT_NE(clash(in("real")), "");
 }
 
-TEST_F(RunFilesTest, KeepsOutputsOffPatterns) {
+TEST_F(RunFilesTest, RefusesOutputsThatAnInputPatternMatches) {
   const auto isPng = [](const std::filesystem::path& file) { return file.extension() == ".png"; };
   files_.reads(in("b.png"), "the suite's file");
   files_.claims(in("a.txt"), "--junit");
   files_.readsMatching(isPng, "test.image '*.png'");
-  EXPECT_EQ(clash(in("a.png")), "-o " + in("a.png").native() +
-                                    " would be a file that test.image '*.png' matches, so the next run would "
-                                    "take it up; choose another name or folder");
+  EXPECT_EQ(clash(in("a.png")),
+            "-o " + in("a.png").native() +
+                " would match test.image '*.png', so the next run would read it; choose another name or folder");
   EXPECT_EQ(clash(in("a.svg")), "");
   EXPECT_THAT(
       messageOf(core::ErrorKind::kUsage, [&] { files_.readsMatching([](const auto&) { return true; }, "'*'"); }),
       HasSubstr("--junit "));
 }
 
-TEST_F(RunFilesTest, AddsTextToFilesOfAKindOnly) {
+TEST_F(RunFilesTest, AppendsTextOnlyToFilesOfTheGivenKind) {
   const FileKind kind{"a NAME.md", [](const std::filesystem::path& file) { return file.extension() == ".md"; }};
   const auto refusal = [&](const std::string& name, bool force = false) {
     return messageOf(core::ErrorKind::kIo, [&] { RunFiles(force).addsTo(in(name), "--markdown", kind); });
@@ -91,7 +91,7 @@ TEST_F(RunFilesTest, AddsTextToFilesOfAKindOnly) {
   }
 }
 
-TEST_F(RunFilesTest, OneInputMayBeReadTwiceAndBeEnteredLast) {
+TEST_F(RunFilesTest, InputMayBeNamedTwiceAndAfterOutputs) {
   save("a.png", "x");
   files_.reads(in("a.png"), "REFERENCE");
   files_.reads(in("a.png"), "TEST");
@@ -101,7 +101,7 @@ TEST_F(RunFilesTest, OneInputMayBeReadTwiceAndBeEnteredLast) {
               HasSubstr("--map " + in("map.png").native() + " is the same file as --mask"));
 }
 
-TEST_F(RunFilesTest, TakesEveryFrameOfASequence) {
+TEST_F(RunFilesTest, ReservesEveryFrameOfASequence) {
   files_.writes(FramePattern(in("f_{frame:03}.png")), 0, 9, "-o");
   EXPECT_NE(clash(in("f_007.png"), "--manifest"), "");
   EXPECT_EQ(clash(in("f_010.png"), "--manifest"), "");
@@ -122,7 +122,7 @@ TEST_F(RunFilesTest, ReplacesFilesOfTheSameKindOnly) {
   for (const char* name : {"trace", "edited", "empty"}) {
     EXPECT_THAT(refusal(in(name), page), HasSubstr("as a report")) << name;
     EXPECT_EQ(refusal(in(name), page, true), "") << name;
-    EXPECT_THAT(refusal(in(name), {}), HasSubstr("is there already")) << name;
+    EXPECT_THAT(refusal(in(name), {}), HasSubstr("already exists")) << name;
   }
 }
 

@@ -32,14 +32,14 @@ class TargetCheckTest : public FolderTest {
   }
 };
 
-TEST_F(TargetCheckTest, TakesANewFileAndLeavesNoTrace) {
+TEST_F(TargetCheckTest, AcceptsANewFileAndCreatesNothing) {
   EXPECT_EQ(refusal(in("new.png")), "");
   EXPECT_EQ(sequenceRefusal("f_{frame}.png"), "");
   EXPECT_EQ(sequenceRefusal("new/f_{frame}.png"), "");  // its folder will be made
   EXPECT_TRUE(names().empty());
 }
 
-TEST_F(TargetCheckTest, RefusesWhatIsNoPlaceForAFile) {
+TEST_F(TargetCheckTest, RejectsPathsThatCannotBeFiles) {
   EXPECT_EQ(refusal(in("none/a.png")),
             in("none").native() + ": no such folder; make it with: mkdir -p " + in("none").native());
   EXPECT_THAT(refusal(in("it's new/a.png")), testing::EndsWith("/it'\\''s new'"));
@@ -52,7 +52,7 @@ TEST_F(TargetCheckTest, RefusesWhatIsNoPlaceForAFile) {
   EXPECT_THAT(refusal(in(std::string(256, 'n'))), HasSubstr("File name too long"));
 }
 
-TEST_F(TargetCheckTest, ErrorsHaveTheErrnoOfOpening) {
+TEST_F(TargetCheckTest, ErrorsContainTheErrnoOfOpen) {
   const auto codeAt = [&](const std::string& name) {
     try {
       checkTarget(in(name), false);
@@ -70,7 +70,7 @@ TEST_F(TargetCheckTest, ErrorsHaveTheErrnoOfOpening) {
   EXPECT_EQ(codeAt(std::string(256, 'n')), ENAMETOOLONG);
 }
 
-TEST_F(TargetCheckTest, RefusesWhatIsNoRegularFileEvenByForce) {
+TEST_F(TargetCheckTest, RefusesNonRegularFilesEvenWithForce) {
   std::filesystem::create_directory(in("folder.png"));
   std::filesystem::create_symlink(in("elsewhere.png"), in("link.png"));
   ASSERT_EQ(::mkfifo(in("fifo.png").c_str(), 0600), 0);
@@ -82,7 +82,7 @@ TEST_F(TargetCheckTest, RefusesWhatIsNoRegularFileEvenByForce) {
   }
 }
 
-TEST_F(TargetCheckTest, ReplacesItsOwnOnly) {
+TEST_F(TargetCheckTest, ReplacesOnlyFilesOfPoinsot) {
   save("precious.png", "x");
   EXPECT_EQ(refusal(in("precious.png")),
             in("precious.png").native() + ": exists and was not written by poinsot; --force replaces it");
@@ -97,7 +97,7 @@ TEST_F(TargetCheckTest, ReplacesItsOwnOnly) {
   EXPECT_THAT(refusal(in("own.mp4")), HasSubstr("--force"));
 }
 
-TEST_F(TargetCheckTest, LooksAtEveryFrameOfASequence) {
+TEST_F(TargetCheckTest, ChecksEveryFrameOfASequence) {
   writePng(in("f_0.png"), movingDisc({8, 8}, 0));
   save("f_3.png", "x");
   EXPECT_EQ(sequenceRefusal("f_{frame}.png", 2), "");
@@ -105,8 +105,8 @@ TEST_F(TargetCheckTest, LooksAtEveryFrameOfASequence) {
   EXPECT_EQ(sequenceRefusal("f_{frame}.png", 3, true), "");
 }
 
-// Root may write anywhere, so a child gives that up first.
-TEST_F(TargetCheckTest, RefusesAFolderThatIsNotOurs) {
+// Root may write anywhere, so that a child process gives up root first.
+TEST_F(TargetCheckTest, RefusesAFolderWithoutWritePermission) {
   if (::geteuid() != 0) {
     ::chmod(in("").c_str(), 0500);
     EXPECT_THAT(refusal(in("a.png")), HasSubstr("cannot be written to: Permission denied"));

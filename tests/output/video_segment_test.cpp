@@ -31,7 +31,6 @@ void writeSegment(const std::filesystem::path& file, std::int64_t first, std::in
   segment.finish();
 }
 
-/// Mean difference of all samples from what was put in.
 double meanError(const DecodedFrame& frame, std::int64_t k) {
   std::vector<std::uint8_t> y(160 * 96), cb(80 * 48), cr(80 * 48);
   convertToYuv420(movingDisc(kSize, k), {y.data(), cb.data(), cr.data(), 160, 80, 80});
@@ -43,8 +42,8 @@ double meanError(const DecodedFrame& frame, std::int64_t k) {
 
 class VideoSegmentTest : public FolderTest {};
 
-// The picture is distinct for each k: frame k against k + 1 differs by 1.65 levels in the mean.
-TEST_F(VideoSegmentTest, DecodesToWhatWasPutIn) {
+// Each k has a picture of its own: frames k and k + 1 differ by 1.65 levels in the mean.
+TEST_F(VideoSegmentTest, DecodesToTheWrittenFrames) {
   for (const std::int64_t count : {1, 2, 3, 7, 40}) {
     writeSegment(in("s.mp4"), 5, count);
     const auto frames = decoded(in("s.mp4"));
@@ -69,9 +68,9 @@ image::PixelRect placeOfDifferences(const image::Image& a, const image::Image& b
   return place;
 }
 
-// Frames that tell where they differ from the one before, with a gap and one that tells nothing, make the same
-// file.
-TEST_F(VideoSegmentTest, IsTheSameOfFramesThatTellWhatChanged) {
+// Frames that report where they differ from the frame before make the same file, also with a gap and with a frame
+// without report.
+TEST_F(VideoSegmentTest, HasTheSameBytesIfFramesReportChanges) {
   constexpr std::int64_t kFrames = 12;
   writeSegment(in("all.mp4"), 0, kFrames);
   VideoSegmentWriter segment(in("told.mp4"), kSize, kFps, h264(18), 0);
@@ -80,7 +79,7 @@ TEST_F(VideoSegmentTest, IsTheSameOfFramesThatTellWhatChanged) {
     const std::array changed{
         placeOfDifferences(movingDisc(kSize, k), movingDisc(kSize, std::max<std::int64_t>(k - 1, 0)))};
     const std::uint64_t number = k == 8 ? 0 : static_cast<std::uint64_t>(k < 4 ? k + 1 : k + 10);
-    const bool follows = k > 0 && k != 4 && k != 8 && k != 9;  // else the place told is not to be looked at
+    const bool follows = k > 0 && k != 4 && k != 8 && k != 9;  // else the reported place must be ignored
     segment.write({picture, number,
                    follows ? std::span<const image::PixelRect>(changed) : std::span<const image::PixelRect>()},
                   k);
@@ -96,7 +95,7 @@ TEST_F(VideoSegmentTest, IsLosslessAtCrf0) {
   for (std::int64_t i = 0; i < 5; ++i) EXPECT_EQ(meanError(frames[static_cast<std::size_t>(i)], i), 0);
 }
 
-TEST_F(VideoSegmentTest, HasTheSameBytesEachTimeAndNoForeignNames) {
+TEST_F(VideoSegmentTest, HasTheSameBytesEachTimeAndNoEncoderNames) {
   writeSegment(in("a.mp4"), 3, 12);
   writeSegment(in("b.mp4"), 3, 12);
   const Bytes bytes = content(in("a.mp4"));
@@ -117,7 +116,7 @@ TEST_F(VideoSegmentTest, AppearsOnlyWhenFinished) {
   EXPECT_THAT(names(), ElementsAre("s.mp4"));
 }
 
-TEST_F(VideoSegmentTest, RefusesOddSizesAndWildQuality) {
+TEST_F(VideoSegmentTest, RefusesOddSizesAndQualityOutOfRange) {
   const auto message = [&](image::PixelSize size, double crf) {
     return messageOf(core::ErrorKind::kUsage, [&] { VideoSegmentWriter(in("s.mp4"), size, kFps, h264(crf), 0); });
   };
@@ -128,7 +127,7 @@ TEST_F(VideoSegmentTest, RefusesOddSizesAndWildQuality) {
   EXPECT_THAT(names(), IsEmpty());
 }
 
-TEST_F(VideoSegmentTest, KeepsEveryRateExactOrRefusesIt) {
+TEST_F(VideoSegmentTest, KeepsTheExactFrameRateOrRejectsIt) {
   const auto ticks = [&](const core::Rational& fps) {
     VideoSegmentWriter segment(in("s.mp4"), kSize, fps, h264(18), 0);
     for (int k = 0; k < 3; ++k) segment.write({movingDisc(kSize, k)}, k);
@@ -142,10 +141,10 @@ TEST_F(VideoSegmentTest, KeepsEveryRateExactOrRefusesIt) {
                         [&] {
                           ticks({1, 1'000'000});
                         }),
-              HasSubstr("1/1000000 frames a second"));
+              HasSubstr("1/1000000 frames per second"));
 }
 
-TEST_F(VideoSegmentTest, WantsEachFrameInItsTurn) {
+TEST_F(VideoSegmentTest, RejectsFramesOutOfOrder) {
   VideoSegmentWriter segment(in("s.mp4"), kSize, kFps, h264(18), 4);
   EXPECT_THROW(segment.write({movingDisc(kSize, 3)}, 3), std::logic_error);
   segment.write({movingDisc(kSize, 4)}, 4);
@@ -158,14 +157,14 @@ TEST_F(VideoSegmentTest, NamesThePathItCannotWrite) {
               ::testing::StartsWith(in("none/s.mp4").native() + ": cannot be created: No such file"));
 }
 
-TEST_F(VideoSegmentTest, TellsWhatItSpent) {
+TEST_F(VideoSegmentTest, ReportsTheTimeSpentPerStep) {
   core::StepLedger steps;
   VideoSegmentWriter segment(in("s.mp4"), kSize, kFps, h264(18), 0, &steps);
   for (int k = 0; k < 5; ++k) segment.write({movingDisc(kSize, k)}, k);
   segment.finish();
   EXPECT_GT(steps.times()[core::Step::kConvert], 0);
   EXPECT_GT(steps.times()[core::Step::kEncode],
-            kSanitized ? 0.0 : steps.times()[core::Step::kConvert]);  // whose loops it slows
+            kSanitized ? 0.0 : steps.times()[core::Step::kConvert]);  // which slows conversion
   EXPECT_GT(steps.times()[core::Step::kWrite], 0);
 }
 

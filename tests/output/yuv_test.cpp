@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expected values: ITU-R BT.709 (3.2 to 3.5) and its 8-bit limited range in double precision; the chroma filter by
-// its definition in yuv.h.
+// Expected values: ITU-R BT.709 (3.2 to 3.5) and its 8-bit limited range in double precision, and the chroma
+// filter by its definition in yuv.h.
 #include "output/yuv.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ double redDifference(double r, double g, double b) {
   return 128 + 224 * (r - (0.2126 * r + 0.7152 * g + 0.0722 * b)) / 1.5748 / 255;
 }
 
-/// Largest distance of the three planes from the formula.
+/// Returns the largest distance of each of the three planes from the formula.
 std::array<double, 3> errors(const Image& picture, const Converted& got) {
   std::array<double, 3> worst{};
   const int width = picture.size.width;
@@ -69,9 +69,9 @@ std::array<double, 3> errors(const Image& picture, const Converted& got) {
   return worst;
 }
 
-// Every colour once: 16 pictures of 1024 x 1024. Rounding to nearest is 0.5; measured 0.50002 (Y), 0.50025 (Cb)
-// and 0.50016 (Cr).
-TEST(Yuv, IsTheFormulaRoundedForEveryColour) {
+// Every colour appears once, in 16 pictures of 1024 x 1024. Rounding to nearest is 0.5; measured 0.50002 (Y),
+// 0.50025 (Cb) and 0.50016 (Cr).
+TEST(Yuv, EqualsTheRoundedFormulaForEveryColour) {
   std::array<double, 3> worst{};
   for (int part = 0; part < 16; ++part) {
     Image picture({1024, 1024}, 3);
@@ -87,15 +87,16 @@ TEST(Yuv, IsTheFormulaRoundedForEveryColour) {
                  std::to_string(worst[0]) + " " + std::to_string(worst[1]) + " " + std::to_string(worst[2]));
 }
 
-TEST(Yuv, FiltersChromaWhereItIsSited) {
+TEST(Yuv, FiltersChromaAtItsSamplePositions) {
   for (const int channels : {3, 4}) {
     const Image picture = noise({510, 102}, channels, 21);
     for (const double w : errors(picture, converted(picture, convertToYuv420))) EXPECT_LE(w, 0.5003);
   }
 }
 
-// Of planes that hold a picture, the parts converted that differ in the next one: as if all of it had been.
-TEST(Yuv, OfAPartIsThatOfTheWhole) {
+// Planes hold a picture, and only the part that differs in the next picture is converted. The result must equal a
+// conversion of the whole picture.
+TEST(Yuv, ConvertsAPartLikeTheWholePicture) {
   std::mt19937 random(3);
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   for (int trial = 0; trial < 400; ++trial) {
@@ -117,7 +118,7 @@ TEST(Yuv, OfAPartIsThatOfTheWhole) {
   }
 }
 
-TEST(Yuv, FastEqualsScalarForEveryWidth) {
+TEST(Yuv, FastCodeEqualsScalarCodeForEveryWidth) {
   for (int width = 2; width <= 66; width += 2)
     for (const int channels : {3, 4}) {
       const Image picture = noise({width, 6}, channels, static_cast<unsigned>(width));
@@ -126,7 +127,7 @@ TEST(Yuv, FastEqualsScalarForEveryWidth) {
     }
 }
 
-TEST(Yuv, LeavesAlphaOut) {
+TEST(Yuv, IgnoresAlpha) {
   const Image opaque = noise({32, 8}, 4, 22);
   Image other = opaque;
   for (std::size_t i = 3; i < other.pixels.size(); i += 4) other.pixels[i] ^= 0xff;
@@ -145,7 +146,7 @@ TEST(Yuv, KeepsGreysGrey) {
 }
 
 // The primaries in 8-bit limited BT.709, as in every table of colour bars at 100 %.
-TEST(Yuv, KnowsThePrimaries) {
+TEST(Yuv, GivesTheTabulatedValuesOfPrimaryColours) {
   const auto of = [](std::uint8_t r, std::uint8_t g, std::uint8_t b) {
     Image picture({2, 2}, 3);
     for (std::size_t i = 0; i < 12; i += 3) std::copy_n(std::array{r, g, b}.begin(), 3, &picture.pixels[i]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each shell itself is asked what it would offer at the end of a line.
+// Asks each shell for its completions at the end of a line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,6 @@ using ::testing::Not;
 
 using Words = std::vector<std::string>;
 
-/// A folder with a scene, a table, another file and a folder, and the scripts.
 class Completion : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -36,7 +35,7 @@ class Completion : public ::testing::Test {
     std::istringstream stream(text);
     for (std::string line; std::getline(stream, line);) lines.push_back(line);
     std::ranges::sort(lines);
-    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());  // of std::ranges Clang 14 lacks it
+    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());  // Clang 14 lacks std::ranges::unique
     return lines;
   }
 
@@ -45,18 +44,18 @@ class Completion : public ::testing::Test {
 
 class BashCompletion : public Completion {
  protected:
-  /// `words` as bash splits the line: at spaces, and at = too. The last is the one being typed.
+  /// @param words  the line as bash splits it, at spaces and at =; the last word is being typed
   Words offered(const Words& words) const {
     return linesOf(
         run("source share/bash-completion/completions/poinsot\n"
-            "compopt() { :; }\n"  // outside of a completion it only complains
+            "compopt() { :; }\n"  // outside of a completion, compopt only prints an error
             "COMP_WORDS=(poinsot " +
             core::shellWords(words) + ") COMP_CWORD=" + std::to_string(words.size()) +
             "\n_poinsot\nprintf '%s\\n' \"${COMPREPLY[@]}\""));
   }
 };
 
-TEST_F(BashCompletion, Commands) {
+TEST_F(BashCompletion, CompletesCommands) {
   EXPECT_THAT(offered({"re"}), ElementsAre("render"));
   EXPECT_THAT(offered({"s"}), ElementsAre("schema", "status", "still", "submit", "sweep"));
   EXPECT_THAT(offered({""}), AllOf(IsSupersetOf({"help", "gallery", "--version"}), Not(Contains("worker"))));
@@ -65,35 +64,35 @@ TEST_F(BashCompletion, Commands) {
               ::testing::StartsWith("complete -F _poinsot"));
 }
 
-TEST_F(BashCompletion, OptionsOfTheCommand) {
+TEST_F(BashCompletion, CompletesOptionsOfTheCommand) {
   EXPECT_THAT(offered({"render", "top.toml", "--f"}), ElementsAre("--force", "--format", "--fps", "--frames"));
   EXPECT_THAT(offered({"info", "--"}), ElementsAre("--alt", "--asset-root", "--digits", "--help", "--json",
                                                    "--limit", "--max-memory", "--max-seconds", "--untrusted"));
 }
 
-TEST_F(BashCompletion, ValuesOfAnOption) {
+TEST_F(BashCompletion, CompletesValuesOfAnOption) {
   EXPECT_THAT(offered({"render", "--backend", "o"}), ElementsAre("osmesa"));
   EXPECT_THAT(offered({"render", "--backend", "=", "e"}), ElementsAre("egl"));
   EXPECT_THAT(offered({"still", "-q", ""}), ElementsAre("1080p", "4k", "720p", "preview"));
   EXPECT_THAT(offered({"render", "--fps", ""}), ElementsAre(""));
 }
 
-TEST_F(BashCompletion, KeysOfAScene) {
+TEST_F(BashCompletion, CompletesKeysOfAScene) {
   EXPECT_THAT(offered({"render", "top.toml", "-D", "style.th"}), ElementsAre("style.theme="));
   EXPECT_THAT(offered({"render", "top.toml", "-D", "style.theme", "=", "d"}), ElementsAre("dark"));
   EXPECT_THAT(offered({"check", "-D", "time.loop", "="}), ElementsAre("false", "true"));
   EXPECT_THAT(offered({"render", "top.toml", "-D", "style.theme", "=", "dark", "mo"}), ElementsAre("more"));
 }
 
-TEST_F(BashCompletion, FilesOfTheRightKind) {
+TEST_F(BashCompletion, CompletesFilesOfTheRightKind) {
   EXPECT_THAT(offered({"render", ""}), ElementsAre("more", "my top.toml", "share", "top.toml"));
   EXPECT_THAT(offered({"grade", "top.toml", "m"}), ElementsAre("mine.csv", "more", "my top.toml"));
   EXPECT_THAT(offered({"render", "-o", "n"}), ElementsAre("notes.txt"));
   EXPECT_THAT(offered({"gallery", "-o", ""}), ElementsAre("more", "share"));
 }
 
-// Through readline, which has its own mind about quotes and spaces. Zsh has what gives bash a terminal.
-TEST_F(BashCompletion, AtATerminal) {
+// Uses readline, which has its own rules for quotes and spaces. Zsh provides the terminal for bash.
+TEST_F(BashCompletion, WorksAtATerminal) {
   folder_.put(
       "ask.zsh",
       "zmodload zsh/zpty; zpty b 'env PS1= TERM=dumb bash --norc --noprofile -i'\n"
@@ -111,8 +110,8 @@ class FishCompletion : public Completion {
   }
 };
 
-// One start of fish takes half a second: so few.
-TEST_F(FishCompletion, CommandsOptionsValuesKeysAndFiles) {
+// There is one test, because each start of fish takes half a second.
+TEST_F(FishCompletion, CompletesCommandsOptionsValuesKeysAndFiles) {
   run("fish -n share/fish/vendor_completions.d/poinsot.fish");
   EXPECT_THAT(offered("poinsot re"), ElementsAre("render"));
   EXPECT_THAT(offered("poinsot "), AllOf(IsSupersetOf({"help", "gallery"}), Not(Contains("worker"))));
@@ -125,7 +124,7 @@ TEST_F(FishCompletion, CommandsOptionsValuesKeysAndFiles) {
 
 class ZshCompletion : public Completion {
  protected:
-  /// Types `line` and two tabs into a zsh at a terminal, and waits for the words, in this order.
+  /// Returns zsh commands that type `line` and two tabs at a terminal and wait for the words, in this order.
   std::string ask(const std::string& line, const Words& words) const {
     std::string pattern = "*";
     for (const std::string& word : words) pattern += word + "*";
@@ -134,8 +133,8 @@ class ZshCompletion : public Completion {
   }
 };
 
-// Zsh completes nowhere but at a terminal, so it is given one.
-TEST_F(ZshCompletion, CommandsOptionsValuesKeysAndFiles) {
+// Zsh completes only at a terminal, so the test provides one.
+TEST_F(ZshCompletion, CompletesCommandsOptionsValuesKeysAndFiles) {
   run("zsh -n share/zsh/vendor-completions/_poinsot");
   folder_.put("ask.zsh",
               "zmodload zsh/zpty; zpty z 'zsh -f -i'\n"

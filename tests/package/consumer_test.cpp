@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// examples/, a project of somebody else's, built from the installed tree both ways, and tests/consumer/golden, one
-// with golden tests. What the examples print and draw is what it should be.
+// Builds examples/, as a project of a user, from the installed tree in both ways, and tests/consumer/golden, a
+// project with golden tests. Checks the numbers and pictures of the examples.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,8 +27,9 @@ const std::string kExamples = POINSOT_SOURCE_DIR "/examples";
 const std::string kMotionProject = POINSOT_SOURCE_DIR "/tests/consumer/motion";
 const std::string kGoldenProject = POINSOT_SOURCE_DIR "/tests/consumer/golden";
 
-/// The hammer of examples/trajectory.cpp, by the formulas of any textbook: a rod of 0.15 kg, 30 cm long and 2.4 cm
-/// thick, and on its end, 15 cm from its middle, a block of 0.5 kg, 12 cm along y and 3 cm along x and z.
+/// Returns the moments of the hammer in examples/trajectory.cpp by textbook formulas. It is a rod of 0.15 kg, 30
+/// cm long and 2.4 cm thick. On its end, 15 cm from its middle, is a block of 0.5 kg, 12 cm along y and 3 cm along
+/// x and z.
 Vector hammerMoments() {
   const double rod = 0.15, block = 0.5, apart = rod * block / (rod + block) * 0.15 * 0.15;
   const double across = rod * (3 * 0.012 * 0.012 + 0.3 * 0.3) / 12 + apart;
@@ -36,8 +37,8 @@ Vector hammerMoments() {
           rod * 0.012 * 0.012 / 2 + block * (0.03 * 0.03 + 0.12 * 0.12) / 12};
 }
 
-/// Every row of the table, held against the equations of motion integrated here; its numbers have four and two
-/// digits after the point. The angle between y and L is of L in the body: its components are I omega.
+/// Compares every row of the table with the equations of motion, integrated here. The numbers of the table have
+/// four and two decimals. The angle is between y and L in body axes, whose components are I omega.
 void expectHammer(const std::string& table) {
   const Vector I = hammerMoments();
   std::istringstream lines(table);
@@ -47,7 +48,7 @@ void expectHammer(const std::string& table) {
   ASSERT_EQ(std::sscanf(line.c_str(), "moments %lf %lf %lf kg", moments.data(), &moments[1], &moments[2]), 3)
       << table;
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(moments[k], I[k], 5e-7 * I[k]) << k;
-  std::getline(lines, line);  // the heading
+  std::getline(lines, line);
   Vector omega{0.1, 8, 0.1};
   for (int row = 0; row <= 12; ++row) {
     double t = 0, angle = 0;
@@ -61,7 +62,6 @@ void expectHammer(const std::string& table) {
   }
 }
 
-/// As docs/library.md quotes them.
 std::string firstLinesIndented(const std::string& text, int count) {
   std::istringstream lines(text);
   std::string quoted;
@@ -69,7 +69,7 @@ std::string firstLinesIndented(const std::string& text, int count) {
   return quoted;
 }
 
-/// Both examples work, wherever they were built. The picture is the program's, of the same scene, to the last
+/// Expects both examples to work. Their picture must equal the program's picture of the same scene to the last
 /// pixel.
 void expectWorks(const InstalledTree& tree, const std::string& place) {
   const std::string table = tree.run(place + "/trajectory");
@@ -90,10 +90,9 @@ TEST(Consumer, IsBuiltByCMake) {
   expectWorks(tree, "consumer");
 }
 
-/// Returns the text without the blanks that its lines begin with.
 std::string unindented(const std::string& text) { return std::regex_replace(text, std::regex("(^|\n) +"), "$1"); }
 
-TEST(Consumer, MotionProjectIsWhatTheLibrarysPageShows) {
+TEST(Consumer, MotionProjectMatchesTheLibraryPage) {
   const std::string page = textOf(POINSOT_SOURCE_DIR "/docs/library.md"), mark = "```cpp\n";
   const auto begin = page.find(mark) + mark.size();
   const std::string shown = page.substr(begin, page.find("```", begin) - begin);
@@ -113,12 +112,11 @@ TEST(Consumer, MotionProjectIsBuiltByCMakeAndByPkgConfig) {
   EXPECT_EQ(tree.run("./by_pkg_config"), tree.run("motion/motion"));
 }
 
-/// The exit code of its golden tests.
 int goldenTests(const InstalledTree& tree) {
   return std::stoi(tree.run("ctest --test-dir consumer -L golden >ctest.log 2>&1 && echo 0 || echo 1"));
 }
 
-// Nothing approved, approved, passed, changed: by what a project writes of its own, with the program alone.
+// Golden tests of a project, with the program alone: nothing approved, approved, passed, changed.
 TEST(Consumer, HasGoldenTests) {
   const InstalledTree tree;
   tree.run(
@@ -129,10 +127,10 @@ TEST(Consumer, HasGoldenTests) {
   EXPECT_EQ(goldenTests(tree), 1);
   EXPECT_THAT(
       tree.run("CI= cmake --build consumer --target poinsot_golden_update"),
-      AllOf(HasSubstr("approved/spin.png: approved, the first"), HasSubstr("approved/drawn.png: approved")));
+      AllOf(HasSubstr("approved/spin.png: approved as the first"), HasSubstr("approved/drawn.png: approved")));
   EXPECT_EQ(goldenTests(tree), 0) << tree.run("cat ctest.log");
   EXPECT_THAT(tree.run("cat consumer/golden/spin/junit.xml"), HasSubstr("failures=\"0\""));
-  // A picture of an earlier run does not stand for one that is not drawn any more.
+  // If a picture is no longer drawn, the picture of an earlier run does not count.
   tree.run("mv golden/draw.sh draw.sh; printf '#!/bin/sh\\n' >golden/draw.sh; chmod +x golden/draw.sh");
   EXPECT_EQ(goldenTests(tree), 1);
   tree.run("mv draw.sh golden/draw.sh");
@@ -149,12 +147,12 @@ TEST(Consumer, IsBuiltByPkgConfig) {
            "$CXX $FLAGS -std=c++20 -o picture " +
            kExamples + "/picture.cpp $(pkg-config --cflags --libs poinsot-stage poinsot-render poinsot-output)");
   expectWorks(tree, ".");
-  // What cannot be written is told, and ends with 1.
+  // If the file cannot be written, the example prints an error and ends with 1.
   EXPECT_THAT(tree.run("./picture no/such/folder.png 2>&1 || echo $?"),
               AllOf(HasSubstr("no/such"), HasSubstr("\n1\n")));
 }
 
-// Who reads films needs FFmpeg where they are read, not where the program is built.
+// FFmpeg is needed where a program reads films, not where it is built.
 TEST(Consumer, LinksNoFfmpeg) {
   const InstalledTree tree;
   tree.folder().put("film.cpp",
@@ -165,8 +163,8 @@ TEST(Consumer, LinksNoFfmpeg) {
       "! readelf --dynamic film | grep NEEDED | grep -e libav -e libsw -e imagequant -e gomp");
 }
 
-// Of all layers: what a header includes is there, and its third parties are named.
-TEST(Consumer, EveryPublicHeaderIsWhole) {
+// In all layers, the includes of every header exist, and pkg-config names third-party libraries.
+TEST(Consumer, CompilesEveryPublicHeader) {
   const InstalledTree tree;
   tree.run(
       "cd $PREFIX/include/poinsot\n"
@@ -174,12 +172,11 @@ TEST(Consumer, EveryPublicHeaderIsWhole) {
       "(($(wc -l <../../all.cpp) > 50))\n"
       "modules=$(cd $PREFIX/lib/pkgconfig && ls | sed 's/[.]pc$//')\n"
       "$CXX $FLAGS -std=c++20 -fsyntax-only ../../all.cpp $(pkg-config --cflags $modules)\n"
-      "! pkg-config --libs $modules | grep ::\n");  // names of CMake's
+      "! pkg-config --libs $modules | grep ::\n");  // target names of CMake
 }
 
-// The physics is to be had where there is no libpng; pictures are not, and it is said
-// why.
-TEST(Consumer, NeedsOnlyWhatItsLayersNeed) {
+// Without libpng, the physics is available. Pictures are not, and the message gives the reason.
+TEST(Consumer, NeedsOnlyDependenciesOfItsLayers) {
   const InstalledTree tree;
   tree.folder().put("CMakeLists.txt",
                     "cmake_minimum_required(VERSION 3.25)\nproject(p LANGUAGES CXX)\n"
@@ -193,8 +190,8 @@ TEST(Consumer, NeedsOnlyWhatItsLayersNeed) {
       HasSubstr("poinsot could not be found because dependency PNG could not be found (Debian: libpng-dev)"));
 }
 
-// All that a static library links must be known where it is linked itself.
-TEST(Consumer, AllLayersAreFoundWithWhatTheyLink) {
+// A static library needs its own dependencies where it is linked.
+TEST(Consumer, FindsAllLayersAndTheirDependencies) {
   const InstalledTree tree;
   tree.folder().put("main.cpp", "int main() {}\n");
   tree.folder().put(
@@ -207,8 +204,8 @@ TEST(Consumer, AllLayersAreFoundWithWhatTheyLink) {
       "exit 1; }");
 }
 
-// A layer that was not asked for is a target all the same; a later find_package() makes it whole.
-TEST(Consumer, IsToldWhichComponentALinkNeeds) {
+// A layer that was not requested still exists as a target; a later find_package() completes it.
+TEST(Consumer, GetsTheNameOfAMissingComponent) {
   const InstalledTree tree;
   tree.folder().put("main.cpp", "int main() {}\n");
   const auto configure = [&](const std::string& more) {
@@ -226,7 +223,7 @@ TEST(Consumer, IsToldWhichComponentALinkNeeds) {
   EXPECT_THAT(whole, AllOf(HasSubstr("Generating done"), Not(HasSubstr("CMake Error"))));
 }
 
-TEST(Consumer, IsToldWhatIsWrong) {
+TEST(Consumer, GetsAReasonIfAComponentIsNotFound) {
   const InstalledTree tree;
   const auto configure = [&](const std::string& find) {
     tree.folder().put("CMakeLists.txt",
@@ -236,7 +233,7 @@ TEST(Consumer, IsToldWhatIsWrong) {
   EXPECT_THAT(configure("find_package(poinsot COMPONENTS psychics)"),
               HasSubstr("poinsot has no component psychics; it has: golden, core, physics, geometry, "));
   EXPECT_THAT(configure("find_package(poinsot 9 REQUIRED)"), HasSubstr("requested version"));
-  // The components are packages of their own, and each says where the other is.
+  // The components are in separate packages, and each message names the package of the other.
   tree.run("mv $PREFIX/lib lib");
   EXPECT_THAT(configure("find_package(poinsot COMPONENTS physics)"),
               HasSubstr("the libraries are in the Debian package libpoinsot-dev"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An image takes a registry and minutes to build. Here: what its recipe names is there.
+// Building an image takes a registry and minutes. This test only checks that the files named in its recipe exist.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ std::string in(const std::string& script) { return runShell(POINSOT_SOURCE_DIR, 
 
 class Recipe : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(Recipe, CallsTheLauncherAndTakesThePackageThatItMakes) {
+TEST_P(Recipe, InstallsTheDebThatPoinsotPackageBuilds) {
   const std::string text = in(std::string("cat packaging/") + GetParam());
   EXPECT_THAT(text, HasSubstr("./poinsot package"));
   EXPECT_THAT(text, HasSubstr("/poinsot/build/poinsot_*.deb"));
@@ -22,7 +22,7 @@ TEST_P(Recipe, CallsTheLauncherAndTakesThePackageThatItMakes) {
   EXPECT_EQ(in("test -x tools/package && echo there"), "there\n");
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Recipe, ::testing::Values("Containerfile", "poinsot.def"), [](const auto& test) {
+INSTANTIATE_TEST_SUITE_P(Each, Recipe, ::testing::Values("Containerfile", "poinsot.def"), [](const auto& test) {
   return std::string(test.param[0] == 'C' ? "Container" : "Apptainer");
 });
 

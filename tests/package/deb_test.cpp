@@ -16,14 +16,13 @@ using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 using ::testing::StartsWith;
 
-// development_deb_test.cpp has the third.
+// development_deb_test.cpp tests the third component.
 #ifdef POINSOT_PYTHON_PACKAGE
 constexpr const char* kComponents = "program;python";
 #else
 constexpr const char* kComponents = "program";
 #endif
 
-/// The package, made in a scratch folder and unpacked in root/.
 class Deb : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -47,30 +46,29 @@ class Deb : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-/// The packages of that purpose, as the launcher reads them.
 std::vector<std::string> launcherList(const std::string& purpose) {
   const auto result = runShell(POINSOT_SOURCE_DIR, "sed -n 's/^" + purpose + ": //p' packaging/debian.txt");
   std::istringstream words(result.out);
   return {std::istream_iterator<std::string>(words), {}};
 }
 
-// One package takes a second or two to make; so this is one test.
-TEST_F(Deb, SaysWhatItNeedsAndRendersWhereItIsUnpacked) {
+// There is one test, because a package takes a second or two to build.
+TEST_F(Deb, NamesItsDependenciesAndRendersWhenUnpacked) {
   EXPECT_EQ(field("Package"), "poinsot\n");
   EXPECT_THAT(field("Version"), MatchesRegex("[0-9.]+\n"));
   const std::string depends = field("Depends");
   for (const char* linked : {"libc6", "libstdc++6", "libcairo2"}) EXPECT_THAT(depends, HasSubstr(linked));
-  // All but libfmt are opened when a film is made: no linker says so. Oracle: the packages that the libraries lie
-  // in.
+  // All of them except libfmt are opened when a film is made, so the linker does not list them. Oracle: the
+  // packages that contain the libraries.
   for (const char* name : {"libfmt", "libavformat", "libavcodec", "libavutil", "libswscale", "libimagequant"}) {
     const std::string package = run("dpkg-query -S /usr/lib/*/" + std::string(name) + ".so.? /usr/lib/*/" + name +
                                     ".so.?? 2>/dev/null | head -n 1 | sed 's/:.*//' | tr -d '\\n' || true");
     EXPECT_THAT(package, StartsWith(name));
     EXPECT_THAT(depends, HasSubstr(package));
   }
-  const auto opened = launcherList("run");  // at run time, so that no linker says so
+  const auto opened = launcherList("run");
   EXPECT_FALSE(opened.empty());
-  for (const std::string& package : opened)  // NAME? is wanted where the system has it
+  for (const std::string& package : opened)  // NAME? is optional: a dependency only if the system has it
     EXPECT_THAT(depends, HasSubstr(package.substr(0, package.find('?'))));
   EXPECT_THAT(depends, HasSubstr("libosmesa6 | libegl1"));
 
@@ -90,7 +88,7 @@ TEST_F(Deb, SaysWhatItNeedsAndRendersWhereItIsUnpacked) {
   std::string version = field("Version");
   version.pop_back();
   EXPECT_THAT(field("Depends", "python3-poinsot"), HasSubstr("python3-numpy, poinsot (= " + version + ")"));
-  // The package's own program makes the film: it is found on the path, as an installed one is.
+  // The Python package finds the program on the PATH, as an installed one.
   run("dpkg-deb -x python3-poinsot.deb root\n"
       "cat >try.py <<'END'\n"
       "import poinsot\n"
@@ -101,7 +99,7 @@ TEST_F(Deb, SaysWhatItNeedsAndRendersWhereItIsUnpacked) {
       "END\n"
       "PATH=$PWD/root/usr/bin:$PATH PYTHONPATH=root/usr/lib/python3/dist-packages /usr/bin/python3 -B try.py\n"
       "cmp film.mp4 python.mp4");
-  // Pages lead to one another and to the examples, which run from where they lie.
+  // Pages link to one another and to the examples, which run in their folder.
   run("cd root/usr/share/doc/python3-poinsot\n"
       "for page in README.md python.md; do\n"
       "  for link in $(grep -o '](\\([^)#]*\\)' $page | cut -c3-); do ls -d $link >/dev/null; done\n"

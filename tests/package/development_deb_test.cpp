@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// libpoinsot-dev, unpacked where nothing else of poinsot is, and used by pkg-config and by CMake.
+// Tests libpoinsot-dev, unpacked without any other part of poinsot, with pkg-config and with CMake.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,8 +28,8 @@ class DevelopmentDeb : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-// Packing takes seconds; so this is one test.
-TEST_F(DevelopmentDeb, SaysWhatItNeedsAndIsBuiltWith) {
+// There is one test, because packing takes seconds.
+TEST_F(DevelopmentDeb, NamesItsDependenciesAndBuildsTheExamples) {
   run("cpack -G DEB --config " POINSOT_BINARY_DIR
       "/CPackConfig.cmake -B $PWD -D CPACK_COMPONENTS_ALL=development -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip "
       ">cpack.log || { cat cpack.log; exit 1; }\n"
@@ -42,7 +42,7 @@ TEST_F(DevelopmentDeb, SaysWhatItNeedsAndIsBuiltWith) {
   const std::string recommended = field("Recommends");
   EXPECT_THAT(recommended, AllOf(HasSubstr("libpng-dev"), HasSubstr("libosmesa6 | libegl1"),
                                  HasSubstr("libavcodec"), Not(HasSubstr("libeigen3-dev"))));
-  // Oracle: what was built here was built with them.
+  // Oracle: this build used these packages.
   run("wanted=$(dpkg-deb -f libpoinsot-dev.deb Depends Recommends | sed 's/^[A-Za-z]*: //' | tr -d ' ' | tr ',' "
       "'\\n')\n"
       "(($(wc -w <<<$wanted) > 15))\n"
@@ -50,8 +50,8 @@ TEST_F(DevelopmentDeb, SaysWhatItNeedsAndIsBuiltWith) {
       "  [[ $(dpkg-query -W ${one//|/ } 2>/dev/null || true) ]] || { echo $one; exit 1; }\n"
       "done");
 
-  // Debian asks for this: its own notices, no licence of its own, nothing that others may write or that is
-  // executed.
+  // Debian requires the package's own notices, no separate licence file, no file that others may write, and no
+  // executable file.
   run("cd root/usr/share/doc/libpoinsot-dev && gzip -t changelog.gz && test -s copyright");
   EXPECT_EQ(run("find root -type f -perm /133"), "");
   EXPECT_EQ(run("find root -type f -path '*/share/*' -printf '%P\\n' | sort"),

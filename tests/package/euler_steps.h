@@ -8,10 +8,11 @@ namespace poinsot {
 
 using Vector = std::array<double, 3>;
 
-/// Euler's equations without torque, a step of Runge and Kutta's fourth order.
+/// Returns omega after a time step `h` of Euler's equations without torque, by Runge and Kutta's method of fourth
+/// order.
 Vector stepped(const Vector& I, const Vector& omega, double h);
 
-/// Holds what tests/consumer/motion prints against the equations of motion integrated so.
+/// Compares the output of tests/consumer/motion with the equations of motion, integrated by stepped().
 void expectEulersMotion(const std::string& rows);
 
 }  // namespace poinsot

@@ -13,7 +13,7 @@
 namespace poinsot {
 namespace {
 
-/// Those of the first CPU: "avx2", "fma".
+/// Returns the features of the first CPU: "avx2", "fma".
 std::set<std::string> cpuFeatures() {
   std::smatch found;
   const std::string text = textOf("/proc/cpuinfo");
@@ -45,7 +45,8 @@ int main() {
 }
 )";
 
-/// The classes that a header defines, by their whole names: poinsot::physics::Flight. None of templates.
+/// Returns the full names of the classes that a header defines, such as poinsot::physics::Flight, except
+/// templates.
 std::vector<std::string> classesOf(const std::string& header) {
   static const std::regex kSpace("^namespace (\\S+) \\{"),
       kClass("^(?:struct|class) (\\w+)(?: final)?(?: :[^;]*)? \\{");

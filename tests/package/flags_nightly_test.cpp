@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Both examples under every set of flags that changes what Eigen or the standard library is, by both compilers:
-// they do what the plain build does, or are refused with the reason.
+// Compiles both examples under every set of flags that changes Eigen or the standard library, with both compilers.
+// The examples give the results of the plain build, or are refused with the reason.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,12 +35,11 @@ class ExamplesWithFlags : public ::testing::TestWithParam<const char*> {
   }
 };
 
-/// What an example prints, and the digest of the picture that it draws.
 std::string outcomeOf(const InstalledTree& tree, const std::string& example) {
   return tree.run(example == "picture" ? "./picture book.png && sha256sum book.png" : "./" + example);
 }
 
-TEST_P(ExamplesWithFlags, GiveWhatThePlainBuildGives) {
+TEST_P(ExamplesWithFlags, GiveTheResultsOfThePlainBuild) {
   const InstalledTree tree;
   for (const auto& [example, modules] : {std::pair{std::string("trajectory"), kPhysics}, {"picture", kPictures}}) {
     const std::string source = kExamples + "/" + example + ".cpp";
@@ -64,23 +63,23 @@ TEST_P(ExamplesWithFlags, GiveWhatThePlainBuildGives) {
 INSTANTIATE_TEST_SUITE_P(Optimisation, ExamplesWithFlags, ::testing::Values("-O0", "-O3"),
                          [](const auto& level) { return std::string(level.param + 1); });
 
-// Eigen asks for -mfma beside it.
-TEST(AllFlags, IncludeOneThatEigenRefuses) {
+// Eigen requires -mfma with this flag.
+TEST(AllFlags, IncludeAFlagThatEigenRejects) {
   if (const std::string reason = whyNoFlags(); !reason.empty()) GTEST_SKIP() << reason;
   EXPECT_THAT((Compilation{"g++", "-mavx512f"}.refusal(InstalledTree(), kExamples + "/trajectory.cpp", kPhysics)),
               HasSubstr("Please add -mfma"));
 }
 
-TEST(AllFlags, LayOutPublicTypesAlike) {
+TEST(AllFlags, GiveTheSameLayoutOfPublicTypes) {
   if (const std::string reason = whyNoFlags(); !reason.empty()) GTEST_SKIP() << reason;
   std::vector<Compilation> compilations = allCompilations("-O0");
   std::erase_if(compilations, [](const auto& one) { return one.flags.ends_with("_GLIBCXX_DEBUG"); });
   expectSameLayout(InstalledTree(), compilations);
 }
 
-// A caller's -mfma fuses a sum with a product. Inline functions of public headers are compiled by callers, and of
-// two the linker may keep the caller's.
-TEST(PublicHeaders, HoldNoFormulas) {
+// With -mfma, a caller's compiler fuses a sum with a product. Callers compile the inline functions of public
+// headers, and the linker may keep the caller's copy instead of the library's.
+TEST(PublicHeaders, ContainNoFloatingPointFormulas) {
   if (const std::string reason = whyNoFlags(); !reason.empty()) GTEST_SKIP() << reason;
   const InstalledTree tree;
   const std::string fused = tree.run(
@@ -93,7 +92,7 @@ TEST(PublicHeaders, HoldNoFormulas) {
   EXPECT_THAT(fused, ::testing::MatchesRegex("[0-9][0-9]+\n")) << "Eigen's are there, ours are not";
 }
 
-TEST(AllGlads, KeepTheirPointers) {
+TEST(AllGladVersions, KeepTheirFunctionPointers) {
   if (const std::string reason = whyNoFlags(); !reason.empty()) GTEST_SKIP() << reason;
   const InstalledTree tree;
   for (const char* version : {"3.1", "3.3", "4.6"}) expectKeepsItsGlad(tree, {"g++", "-O2"}, version);

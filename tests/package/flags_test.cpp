@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs that are compiled with other flags than the library, and what of their names the archives leave alone.
+// Tests programs that are compiled with other flags than the library, and the names that the archives define.
 #include "package/flags.h"
 
 #include <cxxabi.h>
@@ -19,10 +19,10 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// Each build would show one kind of fault: vectors of 32 bytes and inline functions of the program's in the
-// library (at -O0 none is inlined, and the linker meets the program's first); vectors of 8 bytes; sums fused with
+// Each build would reveal another kind of fault: vectors of 32 bytes, and inline functions of the program in the
+// library (-O0 inlines none, and the linker finds the program's first); vectors of 8 bytes; sums fused with
 // products.
-TEST(Flags, GiveTheLibrarysOwnBits) {
+TEST(Flags, DoNotChangeTheLibrarysResults) {
   if (const std::string reason = whyNoFlags(); !reason.empty()) GTEST_SKIP() << reason;
   const InstalledTree tree;
   tree.folder().put("bits.cpp",
@@ -40,7 +40,7 @@ TEST(Flags, GiveTheLibrarysOwnBits) {
   }
 }
 
-TEST(Flags, ThatCannotWorkAreRefusedWithTheReason) {
+TEST(Flags, AreRejectedWithAReasonIfTheyChangeLayouts) {
   if (const std::string reason = whyNoFlags(); !reason.empty()) GTEST_SKIP() << reason;
   const InstalledTree tree;
   const auto refusal = [&](const std::string& header, const std::string& flags) {
@@ -52,45 +52,45 @@ TEST(Flags, ThatCannotWorkAreRefusedWithTheReason) {
               HasSubstr("poinsot: _GLIBCXX_USE_CXX11_ABI=0 selects"));
   EXPECT_THAT(refusal("core/error.h", "-DEIGEN_DEFAULT_TO_ROW_MAJOR"),
               HasSubstr("poinsot: EIGEN_DEFAULT_TO_ROW_MAJOR changes"));
-  // GLM aligns its types where the language has extensions.
+  // GLM aligns its types if the language has extensions.
   for (const std::string header : {"draw/camera.h", "draw/color.h"})
     EXPECT_THAT(refusal(header, "-mavx -DGLM_FORCE_DEFAULT_ALIGNED_GENTYPES -DGLM_FORCE_INTRINSICS"),
                 HasSubstr("poinsot: GLM_FORCE_DEFAULT_ALIGNED_GENTYPES, or another of GLM's macros, changes"));
-  // A flag that nobody thought of is noticed by the size of a type.
+  // The size of a type reveals a flag that has no check of its own.
   EXPECT_THAT(refusal("physics/rigid_body_state.h", "-fpack-struct=1"),
               HasSubstr("poinsot: a flag or macro of this compilation gives this type another layout"));
 }
 
-TEST(Flags, ThatAskForAnOlderLanguageAreRefused) {
+TEST(Flags, AreRejectedIfTheySelectAnOlderLanguage) {
   const InstalledTree tree;
   for (const std::string header : {"core/error.h", "physics/motion.h", "geometry/primitives.h", "stage/stage.h"}) {
     tree.folder().put("old.cpp", "#include \"" + header + "\"\n");
     EXPECT_THAT(tree.run("! $CXX -std=c++17 -fsyntax-only -Wfatal-errors old.cpp $(pkg-config --cflags " +
                          kPictures + ") 2>&1"),
-                HasSubstr("poinsot: C++20 is needed"))
+                HasSubstr("poinsot: C++20 is required"))
         << header;
   }
 }
 
-// A program's glad has the pointers of its own window.
-TEST(Flags, LeaveAProgramsGladAlone) {
+// The pointers in a program's glad belong to its own window.
+TEST(Flags, DoNotChangeTheFunctionPointersOfAProgramsGlad) {
   if (const std::string reason = whyNoFlags(); !reason.empty()) GTEST_SKIP() << reason;
   expectKeepsItsGlad(InstalledTree(), {"g++", "-O0 -mavx2"}, "3.3");
 }
 
-/// Returns why a program may have this name too; empty if it is this project's alone.
+/// Returns why another program may define this name too; empty if only poinsot can.
 std::string whyForeign(const std::string& name, char type) {
   static const std::regex ours("_Z(T[A-Z]|G[A-Z])*Z*N[VKRO]*7poinsot.*|(poinsot|POINSOT)_.*");
   if (std::regex_match(name, ours)) return "";
-  // One for the whole program by the rules of the language: type information, statics of inline functions.
+  // The language merges these in the whole program: type information, statics of inline functions.
   if (type == 'V' || type == 'u') return "";
   if (name.starts_with("__clang_")) return "";  // the compiler's own, always alike
   if (type != 'W') return "a global name outside poinsot";
   return name.ends_with(".poinsot") || !POINSOT_OWN_INLINES ? "" : "an inline function of somebody else's";
 }
 
-// A program may use every name but ours.
-TEST(Archives, HaveNoGlobalNamesButTheirOwn) {
+// A program may use every name outside poinsot.
+TEST(Archives, DefineOnlyTheirOwnGlobalNames) {
   const InstalledTree tree;
   std::istringstream lines(
       tree.run("nm --print-file-name --extern-only --defined-only --format=posix $PREFIX/lib/*.a"));
@@ -107,10 +107,10 @@ TEST(Archives, HaveNoGlobalNamesButTheirOwn) {
   EXPECT_GT(ours, 5000) << "nm has told of too few";
 }
 
-// Functions in single precision differ in the last bit from one C library to the next: glibc 2.41 rounds them
-// correctly, glibc 2.36 does not, and cones differed between Debian 13 and 12. Rounding the double's value gives
-// the same with both. hypotf is allowed, because glibc computes it in double.
-TEST(Archives, TakeNoFunctionInSinglePrecisionFromTheCLibrary) {
+// Functions in single precision differ in the last bit between C libraries. glibc 2.41 rounds them correctly,
+// glibc 2.36 does not, and cones differed between Debian 13 and 12. A function in double precision, rounded to
+// single, gives the same value with both. hypotf is allowed, because glibc computes it in double.
+TEST(Archives, UseNoSinglePrecisionFunctionOfTheCLibrary) {
   const InstalledTree tree;
   std::istringstream lines(tree.run("nm --print-file-name --undefined-only --format=posix $PREFIX/lib/*.a"));
   static const std::regex single(
@@ -125,7 +125,7 @@ TEST(Archives, TakeNoFunctionInSinglePrecisionFromTheCLibrary) {
   EXPECT_TRUE(seesDouble) << "nm has told of too few";
 }
 
-/// Whether a header includes core/abi.h, or one that does.
+/// Returns whether a header includes core/abi.h, directly or indirectly.
 bool leadsToAbi(const std::filesystem::path& include, const std::string& header) {
   if (header == "core/abi.h") return true;
   const std::string text = textOf(include / header);
@@ -135,9 +135,9 @@ bool leadsToAbi(const std::filesystem::path& include, const std::string& header)
   return false;
 }
 
-// Every header leads to core/abi.h, which refuses flags, and names no type that Eigen aligns. The nightly test has
-// the layouts themselves.
-TEST(PublicHeaders, HaveOneLayout) {
+// Every header includes core/abi.h, which refuses flags, and uses no type that Eigen aligns. The nightly test
+// checks the layouts themselves.
+TEST(PublicHeaders, HaveOneLayoutForAllFlags) {
   const InstalledTree tree;
   EXPECT_EQ(tree.run("cd $PREFIX/include/poinsot; grep -rohE 'Eigen::[A-Z]\\w+' . | sort -u | tr '\\n' ' '"),
             "Eigen::DontAlign Eigen::EigenBase Eigen::Matrix Eigen::Matrix3d Eigen::Quaternion Eigen::Quaterniond "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the flags of cmake/CompilerFlags.cmake leave in the program, as readelf sees it.
+// Checks the effect of the flags in cmake/CompilerFlags.cmake on the program with readelf.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,14 +22,14 @@ std::string readelf(const std::string& options) {
   return result.out;
 }
 
-TEST(Hardening, TheProgramLiesAnywhere) { EXPECT_THAT(readelf("-h"), ContainsRegex("Type: +DYN")); }
+TEST(Hardening, ProgramIsPositionIndependent) { EXPECT_THAT(readelf("-h"), ContainsRegex("Type: +DYN")); }
 
-TEST(Hardening, WhatTheLinkerFilledInIsReadOnly) {
+TEST(Hardening, RelocationsAreReadOnly) {
   EXPECT_THAT(readelf("-l"), HasSubstr("GNU_RELRO"));
   EXPECT_THAT(readelf("-d"), ContainsRegex("FLAGS.*NOW"));
 }
 
-TEST(Hardening, TheStackIsNotExecutable) { EXPECT_THAT(readelf("-l"), ContainsRegex("GNU_STACK.* RW  ")); }
+TEST(Hardening, StackIsNotExecutable) { EXPECT_THAT(readelf("-l"), ContainsRegex("GNU_STACK.* RW  ")); }
 
 TEST(Hardening, StackAndStringsAreGuarded) {
 #if defined(__SANITIZE_ADDRESS__) || !defined(NDEBUG)

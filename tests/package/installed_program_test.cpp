@@ -16,7 +16,7 @@ TEST(InstalledProgram, FindsTheScenesInstalledWithIt) {
   EXPECT_THAT(list, HasSubstr(tree.prefix().string() + "/share/poinsot/scenes/football.toml"));
 }
 
-TEST(InstalledProgram, HasItsManualItsCompletionsAndItsLicences) {
+TEST(InstalledProgram, IncludesManualCompletionsAndLicences) {
   const InstalledTree tree;
   for (const char* file : {"share/man/man1/poinsot.1.gz", "share/man/man1/poinsot-render.1.gz",
                            "share/bash-completion/completions/poinsot", "share/zsh/vendor-completions/_poinsot",
@@ -25,8 +25,8 @@ TEST(InstalledProgram, HasItsManualItsCompletionsAndItsLicences) {
     EXPECT_TRUE(std::filesystem::is_regular_file(tree.prefix() / file)) << file;
 }
 
-// ./poinsot builds the program alone: installing would stop half way.
-TEST(InstalledProgram, IsNotInstalledByHalf) {
+// ./poinsot builds only the program, so a whole installation would stop half way.
+TEST(InstalledProgram, InstallationFailsIfFilesAreNotBuilt) {
   const ScratchFolder folder;
   const auto install = [&](const std::string& component) {
     return runShell(folder.path(), "sed s/share.stamp/missing/ " POINSOT_BINARY_DIR
@@ -42,7 +42,7 @@ TEST(InstalledProgram, IsNotInstalledByHalf) {
   EXPECT_EQ(install("development").exitCode, 0);
 }
 
-// What only films need is opened for films: over a hundred libraries would be bound in every process.
+// Libraries for films are opened only for films. Otherwise every process would bind over a hundred libraries.
 TEST(InstalledProgram, LinksNeitherFfmpegNorImagequant) {
   const InstalledTree tree;
   const std::string linked = tree.run("readelf --dynamic $PREFIX/bin/poinsot | grep NEEDED");
@@ -51,10 +51,10 @@ TEST(InstalledProgram, LinksNeitherFfmpegNorImagequant) {
     EXPECT_THAT(linked, Not(HasSubstr(library)));
 }
 
-// A path of the build would be of no use elsewhere, or worse: of another use.
-TEST(InstalledProgram, NamesNoPlaceOfTheBuild) {
+// A path of the build is useless on another machine, or names another file there.
+TEST(InstalledProgram, ContainsNoPathOfTheBuild) {
   const InstalledTree tree;
-  // But for what a debugger is told.
+  // Debug information may contain such paths.
   tree.run("find $PREFIX -name '*.a' -o -path '*/bin/poinsot' | xargs strip -g");
   EXPECT_EQ(tree.run("grep -rl -e " POINSOT_BINARY_DIR " -e " POINSOT_SOURCE_DIR " $PREFIX || true"), "");
 }

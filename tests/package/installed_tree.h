@@ -8,8 +8,8 @@
 
 namespace poinsot {
 
-/// The build, installed into a scratch folder as PREFIX and then moved, so that no path of the build or of the
-/// first place can be of use.
+/// Build that was installed into a scratch folder as PREFIX and then moved, so that neither a path of the build
+/// nor of the first folder works.
 class InstalledTree {
  public:
   InstalledTree();
@@ -17,8 +17,7 @@ class InstalledTree {
   const ScratchFolder& folder() const { return folder_; }
   std::filesystem::path prefix() const { return folder_ / "moved"; }
 
-  /// Runs a script of bash in the folder; PREFIX, CXX and FLAGS are set in it. Fails the test unless it ends with
-  /// 0.
+  /// Runs a bash script in the folder with PREFIX, CXX and FLAGS set. Fails the test if the exit code is not 0.
   std::string run(const std::string& script) const;
 
  private:

@@ -22,7 +22,6 @@ class ManPages : public ::testing::Test {
     EXPECT_EQ(result.exitCode, 0) << script << "\n" << result.out;
     return result.out;
   }
-  /// As a terminal shows it.
   std::string shown(const std::string& page) const {
     return run("groff -man -Tascii -P-cbou -rLL=100n share/man/man1/" + page + " | tr -s ' \\n' ' '");
   }
@@ -30,7 +29,7 @@ class ManPages : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-// The help is the oracle: every command that it lists has a page, every option that it lists is on the page.
+// Oracle: the help. Every command in it has a page, and every option is on that page.
 TEST_F(ManPages, HaveEveryCommandAndOptionOfTheHelp) {
   const std::string commands =
       run(POINSOT_PROGRAM " --help | sed -n '/^subcommands:/I,/^[^ ]/s/^  \\([a-z][a-z-]*\\) .*/\\1/p'");
@@ -45,29 +44,30 @@ TEST_F(ManPages, HaveEveryCommandAndOptionOfTheHelp) {
   }
 }
 
-// The page of the docs is the oracle: its table lists every key.
+// Oracle: the table of keys in docs/golden.md.
 TEST_F(ManPages, ListEveryKeyOfAGoldenToml) {
   const std::string page = shown("poinsot-golden.1");
   std::istringstream keys(run(
       "sed -n '/golden keys -->/,/end -->/s/^| `\\([a-z_]*\\)` .*/\\1/p' " POINSOT_SOURCE_DIR "/docs/golden.md"));
   int count = 0;
   for (std::string key; keys >> key; ++count) EXPECT_THAT(page, ContainsRegex("[ .]" + key + " "));
-  EXPECT_GE(count, 24);  // when it was written
+  EXPECT_GE(count, 24);  // when this test was written
   EXPECT_THAT(page, HasSubstr("KEYS OF MANIFEST references text folder of the approved pictures"));
-  EXPECT_THAT(page, HasSubstr("rule.pixels \"0-N\" differing pixels, a number or a share (default: 0-0.5%)"));
+  EXPECT_THAT(page,
+              HasSubstr("rule.pixels \"0-N\" differing pixels, as a number or a percentage (default: 0-0.5%)"));
 }
 
-TEST_F(ManPages, AreRoffWithoutAFault) {
+TEST_F(ManPages, AreValidRoff) {
   EXPECT_THAT(run("for page in share/man/man1/*; do groff -ww -b -z -man -Tutf8 $page; done 2>&1"), IsEmpty());
 }
 
-TEST_F(ManPages, ReadWell) {
+TEST_F(ManPages, ShowSynopsisOptionsAndExitStatus) {
   const std::string page = shown("poinsot-render.1");
   EXPECT_THAT(page, HasSubstr("poinsot-render - make a film, a frame or a numbered sequence from a scene"));
   EXPECT_THAT(page, HasSubstr("poinsot render SCENE [OPTION]..."));
-  EXPECT_THAT(page,
-              HasSubstr("-j, --jobs N worker processes (default: one per CPU); never changes a byte (1 to 1024)"));
-  EXPECT_THAT(page, HasSubstr("--backend NAME OpenGL through osmesa, egl, or auto"));
+  EXPECT_THAT(page, HasSubstr("-j, --jobs N number of worker processes (default: one per CPU); the output does "
+                              "not depend on it (1 to 1024)"));
+  EXPECT_THAT(page, HasSubstr("--backend NAME OpenGL back end: osmesa, egl, or auto"));
   EXPECT_THAT(page, HasSubstr("-o 'out/frames/football_{frame:05}.png'")) << "quotes as they are to be typed";
   EXPECT_THAT(page, HasSubstr("EXIT STATUS 0 done, 1 the answer is no"));
   EXPECT_THAT(page, HasSubstr("4 files, 129/130/143 signals"));

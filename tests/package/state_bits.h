@@ -11,7 +11,7 @@
 
 namespace poinsot {
 
-/// Numbers as they are, to the last bit.
+/// Text of numbers with all their bits.
 class BitText {
  public:
   BitText& operator<<(double number) {
@@ -31,9 +31,9 @@ class BitText {
   std::string text_;
 };
 
-/// What the physics answers to a few questions, as a text that a consumer of the library and this project's own
-/// test both make of this one source. Everything of it is computed in the library: here numbers are only handed
-/// over, by value, by reference, in structs, as aligned and as unaligned types of Eigen.
+/// Returns results of the physics as a text. A consumer of the library and a test of this project compile this
+/// same source. The library computes all numbers; this function only passes them on by value, by reference, in
+/// structs, and as aligned and unaligned types of Eigen.
 inline std::string stateBits() {
   using namespace physics;
   BitText bits;

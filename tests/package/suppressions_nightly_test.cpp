@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program built with a sanitizer, which draws on several threads: with the installed list of suppressions it
-// ends with 0 and says nothing (docs/library.md, "Sanitizers").
+// Builds a program with a sanitizer and draws on several threads. With the installed suppressions, the program
+// ends with 0 and prints nothing (docs/library.md, "Sanitizers").
 #include <gtest/gtest.h>
 
 #include "package/installed_tree.h"
@@ -35,14 +35,15 @@ int main(int words, char**) {
 }
 )";
 
-/// EGL's driver is gone before leaks are looked for, so that its leaks have no name that a list could hold.
+/// Sanitizer and its options. EGL's driver is unloaded before the leak check, so no suppression could name its
+/// leaks.
 struct Sanitizer {
   const char *flag, *options, *run;
 };
 
 class Suppressions : public testing::TestWithParam<Sanitizer> {};
 
-TEST_P(Suppressions, LetThreadsDraw) {
+TEST_P(Suppressions, SilenceSanitizersWhileThreadsDraw) {
   POINSOT_NOT_SANITIZED("the program is built with one of its own");
   const InstalledTree tree;
   tree.folder().put("threads.cpp", kThreads);
@@ -53,7 +54,7 @@ TEST_P(Suppressions, LetThreadsDraw) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Of, Suppressions,
+    Each, Suppressions,
     testing::Values(
         Sanitizer{"thread", "TSAN_OPTIONS=suppressions=$PREFIX/share/poinsot/tsan.supp", " ./threads egl 2>&1"},
         Sanitizer{"address", "LSAN_OPTIONS=print_suppressions=0:suppressions=$PREFIX/share/poinsot/lsan.supp",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// tests/consumer/motion with poinsot built within it, under flags that would change numbers: minutes of a
-// compiler.
+// Builds tests/consumer/motion with poinsot inside, under flags that would change numbers. Compiling takes
+// minutes.
 #include <gtest/gtest.h>
 
 #include "package/euler_steps.h"
@@ -22,11 +22,11 @@ std::string motionBuiltBy(const std::string& how, const std::string& flags) {
   return result.out;
 }
 
-TEST(WithinProjectNightly, SubdirectoryGivesEulersMotion) {
+TEST(WithinProjectNightly, AddSubdirectoryBuildsAWorkingLibrary) {
   expectEulersMotion(motionBuiltBy("subdirectory", "-O1"));
 }
 
-TEST(WithinProjectNightly, FetchedContentGivesEulersMotionUnderFastMath) {
+TEST(WithinProjectNightly, FetchContentBuildsAWorkingLibraryWithFastMath) {
   expectEulersMotion(motionBuiltBy("fetch", "-O3 -march=native -ffast-math"));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// poinsot within a project of somebody else's, by add_subdirectory() and by FetchContent: what it asks for, what
-// it would build, and what it leaves alone. within_project_nightly_test.cpp builds it.
+// Uses poinsot inside a user's project, by add_subdirectory() and by FetchContent. Checks what poinsot requires,
+// what it would build, and what it leaves unchanged. within_project_nightly_test.cpp builds it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,13 +14,13 @@ using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// A machine with neither pkg-config nor what only pictures need.
+/// Shell line that hides pkg-config, and CMake options that hide the libraries needed only for pictures.
 const std::string kBare = "export PKG_CONFIG=/nonexistent\n";
 const std::string kWithoutPictures =
     "-DPOINSOT_GLAD=/nonexistent -DCMAKE_DISABLE_FIND_PACKAGE_PNG=ON "
     "-DCMAKE_DISABLE_FIND_PACKAGE_glm=ON -DCMAKE_CXX_COMPILER=" POINSOT_CXX;
 
-/// Libraries that physics does not use.
+/// Pattern of the libraries that physics does not use.
 const std::string kOthers =
     "poinsot_(geometry|image|gl|draw|text|process|scene|stage|render|figure|output|request|compare|"
     "describe|job|suite|reference|cluster|preview|cli|guard)";
@@ -44,7 +44,7 @@ class WithinProject : public Layers, public ::testing::WithParamInterface<const 
   }
 };
 
-TEST_P(WithinProject, BuildsWhatIsLinkedAndLeavesTheProjectAlone) {
+TEST_P(WithinProject, BuildsOnlyLinkedLayersAndKeepsProjectSettings) {
   configure(GetParam());
   const std::string built = run("ninja -C b -t inputs all | grep '[.]o$'");
   EXPECT_THAT(built, HasSubstr("free_motion.cpp.o"));
@@ -61,19 +61,19 @@ TEST_P(WithinProject, BuildsWhatIsLinkedAndLeavesTheProjectAlone) {
             "");
 }
 
-INSTANTIATE_TEST_SUITE_P(By, WithinProject, ::testing::Values("subdirectory", "fetch"));
+INSTANTIATE_TEST_SUITE_P(Each, WithinProject, ::testing::Values("subdirectory", "fetch"));
 
-// The same of a build of poinsot alone.
-TEST_F(Layers, ChosenNeedWhatTheyLinkOnly) {
+// A build of poinsot alone has the same property.
+TEST_F(Layers, NeedOnlyTheirOwnDependencies) {
   run(kBare + "cmake -G Ninja -S " POINSOT_SOURCE_DIR " -B b -DPOINSOT_LAYERS=physics " + kWithoutPictures +
       " >log 2>&1 || { cat log; exit 1; }");
   EXPECT_THAT(run("ninja -C b -t targets all"), Not(ContainsRegex(kOthers)));
 }
 
-TEST_F(Layers, ThatThereAreNotAreRefused) {
+TEST_F(Layers, RejectUnknownNames) {
   EXPECT_THAT(
       run("cmake -S " POINSOT_SOURCE_DIR " -B b -DPOINSOT_LAYERS=psychics 2>&1 | tr -s ' \\n' ' ' || true"),
-      HasSubstr("POINSOT_LAYERS: there is no layer psychics; there are core, physics, geometry,"));
+      HasSubstr("POINSOT_LAYERS: unknown layer psychics; known layers: core, physics, geometry,"));
 }
 
 }  // namespace

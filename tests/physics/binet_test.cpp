@@ -22,8 +22,8 @@ double energyOf(const PrincipalMoments& moments, const Vector3d& m_P) {
   return 0.5 * m_P.cwiseAbs2().cwiseQuotient(moments.values()).sum();
 }
 
-// P1 of the examples: |L| of the table, semi-axes sqrt(2T I_i) with 2T = 4.6875 by hand.
-TEST(Binet, SphereAndEllipsoidOfTheExample) {
+// Worked by hand: |L| = |(1, 0.75, 4)|, semi-axes sqrt(2T I_i) with 2T = 4.6875.
+TEST(Binet, RadiusAndSemiAxesMatchAHandComputedExample) {
   const BinetConstruction binet(PrincipalMoments({2, 3, 4}), {.5, .25, 1});
   EXPECT_NEAR(binet.sphereRadius(), 4.190763653560053, 9e-16);
   EXPECT_NEAR(binet.semiAxes_P()[0], std::sqrt(9.375), 5e-16);
@@ -31,7 +31,6 @@ TEST(Binet, SphereAndEllipsoidOfTheExample) {
   EXPECT_NEAR(binet.semiAxes_P()[2], std::sqrt(18.75), 9e-16);
 }
 
-// The momentum of the motion, in the body, is on both.
 TEST(Binet, MomentumIsOnTheSphereAndOnTheEllipsoid) {
   Draw draw(281);
   double sphere = 0, ellipsoid = 0;
@@ -52,7 +51,7 @@ TEST(Binet, RefusesABodyAtRest) {
   EXPECT_THROW(BinetConstruction(PrincipalMoments({2, 3, 4}), {0, 0, 0}), core::Error);
 }
 
-// Points of the separatrix have T = L²/(2 I2); started there, the motion ends on the middle axis.
+// Points of the separatrix have T = L²/(2 I2).
 TEST(Separatrix, CirclesHaveTheEnergyOfTheMiddleAxis) {
   Draw draw(282);
   double energy = 0, size = 0, angle = 0;
@@ -79,8 +78,8 @@ TEST(Separatrix, CirclesHaveTheEnergyOfTheMiddleAxis) {
   expectResidual("plane in omega space", angle, 4e-15);            // measured 5.7e-16
 }
 
-TEST(Separatrix, IsThatOfTheExample) {
-  // I = (1, 2, 2.25), omega = (.75, .5, 1) is on it exactly; so is m = (.75, 1, 2.25).
+TEST(Separatrix, HasTheAnglesOfAnExactExample) {
+  // For I = (1, 2, 2.25), omega = (.75, .5, 1) and m = (.75, 1, 2.25) lie exactly on the separatrix.
   const auto s = separatrix(PrincipalMoments({1, 2, 2.25}));
   ASSERT_TRUE(s);
   EXPECT_NEAR(std::tan(s->momentumAngle_rad), 3, 4e-15);
@@ -90,8 +89,9 @@ TEST(Separatrix, IsThatOfTheExample) {
   EXPECT_FALSE(separatrix(PrincipalMoments({2, 1.5, 2})));
 }
 
-// Both polhodes of each energy: on the sphere, on the ellipsoid, on their own halves, and what the motion follows.
-TEST(MomentumPolhodes, AreTheIntersections) {
+// Both polhodes of each energy must lie on the sphere, on the ellipsoid and on separate halves. The motion must
+// follow them.
+TEST(MomentumPolhodes, AreTheIntersectionsOfSphereAndEllipsoid) {
   Draw draw(283);
   double size = 0, energy = 0, motionOff = 0;
   for (int i = 0; i < 40; ++i) {
@@ -106,7 +106,7 @@ TEST(MomentumPolhodes, AreTheIntersections) {
           size = std::max(size, std::abs(m.norm() / L - 1));
           energy = std::max(energy, std::abs(energyOf(moments, m) / T - 1));
         }
-        // From the first point the motion passes the others: the distance of late m to the curve's chords.
+        // A motion from the first point must pass the others: distance of a late m from the nearest point.
         const FreeMotion motion(moments, curve.m_P[0].cwiseQuotient(moments.values()), Quaterniond::Identity());
         const Vector3d late = moments.angularMomentum(motion.at(draw.between(1, 50)).omega_B);
         double nearest = 1e300, gap = 0;
@@ -127,7 +127,7 @@ TEST(MomentumPolhodes, AreTheIntersections) {
   expectResidual("late m from the curve, in gaps of its points", motionOff, 0.75);  // measured 0.5
 }
 
-TEST(MomentumPolhodes, OnTheSeparatrixAreItsCircles) {
+TEST(MomentumPolhodes, AreCirclesOnTheSeparatrix) {
   const PrincipalMoments moments({1, 2, 2.25});
   const auto curves = momentumPolhodes(moments, 4, 4, 16);
   ASSERT_EQ(curves.size(), 2u);
@@ -138,7 +138,7 @@ TEST(MomentumPolhodes, OnTheSeparatrixAreItsCircles) {
   EXPECT_LT(curves[0].m_P[2][0] * curves[0].m_P[2][2] * curves[1].m_P[2][0] * curves[1].m_P[2][2], 0);
 }
 
-TEST(MomentumPolhodes, OfASteadySpinAreTwoPoints) {
+TEST(MomentumPolhodes, AreTwoPointsForASteadySpin) {
   const auto curves = momentumPolhodes(PrincipalMoments({2, 3, 4}), 9, 6, 16);
   ASSERT_EQ(curves.size(), 2u);
   EXPECT_EQ(curves[0].m_P, std::vector<Vector3d>{Vector3d(6, 0, 0)});
@@ -161,8 +161,8 @@ TEST(EvenEnergies, AscendFromTheLargestAxisAndSkipTheSeparatrix) {
   EXPECT_THROW(evenEnergies(moments, 0, 4), std::logic_error);
 }
 
-// The curve moved to another energy is on that energy's ellipsoid in omega space.
-TEST(MomentumPolhodes, OnAnEnergyEllipsoid) {
+// A curve moved to another energy must lie on the ellipsoid of that energy in omega space.
+TEST(MomentumPolhodes, CanBeMovedToAnotherEnergy) {
   const PrincipalMoments moments({2, 3, 4});
   for (const double T : evenEnergies(moments, 2, 3))
     for (const MomentumPolhode& curve : momentumPolhodes(moments, T, 2, 16)) {
@@ -176,7 +176,7 @@ TEST(MomentumPolhodes, OnAnEnergyEllipsoid) {
     }
 }
 
-TEST(Separatrix, RefusesAMomentumThatIsNone) {
+TEST(Separatrix, RejectsNegativeAndInfiniteMomentum) {
   const Separatrix parting = *separatrix(PrincipalMoments({1, 2, 2.5}));
   for (const double bad : std::array<double, 3>{NAN, INFINITY, -1})
     EXPECT_THROW(parting.momentumCircle(bad, 9, false), core::Error);

@@ -32,7 +32,7 @@ TEST(Catalogue, HasTheBodiesOfTheLecture) {
   EXPECT_EQ(findCatalogueBody(""), nullptr);
 }
 
-TEST(Catalogue, EveryBodyIsPossibleAndSaysWhereItsNumbersAreFrom) {
+TEST(Catalogue, ContainsOnlyPossibleBodiesWithSources) {
   std::set<std::string> names;
   for (const CatalogueBody& body : catalogue()) {
     EXPECT_TRUE(names.insert(body.name).second) << body.name;
@@ -50,15 +50,15 @@ TEST(Catalogue, EveryBodyIsPossibleAndSaysWhereItsNumbersAreFrom) {
   }
 }
 
-// PHYSICS section 3: the moments of the satellite as a uniform cylinder.
-TEST(Catalogue, Explorer1) {
+// Moments of the satellite as a uniform cylinder, m (3 r² + h²)/12 and m r²/2, evaluated apart from the code.
+TEST(Catalogue, Explorer1HasTheMomentsOfACylinder) {
   const Vector3d expected(4.81758709666667, 4.81758709666667, 0.04034536);
   expectResidual("Explorer 1", (momentsOf("explorer_1") - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(),
                  2e-15);  // measured 9.2e-16
 }
 
-// A hull between similar ellipsoids: m (b² + c²)/3 about a. It is drawn closed.
-TEST(Catalogue, Football) {
+// A hull between similar ellipsoids has the moment m (b² + c²)/3 about a. The hull is drawn closed.
+TEST(Catalogue, FootballHasTheMomentsOfAHull) {
   const double inch = 0.0254, b = 21.125 * inch / (2 * M_PI), c = 11.125 * inch / 2, m = 14.5 * 0.028349523125;
   const Vector3d expected = m / 3 * Vector3d(b * b + c * c, b * b + c * c, 2 * b * b);
   expectResidual("football", (momentsOf("football") - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(),
@@ -66,23 +66,22 @@ TEST(Catalogue, Football) {
   EXPECT_TRUE(std::holds_alternative<Ellipsoid>(named("football").parts.at(0).solid));
 }
 
-// H = 0.0032737949 gives a period of 304.46 sidereal days (PHYSICS, eq 29); the moments carry 4 digits more than
-// C.
-TEST(Catalogue, EarthHasItsDynamicalFlattening) {
+// H = 0.0032737949 gives a period of 304.46 sidereal days (eq 29).
+TEST(Catalogue, EarthHasThePublishedDynamicalFlattening) {
   const Vector3d I = momentsOf("earth");
   EXPECT_EQ(I[0], I[1]);
   EXPECT_NEAR(I[0] / (I[2] - I[0]), 304.46, .005);
   EXPECT_NEAR(named("earth").mass_kg, 5.9722e24, 1e20);
 }
 
-TEST(Catalogue, ToutatisHasItsRatios) {
+TEST(Catalogue, ToutatisHasThePublishedRatios) {
   const Vector3d I = momentsOf("toutatis");
   EXPECT_NEAR(I[0] / I[2], 3.0836, 1e-15);
   EXPECT_NEAR(I[1] / I[2], 3.235, 1e-15);
 }
 
-// What the lecture shows with them.
-TEST(Catalogue, WhatTurnsOverTurnsAboutTheIntermediateAxis) {
+// The lecture flips the first five bodies about these axes.
+TEST(Catalogue, FlippingBodiesSpinAboutTheMiddleAxis) {
   const auto isMiddle = [](const Vector3d& I, int axis) {
     return I[axis] > I.minCoeff() && I[axis] < I.maxCoeff();
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Starts whose motion repeats. That it repeats is seen by the oracles (theta functions, Taylor series), which know
-// nothing of K and Q; that no start nearer does so, by a blind search over all directions of L.
+// Nearest starts whose motion repeats. Oracles without K and Q (theta functions, Taylor series) show that the
+// motion repeats. A blind search over all directions of L shows that no nearer start does.
 #include "physics/closed_motion.h"
 
 #include <gtest/gtest.h>
@@ -27,10 +27,10 @@ using Eigen::Vector3d;
 constexpr double kPi_ = std::numbers::pi;
 
 struct Mismatch {
-  double attitude_rad, omega;  ///< omega as a part of |omega|
+  double attitude_rad, omega;  ///< omega: relative to |omega|
 };
 
-/// What is left after the period, by theta functions in 100 digits.
+/// Returns the mismatch after the period, by theta functions in 100 digits.
 Mismatch mismatchByTheta(const Vector3d& I, const ClosedStart& closed) {
   const Quaterniond q0(0.5, -0.1, 0.7, 0.3);
   const ThetaOracle oracle(I, closed.omega0_P, q0);
@@ -43,7 +43,7 @@ double momentum(const PrincipalMoments& moments, const Vector3d& omega_P) {
   return moments.values().cwiseProduct(omega_P).norm();
 }
 
-TEST(ClosedMotion, RandomMotionsRepeat) {
+TEST(ClosedMotion, RepeatsForRandomMotions) {
   Draw draw(401);
   double worst = 0, worstOmega = 0, worstL = 0, farthest = 0;
   for (int i = 0; i < 150; ++i) {
@@ -66,7 +66,7 @@ TEST(ClosedMotion, RandomMotionsRepeat) {
   expectResidual("farthest start", farthest, 1);
 }
 
-TEST(ClosedMotion, ByAnIntegratorToo) {
+TEST(ClosedMotion, RepeatsInATaylorIntegration) {
   const PrincipalMoments moments({1, 1.7, 2.6});
   const Vector3d omega_P(0.9, 0.35, 1.1);
   const ClosedStart closed = nearestClosedStart(moments, omega_P, 20);
@@ -76,9 +76,9 @@ TEST(ClosedMotion, ByAnIntegratorToo) {
   expectResidual("omega", TaylorOracle<Real60>::distance(after.omega, closed.omega0_P), 1e-13);
 }
 
-/// Herpolhodes that close, worked to 16 digits beforehand (docs/physics.md): DPhi/2pi = 8/5 and 3/4. The attitude
-/// needs whole periods of the polhode: 5 (10 radial periods, 16 turns), and 2 (4 radial periods, 3 turns).
-TEST(ClosedMotion, WhatRepeatsIsKept) {
+/// These herpolhodes close (docs/physics.md, worked to 16 digits): DPhi/2pi = 8/5 and 3/4. The attitude needs
+/// whole periods of the polhode: 5 (10 radial periods, 16 turns), and 2 (4 radial periods, 3 turns).
+TEST(ClosedMotion, KeepsAStartThatAlreadyRepeats) {
   const PrincipalMoments moments({1.25, 2, 2.75});
   const Vector3d about3(1.577034598253537625, 0, 1.5), about1(1.5, 0, 0.422945230106353779731);
   const ClosedStart first = nearestClosedStart(moments, about3, 36);
@@ -93,7 +93,7 @@ TEST(ClosedMotion, WhatRepeatsIsKept) {
   EXPECT_NEAR(second.period_s, 2 * 9.71219205763253422, 4e-14);
 }
 
-/// Directions of L spread evenly over the sphere (a spiral of golden angles), at the |L| of omega_P.
+/// Returns starts with the |L| of omega_P whose L is spread evenly over the sphere (a spiral of golden angles).
 std::vector<Vector3d> startsOfOneMomentum(const PrincipalMoments& moments, const Vector3d& omega_P, int count) {
   const double L = momentum(moments, omega_P);
   std::vector<Vector3d> starts;
@@ -105,8 +105,7 @@ std::vector<Vector3d> startsOfOneMomentum(const PrincipalMoments& moments, const
   return starts;
 }
 
-/// The least change among the blind starts that repeat, within the spacing of the grid, after a time that was
-/// allowed.
+/// Returns the least change among grid starts that repeat, within the grid's spacing, after an allowed time.
 double leastChangeByBlindSearch(const PrincipalMoments& moments, const Vector3d& omega_P, double wanted_s) {
   double least = INFINITY;
   for (const Vector3d& start : startsOfOneMomentum(moments, omega_P, 400000)) {
@@ -123,7 +122,7 @@ double leastChangeByBlindSearch(const PrincipalMoments& moments, const Vector3d&
   return least;
 }
 
-TEST(ClosedMotion, NoStartIsNearer) {
+TEST(ClosedMotion, FindsTheNearestStart) {
   const struct {
     Vector3d I, omega_P;
     double wanted_s;
@@ -132,14 +131,14 @@ TEST(ClosedMotion, NoStartIsNearer) {
     const PrincipalMoments moments(c.I);
     const ClosedStart closed = nearestClosedStart(moments, c.omega_P, c.wanted_s);
     const double blind = leastChangeByBlindSearch(moments, c.omega_P, c.wanted_s);
-    // The grid's spacing is 0.006 rad of L; its nearest hit cannot be nearer than that, nor much farther.
+    // The grid's spacing is 0.006 rad of L. Its nearest hit may be nearer by at most that, and not much farther.
     expectResidual("nearer by blind search, rad/s", closed.change - blind, 0.006);
     expectResidual("farther by blind search, rad/s", blind - closed.change, 0.02);
   }
 }
 
-/// On the polhode that was found no point is nearer: the motion itself goes through all of them.
-TEST(ClosedMotion, TheNearestPointOfItsPolhode) {
+/// The motion passes every point of the polhode that was found. No point may be nearer.
+TEST(ClosedMotion, StartsAtTheNearestPointOfItsPolhode) {
   Draw draw(402);
   for (int i = 0; i < 40; ++i) {
     const PrincipalMoments moments = draw.moments();
@@ -153,9 +152,9 @@ TEST(ClosedMotion, TheNearestPointOfItsPolhode) {
   }
 }
 
-/// Lecture, eq (29), (34): the axis goes round L at L/I1, omega round the axis at (I3/I1 - 1) omega_3. Both are
-/// whole numbers of turns in the period.
-TEST(ClosedMotion, ASymmetricTop) {
+/// Lecture, eq (29), (34): the axis goes round L at L/I1, omega round the axis at (I3/I1 - 1) omega_3. Both must
+/// make whole turns in the period.
+TEST(ClosedMotion, RepeatsForASymmetricTop) {
   for (const double I3 : {0.9, 2.1}) {
     const PrincipalMoments moments({1.5, 1.5, I3});
     const Vector3d omega_P(0.56, 0.1, 1.3);
@@ -164,12 +163,12 @@ TEST(ClosedMotion, ASymmetricTop) {
     const double wobble = std::abs(I3 / 1.5 - 1) * closed.omega0_P[2];
     EXPECT_NEAR(precession * closed.period_s, 2 * kPi_ * closed.turns, 2e-13);
     EXPECT_NEAR(wobble * closed.period_s, 2 * kPi_ * closed.polhodePeriods, 2e-13);
-    EXPECT_NEAR(closed.omega0_P[1] / closed.omega0_P[0], omega_P[1] / omega_P[0], 1e-7);  // the tilt alone changes
+    EXPECT_NEAR(closed.omega0_P[1] / closed.omega0_P[0], omega_P[1] / omega_P[0], 1e-7);  // only the tilt changes
     EXPECT_LT(mismatchByTheta(moments.values(), closed).attitude_rad, 1e-13);
   }
 }
 
-TEST(ClosedMotion, SteadySpins) {
+TEST(ClosedMotion, RoundsSteadySpinsToWholeTurns) {
   for (const Vector3d& I : {Vector3d(1, 2, 2.5), Vector3d(2, 2, 2), Vector3d(2, 2, 3)}) {
     const ClosedStart closed = nearestClosedStart(PrincipalMoments(I), {0, 0, 3}, 10);
     EXPECT_EQ(closed.omega0_P, Vector3d(0, 0, 3));
@@ -183,7 +182,7 @@ TEST(ClosedMotion, SteadySpins) {
   EXPECT_EQ(rest.mismatch_rad, 0);
 }
 
-TEST(ClosedMotion, AWobbleThatCannotBeSeenMayGo) {
+TEST(ClosedMotion, DropsAnInvisibleWobble) {
   const PrincipalMoments moments({1, 2, 2.5});
   const ClosedStart closed = nearestClosedStart(moments, {1e-6, 0, 3}, 10);
   EXPECT_EQ(closed.polhodePeriods, 0);
@@ -193,8 +192,8 @@ TEST(ClosedMotion, AWobbleThatCannotBeSeenMayGo) {
   EXPECT_GT(seen.polhodePeriods, 0);
 }
 
-TEST(ClosedMotion, ALongPeriodIsTakenAsItIs) {
-  // L 1e-4 off the middle axis: the polhode takes 31 s, and no loop can be shorter.
+TEST(ClosedMotion, AcceptsAPolhodeLongerThanTheRequestedTime) {
+  // L is 1e-4 off the middle axis. The polhode takes 31 s, and no loop can be shorter.
   const PrincipalMoments moments({1, 2, 2.5});
   const Vector3d omega_P(0, 2, 1e-4);
   const ClosedStart closed = nearestClosedStart(moments, omega_P, 3);
@@ -203,7 +202,7 @@ TEST(ClosedMotion, ALongPeriodIsTakenAsItIs) {
   expectResidual("attitude, long period", mismatchByTheta(moments.values(), closed).attitude_rad, 1e-12);
 }
 
-TEST(ClosedMotion, Refusals) {
+TEST(ClosedMotion, RejectsTheSeparatrixAndInvalidStarts) {
   const PrincipalMoments moments({1, 2, 2.25});
   try {
     nearestClosedStart(moments, {.75, .5, 1}, 10);  // L² = 2 T I2 exactly

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -DPROGRAM=... "-DOTHERS=name=program|name=program" -P: PROGRAM prints the same hash with the CPU's vector units
-# hidden from the C library, and so does every other build of it.
+# Tests that PROGRAM prints the same hash with the CPU's vector units hidden from the C library, and that its other
+# builds print it, too: cmake -DPROGRAM=... "-DOTHERS=name=program|name=program" -P compare_hashes.cmake
 function(hash_of result program)
   execute_process(COMMAND ${CMAKE_COMMAND} -E env GLIBC_TUNABLES=${tunables} ${program} ${ARGN}
     OUTPUT_VARIABLE output RESULT_VARIABLE status OUTPUT_STRIP_TRAILING_WHITESPACE)
@@ -10,13 +10,13 @@ function(hash_of result program)
   set(${result} ${output} PARENT_SCOPE)
 endfunction()
 
-# The names of glibc 2.33 and later (AVX2_Usable and FMA_Usable before it).
+# AVX2 and FMA are the names of glibc 2.33 and later, AVX2_Usable and FMA_Usable those of older versions.
 set(hidden "glibc.cpu.hwcaps=-AVX2,-FMA,-AVX2_Usable,-FMA_Usable")
 
 hash_of(plain ${PROGRAM})
 message(STATUS "as built: ${plain}")
 
-# The control: the C library's own functions must feel it, else the comparison after it shows nothing.
+# Control: hiding must change results of the C library's own functions, or the next comparison proves nothing.
 hash_of(libm ${PROGRAM} --libm)
 set(tunables ${hidden})
 hash_of(libm_hidden ${PROGRAM} --libm)

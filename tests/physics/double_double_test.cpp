@@ -9,7 +9,7 @@
 #include "physics/random_bodies.h"
 #include "physics/residual.h"
 
-// Expected values: Boost.Multiprecision at 100 digits, of the exact values of the operands.
+// Boost.Multiprecision computes the expected values to 100 digits from the exact operands.
 
 namespace poinsot::physics {
 namespace {
@@ -28,7 +28,7 @@ DoubleDouble randomOperand(Draw& draw) {
   return twoSum(hi, hi * draw.between(-1, 1) * 0x1p-54);
 }
 
-TEST(DoubleDouble, RelativeErrorOfTheOperations) {
+TEST(DoubleDouble, OperationsAreAccurateTo103Bits) {
   Draw draw(21);
   double sum = 0, product = 0, quotient = 0, root = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -56,9 +56,9 @@ TEST(DoubleDouble, ErrorFreeTransformsAreExact) {
 
 TEST(DoubleDouble, PiHas106Bits) { EXPECT_LE(relativeError(kPi, boost::math::constants::pi<Real>()), 0x1p-106); }
 
-TEST(DoubleDouble, SquareRootOfZero) { EXPECT_EQ(sqrt(DoubleDouble(0)), DoubleDouble(0)); }
+TEST(DoubleDouble, SquareRootOfZeroIsZero) { EXPECT_EQ(sqrt(DoubleDouble(0)), DoubleDouble(0)); }
 
-TEST(DoubleDouble, ReductionOfLargePhases) {
+TEST(DoubleDouble, ReducesLargePhasesAccurately) {
   Draw draw(23);
   double worst = 0;
   for (int i = 0; i < 1000; ++i) {
@@ -71,14 +71,14 @@ TEST(DoubleDouble, ReductionOfLargePhases) {
   expectResidual("rest of up to 1e14 turns, rad", worst, 2e-17);  // measured 6.3e-19
 }
 
-TEST(DoubleDouble, ReductionOfAbsurdPhasesStaysInRange) {
+TEST(DoubleDouble, ReductionOfHugePhasesStaysInRange) {
   for (const double x : {1e20, -1e40, 1e150, 1e290}) {
     const Reduced r = reduced(x, kTwoPi);
     EXPECT_LE(std::abs(r.rest.hi), 3.1415930) << x;
   }
 }
 
-TEST(Expansion, HoldsACancellingSumExactly) {
+TEST(Expansion, AddsCancellingTermsExactly) {
   Draw draw(24);
   for (int i = 0; i < 300; ++i) {
     const double a = draw.between(0.1, 1), b = draw.between(0.1, 1), c = draw.between(0.1, 1);
@@ -94,7 +94,7 @@ TEST(Expansion, HoldsACancellingSumExactly) {
     rest.add(-head.lo);
     const Real exactSum = (Real(a) - Real(b)) * Real(a) * Real(c) * Real(c);
     EXPECT_LE(relativeError(head, exactSum), 0x1p-104);
-    // What 106 bits left out is itself known to 100 bits.
+    // The rest beyond 106 bits is itself known to 100 bits.
     const Real left = exactSum - exact(head);
     if (left != 0) {
       EXPECT_LE(relativeError(rest.value(), left), 0x1p-100);

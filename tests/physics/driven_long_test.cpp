@@ -8,11 +8,11 @@
 namespace poinsot::physics {
 namespace {
 
-// Of the development example of the notes: closed form in extended precision.
+// Constants of heavyTop(), from its closed form in extended precision.
 constexpr double kNutationPeriod_s = 1.83064120697989845;
 constexpr double kPrecessionPerNutation_rad = 0.958047879275758037;
 
-// The heavy top over 1e4 nutations, 1.7e5 rad: L_z to the last bit, no trend in the energy.
+// Over 1e4 nutations (1.7e5 rad) L_z must stay to the last bit, and the energy must have no trend.
 TEST(DrivenLong, HeavyTopDoesNotDrift) {
   const double end = 1e4 * kNutationPeriod_s;
   const DrivenMotion motion = heavyTop(end).motion(1e-9);
@@ -29,7 +29,7 @@ TEST(DrivenLong, HeavyTopDoesNotDrift) {
   }
   expectResidual("energy", largest, 1e-14);                      // measured 1.9e-15
   expectResidual("  its trend", std::abs(late - early), 4e-15);  // measured 1.2e-15
-  // After a whole number of nutations the axis is where it was, the precession apart.
+  // After a whole number of nutations the axis is back at its start, turned by the precession.
   const Eigen::Vector3d before = start.q_WB.toRotationMatrix().col(2),
                         after = motion.at(end).q_WB.toRotationMatrix().col(2);
   const double precession = std::fmod(1e4 * kPrecessionPerNutation_rad, 2 * EIGEN_PI);

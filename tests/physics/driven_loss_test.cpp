@@ -5,14 +5,14 @@
 
 #include "physics/driven_testing.h"
 
-// Drag and dissipation against closed forms.
+// Drag and dissipation are compared with closed forms.
 
 namespace poinsot::physics {
 namespace {
 
 using Eigen::Vector3d;
 
-// Spin about a principal axis with drag: omega decays as e^(-d t), the angle is omega0 (1 - e^(-d t))/d.
+// Drag makes a spin about a principal axis decay as e^(-d t), with the angle omega0 (1 - e^(-d t))/d.
 TEST(DrivenLoss, SpinAboutAPrincipalAxisDecays) {
   DrivenCase c;
   c.omega0 = {0, 0, 3};
@@ -31,8 +31,8 @@ TEST(DrivenLoss, SpinAboutAPrincipalAxisDecays) {
   expectResidual("attitude", attitude, 1e-12);  // measured 6.8e-15
 }
 
-// Drag of one rate: the direction of L stays, T and |L| decay; known at any time.
-TEST(DrivenLoss, DragOfOneRateInClosedForm) {
+// With equal drag rates the direction of L stays, T and |L| decay, and the motion is known at any time.
+TEST(DrivenLoss, EqualDragFollowsTheClosedForm) {
   DrivenCase c;
   c.forcing.dragRate_P.setConstant(0.2);
   c.span = {0, 1};
@@ -46,7 +46,7 @@ TEST(DrivenLoss, DragOfOneRateInClosedForm) {
   EXPECT_EQ(late.kineticEnergy, 0);
 }
 
-// The same rates by steps, one a last bit larger: closed form and integrator agree.
+// One rate larger by its last bit forces integration. Closed form and integrator must agree.
 TEST(DrivenLoss, ClosedFormAgreesWithTheIntegrator) {
   DrivenCase c;
   c.forcing.dragRate_P.setConstant(0.2);
@@ -60,7 +60,8 @@ TEST(DrivenLoss, ClosedFormAgreesWithTheIntegrator) {
   expectResidual("closed form and steps", worst, 1e-12);  // measured 1.8e-15
 }
 
-// tan theta(t) = tan theta0 exp(-alpha L^2 (1/Ip - 1/I3) t) for a symmetric body, theta from the axis to L.
+// Closed form for a symmetric body, theta from the axis to L:
+// tan theta(t) = tan theta0 exp(-alpha L^2 (1/Ip - 1/I3) t).
 void expectSymmetricDecay(const char* name, const Vector3d& I) {
   DrivenCase c;
   c.I = I;
@@ -81,7 +82,7 @@ void expectSymmetricDecay(const char* name, const Vector3d& I) {
   expectResidual("  L", L, 0);
 }
 
-TEST(DrivenLoss, SymmetricBody) {  // measured 5e-16 and 9e-16
+TEST(DrivenLoss, SymmetricBodyTiltsByTheClosedForm) {  // measured 5e-16 and 9e-16
   expectSymmetricDecay("oblate", {1, 1, 1.6});
   expectSymmetricDecay("prolate", {1, 1, 0.5});
 }
@@ -107,13 +108,13 @@ TEST(DrivenLoss, ExplorerEndsInFlatSpin) {
   }
 }
 
-/// Twice the vector part of q(-h)^-1 q(h) over 2 h: the rate of turning at t, up to (h rate)^3.
+/// Returns the rate of turning at t, up to (h rate)^3: twice the vector part of q(t - h)^-1 q(t + h), over 2 h.
 Vector3d differencedRate(const DrivenMotion& motion, double t, double h) {
   const Eigen::Quaterniond turn = motion.at(t - h).q_WB.conjugate() * motion.at(t + h).q_WB;
   return turn.vec() * (turn.w() < 0 ? -1 : 1) / h;
 }
 
-// Oracle: central differences of q, extrapolated from steps h and h/2 (error h^4), and the rate itself by hand.
+// Oracle: central differences of q, extrapolated from steps h and h/2 (error h^4).
 TEST(DrivenLoss, AttitudeTurnsAtTheTurningRateAndNotAtOmega) {
   DrivenCase c;
   c.forcing.dissipation = 0.02;
@@ -140,7 +141,7 @@ TEST(DrivenLoss, TurningRateIsOmegaWithoutDissipation) {
   EXPECT_EQ(turningRate_W(motion, motion.at(3)), motion.at(3).omega_W);
 }
 
-// With gravity and torques L changes by them alone: dL/dt = N, dissipation adding none of its own.
+// Torques alone change L: dL/dt = N. Dissipation adds nothing.
 TEST(DrivenLoss, OnlyTorquesChangeTheMomentum) {
   DrivenCase c;
   c.forcing.dissipation = 0.05;

@@ -14,22 +14,22 @@
 
 namespace poinsot::physics {
 
-/// An integrator that shares nothing with the code under test: Taylor series of high order in time of the
-/// equations in principal axes, without splitting, exact flows or invariants, in the arithmetic of Real,
+/// Integrator that shares nothing with the code under test. Integrates the equations in principal axes by Taylor
+/// series of high order in time, in the arithmetic of Real, without splitting, exact flows or invariants:
 ///   m' = -Omega × m + N - d m,   q' = q (0, Omega)/2,   Omega = I^-1 m + alpha m × (I^-1 m)
-/// with N = g × R^-1(0,0,-1) + N_P + R^-1 N_W, both torques linear in time. From knot to knot of a table it is
-/// the test that leads it.
+/// with N = g × R^-1(0,0,-1) + N_P + R^-1 N_W, both torques linear in time. For a torque table, the test advances
+/// the integrator from knot to knot.
 template <typename Real>
 class DrivenOracle {
  public:
   using Vector = std::array<Real, 3>;
   struct State {
     Real t = 0;
-    std::array<Real, 4> q;  // w, x, y, z, of P
+    std::array<Real, 4> q;  // w, x, y, z of q_WP
     Vector m;
   };
 
-  /// Torques linear in the time since t = 0, beside the constant ones of the forcing (whose tables are not read).
+  /// Torques linear in time, 0 at t = 0, added to the constant torques of the forcing. Its tables are ignored.
   struct Slopes {
     Eigen::Vector3d torque_P = Eigen::Vector3d::Zero(), torque_W = Eigen::Vector3d::Zero();
   };
@@ -64,7 +64,6 @@ class DrivenOracle {
     return s;
   }
 
-  /// Angular momentum in W.
   static Vector momentum_W(const State& s) {
     const auto p = TaylorOracle<Real>::product(s.q, {Real(0), s.m[0], s.m[1], s.m[2]});
     const auto v = TaylorOracle<Real>::product(p, {s.q[0], -s.q[1], -s.q[2], -s.q[3]});
@@ -81,7 +80,7 @@ class DrivenOracle {
   };
   struct Series {
     std::array<Terms, 4> q;
-    VectorTerms m, omega, turn;  // Omega
+    VectorTerms m, omega, turn;  // turn: Omega
   };
 
   static Real epsilon() { return std::numeric_limits<Real>::epsilon(); }
@@ -99,7 +98,7 @@ class DrivenOracle {
             conv(a[0], b[1], n) - conv(a[1], b[0], n)};
   }
 
-  /// Term n of the rows of R: R(i, j) = row i of W, column j of the body.
+  /// Returns term n of the rows of R. Row i belongs to W, column j to the body.
   std::array<Vector, 3> rotation(const Series& s, std::size_t n) const {
     const auto p = [&](std::size_t i, std::size_t j) { return conv(s.q[i], s.q[j], n); };
     const Real ww = p(0, 0), xx = p(1, 1), yy = p(2, 2), zz = p(3, 3);
@@ -131,7 +130,7 @@ class DrivenOracle {
     return s;
   }
 
-  /// Term n of N: the slopes enter with the rotation's term before.
+  /// Returns term n of N. Slopes enter with term n - 1 of the rotation.
   Vector torqueTerm(const std::vector<std::array<Vector, 3>>& R, std::size_t n, const Real& t) const {
     const Vector up = R[n][2];  // R^-1 z
     Vector N = {-(gravity_[1] * up[2] - gravity_[2] * up[1]), -(gravity_[2] * up[0] - gravity_[0] * up[2]),
@@ -147,7 +146,8 @@ class DrivenOracle {
     return N;
   }
 
-  /// Where the last two terms are roundings of the largest value (Jorba & Zou, Exp. Math. 14 (2005) 99).
+  /// Returns the step at which the last two terms are roundings of the largest value (Jorba & Zou, Exp. Math. 14
+  /// (2005) 99).
   double stepOf(const Series& s) const {
     const auto largest = [&](std::size_t n) {
       double value = 1e-300;

@@ -6,8 +6,8 @@
 #include "physics/driven_testing.h"
 #include "physics/splitting.h"
 
-// The order of each composition: the slope of log error against log step over three halvings, error against the
-// Taylor integrator. Measured slopes stand beside.
+// Order of each composition: the slope of log error over log step across three halvings, with the Taylor
+// integrator as reference. Trailing comments give measured slopes.
 
 namespace poinsot::physics {
 namespace {
@@ -34,7 +34,7 @@ DrivenState advanced(DrivenState state, const DrivenCase& c, const Composition& 
   return state;
 }
 
-/// Least-squares slope over steps, 2 steps, 4 steps, 8 steps.
+/// Returns the least-squares slope of log error for `steps` steps and 2, 4 and 8 times as many.
 double slope(const DrivenCase& c, const Composition& composition, int steps) {
   const DrivenOracle<long double> oracle(c.I, c.forcing);
   const double T = c.span.to_s;
@@ -68,8 +68,8 @@ DrivenCase lasting(DrivenCase c, double end_s) {
   return c;
 }
 
-// The first steps are short enough for the order to show, the last long enough for the rounding not to.
-TEST(DrivenOrder, HeavyTop) {
+// The longest steps are short enough to show the order; the shortest are long enough to hide rounding.
+TEST(IntegratorOrder, HoldsForTheHeavyTop) {
   const DrivenCase top = heavyTop(4);
   expectOrder("Strang", top, strang2(), 200);                 // 2.000
   expectOrder("Nystrom 4", top, nystrom4(), 60);              // 3.95
@@ -77,7 +77,7 @@ TEST(DrivenOrder, HeavyTop) {
   expectOrder("Kahan-Li", lasting(top, 24), kahanLi8(), 56);  // 7.92
 }
 
-TEST(DrivenOrder, TorquesAndGravity) {
+TEST(IntegratorOrder, HoldsForTorquesAndGravity) {
   const DrivenCase c = drivenByAll();
   expectOrder("Strang", c, strang2(), 200);                 // 2.000
   expectOrder("Nystrom 4", c, nystrom4(), 60);              // 3.98
@@ -85,15 +85,15 @@ TEST(DrivenOrder, TorquesAndGravity) {
   expectOrder("Kahan-Li", lasting(c, 16), kahanLi8(), 32);  // 7.96
 }
 
-// Drag of one rate is in the drift, so that the Nyström methods keep their order.
-TEST(DrivenOrder, EqualDrag) {
+// Equal drag is part of the drift, so that the Nyström methods keep their order.
+TEST(IntegratorOrder, HoldsForEqualDrag) {
   DrivenCase c = drivenByAll();
   c.forcing.dragRate_P.setConstant(0.3);
   expectOrder("Nystrom 4", c, nystrom4(), 60);  // 3.99
   expectOrder("Nystrom 6", c, nystrom6(), 20);  // 5.95
 }
 
-TEST(DrivenOrder, UnequalDragAndDissipation) {
+TEST(IntegratorOrder, HoldsForUnequalDragAndDissipation) {
   DrivenCase c = drivenByAll();
   c.forcing.dragRate_P = {0.3, 0.1, 0.2};
   expectOrder("Strang, drag", c, strang2(), 200);                 // 2.000
@@ -110,7 +110,7 @@ double disagreement(const DrivenState& a, const DrivenState& b) {
   return largest;
 }
 
-// A step back undoes a step: every composition is a palindrome of reversible flows.
+// Every composition is a palindrome of reversible flows, so that a step back undoes a step.
 void expectReversible(const DrivenCase& c, const Composition& composition) {
   const DrivenState start = startOf(c);
   const DrivenState there = advanced(start, c, composition, 100, 0.05);
@@ -118,7 +118,7 @@ void expectReversible(const DrivenCase& c, const Composition& composition) {
   expectResidual(composition.name, disagreement(start, advanced(there, c, composition, 100, -0.05)), 1e-13);
 }
 
-TEST(DrivenOrder, Reversal) {  // measured 3e-16 to 3e-15
+TEST(IntegratorOrder, StepsAreReversible) {  // measured 3e-16 to 3e-15
   DrivenCase c = drivenByAll();
   for (const Composition* composition : {&strang2(), &nystrom4(), &nystrom6(), &kahanLi8()})
     expectReversible(c, *composition);

@@ -32,7 +32,7 @@ std::string refusalOf(const Forcing& forcing) {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
 
-TEST(ForcingValidation, NamesWhatIsNotFinite) {
+TEST(ForcingValidation, ReportsValuesThatAreNotFinite) {
   Forcing f;
   validate(f);
   f.gravity_B[1] = kNaN;
@@ -71,14 +71,14 @@ TEST(ForcingValidation, RefusesTablesThatDoNotAscend) {
   EXPECT_THAT(refusalOf(f), HasSubstr("the torque table in body axes must be finite"));
 }
 
-TEST(DrivenRefusal, SpanAndTolerance) {
+TEST(DrivenRefusal, RejectsInfiniteSpanAndZeroTolerance) {
   DrivenCase c;
   EXPECT_THAT(refusal([&] { c.motion(0); }), HasSubstr("tolerance must be positive and finite, got 0 rad"));
   c.span = {0, kInf};
   EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("span of a driven motion must be finite, got 0 s to inf s"));
 }
 
-TEST(DrivenRefusal, Starts) {
+TEST(DrivenRefusal, RejectsInvalidStarts) {
   DrivenCase c;
   c.forcing.torque_B = {1, 0, 0};
   c.omega0[0] = kNaN;
@@ -88,7 +88,7 @@ TEST(DrivenRefusal, Starts) {
   EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("nonzero, finite quaternion"));
 }
 
-TEST(DrivenRefusal, RunsOfTooManySteps) {
+TEST(DrivenRefusal, RejectsRunsOfTooManySteps) {
   DrivenCase c = heavyTop(1e9);
   EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("more than the 2000000 steps allowed in a run"));
   c = {};
@@ -97,8 +97,8 @@ TEST(DrivenRefusal, RunsOfTooManySteps) {
   EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("weaken what drives the body"));
 }
 
-// As many as it takes, and one less.
-TEST(DrivenRefusal, StepsAreAllowedByTheCaller) {
+// The caller allows the steps that the run needs, then one fewer.
+TEST(DrivenRefusal, ObeysTheStepLimitOfTheCaller) {
   const DrivenCase c = heavyTop(1);
   const PrincipalAxes axes{PrincipalMoments(c.I)};
   const auto made = [&](double allowed) {
@@ -115,9 +115,8 @@ TEST(DrivenRefusal, StepsAreAllowedByTheCaller) {
   }
 }
 
-// A needle with a torque about it: in 20 s it would turn 2e9 rad. With energy loss alpha L²/I is 5e6 a
-// second.
-TEST(DrivenRefusal, NeedlesAreRefusedInSeconds) {
+// The torque would turn this needle by 2e9 rad in 20 s. With energy loss, alpha L²/I is 5e6 per second.
+TEST(DrivenRefusal, RejectsNeedlesWithinSeconds) {
   DrivenCase c;
   c.I = {1e-8, 1, 1};
   c.forcing.torque_B = {0.1, 0.2, 0.3};
@@ -129,19 +128,19 @@ TEST(DrivenRefusal, NeedlesAreRefusedInSeconds) {
   c.forcing = {};
   c.forcing.dissipation = 0.01;
   EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("more than the 400000 steps allowed in a run"));
-  const double used_s = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;  // of the processor
-  EXPECT_LE(used_s, 10);  // measured 0.4; 12 and no end before long drifts were left
+  const double used_s = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;  // processor time
+  EXPECT_LE(used_s, 10);  // measured 0.4; was 12 or endless before long drifts were abandoned
 }
 
-// Strong drag of unequal rates: at rest after 7 ms, whatever the span. The attitude at rest is that of any later
-// time, and a torque that comes later finds the body there.
-TEST(DrivenRest, IsNotIntegrated) {
+// Strong drag of unequal rates stops the body after 7 ms, for any span. The body keeps its attitude until a later
+// torque turns it.
+TEST(DrivenRest, NeedsNoIntegrationSteps) {
   DrivenCase c;
   c.forcing.dragRate_P = {1e5, 2e5, 1e5};
   c.span = {0, 1e9};
   const std::clock_t begin = std::clock();
   const DrivenMotion motion = c.motion();
-  EXPECT_LE(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 5);  // measured 0.15; 60 for 1 s before
+  EXPECT_LE(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 5);  // measured 0.15; once 60 for 1 s
   const RigidBodyState rest = motion.at(1e-2);
   for (const double t : {1.0, 1e9}) {
     EXPECT_EQ(motion.at(t).q_WB.coeffs(), rest.q_WB.coeffs());
@@ -153,27 +152,27 @@ TEST(DrivenRest, IsNotIntegrated) {
   EXPECT_NEAR(2 * rest.q_WB.z(), 2 / 1e5, 1e-9);
 }
 
-TEST(DrivenRest, EndsWithTheNextTorque) {
+TEST(DrivenRest, EndsAtTheNextTorque) {
   DrivenCase c;
   c.forcing.dragRate_P = {1e3, 2e3, 1e3};
   c.forcing.torqueHistory_B = {{0, 2, 2.01}, {{0, 0, 0}, {0, 0, 400}, {0, 0, 0}}, false};
   c.span = {0, 3};
   const DrivenMotion motion = c.motion();
   EXPECT_EQ(motion.at(1.5).omega_B.norm(), 0);
-  // The torque against the drag: omega tends to torque/(rate I3), I3 = 2.
+  // Torque and drag balance at omega = torque/(rate I3), with I3 = 2.
   EXPECT_NEAR(motion.at(2.01).omega_B[2], 0.2 * (1 - std::exp(-10)), 1e-9);
   EXPECT_EQ(motion.at(3).omega_B.norm(), 0);
 }
 
-TEST(DrivenRefusal, DecayTracedBackTooFar) {
+TEST(DrivenRefusal, RejectsDecayTracedBackTooFar) {
   DrivenCase c;
   c.forcing.dragRate_P.setConstant(1);
   c.span = {-1000, 0};
   EXPECT_THAT(refusal([&] { c.motion(); }), HasSubstr("start the run later"));
 }
 
-// 1e5 s of a heavy top take more than half a minute. The check is called every 50 ms: by the pilot first, then by
-// the runs.
+// 1e5 s of a heavy top take more than half a minute. The pilot run and then the main runs call the check every
+// 50 ms.
 TEST(DrivenRefusal, InterruptionEndsTheIntegration) {
   struct Enough : std::exception {};
   for (const int calls : {1, 20}) {
@@ -185,15 +184,16 @@ TEST(DrivenRefusal, InterruptionEndsTheIntegration) {
   }
 }
 
-TEST(DrivenRefusal, TimesOutsideTheSpan) {
+TEST(DrivenRefusal, RejectsTimesOutsideTheSpan) {
   DrivenCase c;
   c.forcing.torque_B = {0.1, 0, 0};
   c.span = {-1, 2};
   const DrivenMotion motion = c.motion();
   motion.at(2);
   motion.at(-1);
-  EXPECT_EQ(refusal([&] { motion.at(2.001); }), "t = 2.001 s: this driven motion is known from -1 s to 2 s");
-  EXPECT_THAT(refusal([&] { motion.at(-1.001); }), HasSubstr("known from -1 s"));
+  EXPECT_EQ(refusal([&] { motion.at(2.001); }),
+            "t = 2.001 s: this driven motion was computed only from -1 s to 2 s");
+  EXPECT_THAT(refusal([&] { motion.at(-1.001); }), HasSubstr("computed only from -1 s"));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace poinsot::physics {
 
-/// A driven body described in its principal axes, and the span wanted.
+/// A driven body in its principal axes, its start and its time span.
 struct DrivenCase {
   Eigen::Vector3d I{1, 1.5, 2};
   Eigen::Vector3d omega0{0.5, 1, 2};
@@ -21,7 +21,7 @@ struct DrivenCase {
   }
 };
 
-/// The heavy symmetric top of the lecture's notes: axis tilted 30 degrees, released with spin alone.
+/// Returns a heavy symmetric top whose axis is tilted by 30 degrees, released with spin alone.
 /// I1 = 1.40625, I3 = 0.65625 kg·m², M g l = 2.84375 N·m, spin 9.15625 rad/s.
 inline DrivenCase heavyTop(double end_s) {
   DrivenCase top;
@@ -38,7 +38,7 @@ struct DrivenResiduals {
   double L = 0;  // kg·m²/s
 };
 
-/// Largest differences from the oracle at `times` even times over the span.
+/// Returns the largest differences from the oracle at `times` evenly spaced times on each side of t = 0.
 template <typename Real = long double>
 DrivenResiduals residualsOf(const DrivenCase& c, const DrivenMotion& motion, int times = 10) {
   using Oracle = DrivenOracle<Real>;

@@ -7,11 +7,11 @@
 
 #include "physics/driven_testing.h"
 
-// The heavy symmetric top against its closed form (Lagrange; Landau & Lifshitz, Mechanics, section 35, problem 1):
+// The heavy symmetric top and its closed form (Lagrange; Landau & Lifshitz, Mechanics, section 35, problem 1):
 // with u = cos theta, u'^2 = f(u) = (alpha - beta u)(1 - u^2) - (b - a u)^2, a cubic with roots u1 < u2 < 1 < u3,
 //   u(t) = u1 + (u2 - u1) sn^2(sqrt(beta (u3 - u1))/2 (t - t1)),  sn^2 of modulus^2 = (u2 - u1)/(u3 - u1).
-// The elliptic functions are Boost's. Literals: the development example of the notes, from closed form and Taylor
-// integration in extended precision.
+// Boost provides the elliptic functions. Literals come from the closed form and from Taylor integration in
+// extended precision.
 
 namespace poinsot::physics {
 namespace {
@@ -25,7 +25,7 @@ constexpr double kPrecessionPerNutation_rad = 0.958047879275758037;
 
 Vector3d axis_W(const RigidBodyState& state) { return state.q_WB.toRotationMatrix().col(2); }
 
-/// cos of the inclination of a top released at rest but for its spin, its axis at 30 degrees.
+/// Closed form of the cosine of inclination of a top that is released with spin alone, its axis at 30 degrees.
 class ReleasedTop {
  public:
   ReleasedTop() {
@@ -48,7 +48,7 @@ class ReleasedTop {
   double lowest_ = 0, third_ = 0, modulus_ = 0, rate_ = 0;
 };
 
-TEST(HeavyTop, NutatesAsLagrangeSays) {
+TEST(HeavyTop, NutatesByLagrangesClosedForm) {
   const ReleasedTop exact;
   const DrivenMotion motion = heavyTop(20).motion();
   double worst = 0;
@@ -57,7 +57,7 @@ TEST(HeavyTop, NutatesAsLagrangeSays) {
   expectResidual("cos of the inclination", worst, 1e-12);  // measured 9.1e-15
 }
 
-TEST(HeavyTop, NutationLimitsAndPeriod) {
+TEST(HeavyTop, ReachesTheLimitsOfNutationEachPeriod) {
   const ReleasedTop exact;
   EXPECT_NEAR(exact.period_s(), kNutationPeriod_s, 4e-15);
   EXPECT_NEAR(std::acos(exact.lowest()) * 180 / EIGEN_PI, kLowest_deg, 1e-12);
@@ -81,10 +81,10 @@ TEST(HeavyTop, PrecessesByAFixedAnglePerNutation) {
   expectResidual("axis after ten nutations", worst, 1e-12);  // measured 4.7e-14
 }
 
-/// Largest deviation of the axis from steady precession at 30 degrees with the rate given.
+/// Returns the largest deviation of the axis from steady precession at 30 degrees with a given rate.
 double steadyPrecessionResidual(double rate) {
   DrivenCase top = heavyTop(20);
-  // omega = rate z_W + what makes omega_3 the spin; the axis lies in the plane of x = 0.
+  // omega = rate z_W, with omega_3 set to the spin. The axis lies in the plane x = 0.
   const Vector3d up_B = top.q0.conjugate() * Vector3d::UnitZ();
   top.omega0 = rate * up_B;
   top.omega0[2] = kSpin;
@@ -99,12 +99,12 @@ double steadyPrecessionResidual(double rate) {
 }
 
 // Rates: roots of I1 cos(theta) p^2 - I3 w3 p + M g l = 0.
-TEST(HeavyTop, SteadyPrecession) {
+TEST(HeavyTop, PrecessesSteadilyAtBothRates) {
   expectResidual("slow", steadyPrecessionResidual(0.530251265914263), 1e-12);  // measured 4.0e-14
   expectResidual("fast", steadyPrecessionResidual(4.40368790953541), 1e-12);   // measured 8.9e-14
 }
 
-/// How far an upright top, disturbed a little, leans over.
+/// Returns how far an upright top leans after a small disturbance.
 double largestLean(double spin) {
   DrivenCase top = heavyTop(30);
   top.q0 = Eigen::Quaterniond(Eigen::AngleAxisd(1e-6, Vector3d::UnitX()));
@@ -115,15 +115,15 @@ double largestLean(double spin) {
   return lean;
 }
 
-// 2 sqrt(I1 M g l)/I3: a faster top sleeps upright, a slower one falls.
-TEST(HeavyTop, SleepsAboveTheLimit) {
+// A top that spins faster than 2 sqrt(I1 M g l)/I3 sleeps upright; a slower top falls.
+TEST(HeavyTop, SleepsUprightAboveTheLimitingSpin) {
   constexpr double kLimit = 6.09449400220044;
   EXPECT_LT(largestLean(kLimit * 1.01), 2e-5);
   EXPECT_GT(largestLean(kLimit * 0.95), 0.1);
 }
 
-// An upright top without disturbance is in equilibrium: it spins on, exactly.
-TEST(HeavyTop, UprightTopOnlySpins) {
+// An upright top without disturbance is in equilibrium and keeps spinning exactly.
+TEST(HeavyTop, UprightTopStaysUpright) {
   DrivenCase top = heavyTop(10);
   top.q0 = Eigen::Quaterniond::Identity();
   const DrivenMotion motion = top.motion();
@@ -131,8 +131,8 @@ TEST(HeavyTop, UprightTopOnlySpins) {
   EXPECT_LE(axis_W(motion.at(7.3)).head<2>().norm(), 0);
 }
 
-// The figure axis component of L is a constant of the symmetric top; the vertical one is untouched by the kicks.
-TEST(HeavyTop, KeepsItsThreeConstants) {
+// A symmetric top keeps L along its axis. The kicks of the integrator leave the vertical component alone.
+TEST(HeavyTop, ConservesItsThreeConstantsOfMotion) {
   const DrivenMotion motion = heavyTop(50).motion();
   const RigidBodyState start = motion.at(0);
   double figure = 0, energy = 0;

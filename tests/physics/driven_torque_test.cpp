@@ -7,7 +7,7 @@
 #include "physics/free_motion.h"
 #include "physics/torque.h"
 
-// Torques without and with their time dependence: closed forms, and the Taylor integrator led from knot to knot.
+// Constant and time-dependent torques are compared with closed forms and with the Taylor integrator.
 
 namespace poinsot::physics {
 namespace {
@@ -18,7 +18,7 @@ double angleBetween(const RigidBodyState& a, const RigidBodyState& b) {
   return 2 * (a.q_WB.conjugate() * b.q_WB).vec().norm();
 }
 
-TEST(DrivenTorque, NoTorqueIsFreeMotion) {
+TEST(DrivenTorque, MotionWithoutTorqueIsFreeMotion) {
   DrivenCase c;
   c.q0 = Eigen::Quaterniond(0.5, -0.25, 0.75, 1.5);
   const DrivenMotion motion = c.motion();
@@ -31,8 +31,8 @@ TEST(DrivenTorque, NoTorqueIsFreeMotion) {
   EXPECT_EQ(motion.report().steps, 0u);
 }
 
-// The integrator itself, by a torque too small to matter: 1e-200 N·m.
-TEST(DrivenTorque, NextToNoTorqueIsNextToFreeMotion) {
+// A torque of 1e-200 N·m is too small to matter but forces integration.
+TEST(DrivenTorque, MotionUnderATinyTorqueIsNearlyFree) {
   DrivenCase c;
   c.q0 = Eigen::Quaterniond(0.5, -0.25, 0.75, 1.5).normalized();
   c.forcing.torque_B = {1e-200, 0, 0};
@@ -44,8 +44,8 @@ TEST(DrivenTorque, NextToNoTorqueIsNextToFreeMotion) {
   expectResidual("free motion by steps", worst, 2e-13);  // measured 1.5e-14
 }
 
-// L = L0 + N t, whatever the attitude does.
-TEST(DrivenTorque, SpaceTorqueAddsUp) {
+// L = L0 + N t for any attitude.
+TEST(DrivenTorque, SpaceTorqueChangesLByItsTimeIntegral) {
   DrivenCase c;
   c.forcing.torque_W = {0.1, 0.2, -0.3};
   c.span = {-10, 20};
@@ -57,7 +57,7 @@ TEST(DrivenTorque, SpaceTorqueAddsUp) {
   expectResidual("L0 + N t", worst, 5e-16);  // measured 5.2e-17
 }
 
-// A body at rest spun up about a principal axis: phi = N t^2/(2 I).
+// A body at rest spins up about a principal axis by phi = N t^2/(2 I).
 TEST(DrivenTorque, SpinsUpFromRest) {
   for (const bool inBody : {true, false}) {
     DrivenCase c;
@@ -75,9 +75,9 @@ TEST(DrivenTorque, SpinsUpFromRest) {
   }
 }
 
-// A symmetric body under a torque about its axis, fixed in the body: omega_3 = w3 + N t/I3, and the other two turn
-// by the integral of (I3/I1 - 1) omega_3.
-TEST(DrivenTorque, SymmetricBodyWithTorqueAboutItsAxis) {
+// A torque about the axis of a symmetric body gives omega_3 = w3 + N t/I3. The other two components turn by the
+// integral of (I3/I1 - 1) omega_3.
+TEST(DrivenTorque, SpinsUpASymmetricBodyByTheClosedForm) {
   DrivenCase c;
   c.I = {1, 1, 1.5};
   c.omega0 = {0.7, 0, 2};
@@ -100,7 +100,7 @@ TorqueHistory table(bool linear) {
   return history;
 }
 
-/// The state at t, the oracle led from 0 to t from knot to knot with the torque on each written out.
+/// Returns the oracle's state at t, advanced from 0 from knot to knot with the torque of each piece.
 template <typename Oracle>
 typename Oracle::State led(const DrivenCase& c, const TorqueHistory& history, bool inBody, double t) {
   auto state = Oracle(c.I, Forcing()).start(c.omega0, c.q0);
@@ -138,7 +138,7 @@ void expectTable(const char* name, bool linear, bool inBody) {
   const DrivenMotion motion = c.motion();
   using Oracle = DrivenOracle<long double>;
   double worst = 0;
-  // Between knots, on knots, beyond the first and the last.
+  // Times between knots, on knots, and beyond the first and the last knot.
   for (const double t : {-5.0, -2.5, -1.1, 0.5, 0.9, 1.25, 1.28, 1.3125, 2.2, 4.0, 6.0})
     worst = std::max(
         worst, TaylorOracle<long double>::angle(led<Oracle>(c, table(linear), inBody, t).q, motion.at(t).q_WB));
@@ -146,15 +146,15 @@ void expectTable(const char* name, bool linear, bool inBody) {
   EXPECT_LE(worst, 3 * motion.report().estimatedAttitudeError_rad);
 }
 
-TEST(DrivenTorque, Tables) {  // measured 4e-14 to 9e-14
+TEST(DrivenTorque, FollowsTablesOfStepsAndLines) {  // measured 4e-14 to 9e-14
   expectTable("steps, body", false, true);
   expectTable("steps, space", false, false);
   expectTable("lines, body", true, true);
   expectTable("lines, space", true, false);
 }
 
-// A table of many short pieces, as read from a file: the angular momentum is the integral of the torque.
-TEST(DrivenTorque, LongTable) {
+// For a table of many short pieces, as read from a file, the angular momentum is the integral of the torque.
+TEST(DrivenTorque, IntegratesALongTable) {
   DrivenCase c;
   TorqueHistory& history = c.forcing.torqueHistory_W;
   history.linear = true;
@@ -170,8 +170,8 @@ TEST(DrivenTorque, LongTable) {
   EXPECT_LE(motion.report().estimatedAttitudeError_rad, 1e-12);
 }
 
-// A body described in axes that are not its principal ones moves as the same body described in those.
-TEST(DrivenTorque, AxesOfTheDescriptionDoNotMatter) {
+// A body described in other axes moves as the same body described in its principal axes.
+TEST(DrivenTorque, DoesNotDependOnTheBodyAxes) {
   const Eigen::Quaterniond q_BP = Eigen::Quaterniond(0.8, 0.2, -0.3, 0.4).normalized();
   DrivenCase c;
   c.forcing.torque_B = {0.1, 0.2, -0.3};
@@ -192,8 +192,8 @@ TEST(DrivenTorque, AxesOfTheDescriptionDoNotMatter) {
   expectResidual("described in other axes", worst, 2e-12);  // measured 1e-14
 }
 
-// at(t) is a function of t alone, to the last bit: not of what was asked before, and not of the way there.
-TEST(DrivenTorque, IsAFunctionOfTime) {
+// at(t) depends on t alone, to the last bit, and not on earlier calls.
+TEST(DrivenTorque, StateDependsOnTimeAlone) {
   DrivenCase c = heavyTop(20);
   c.span = {-20, 20};
   const DrivenMotion motion = c.motion(), again = c.motion();
@@ -203,12 +203,12 @@ TEST(DrivenTorque, IsAFunctionOfTime) {
     EXPECT_EQ(a.L_W, b.L_W);
     EXPECT_EQ(a.t_s, t);
     EXPECT_GE(a.q_WB.w(), 0);
-    // Continuous: no jump where one step ends and the next begins.
+    // The state is continuous where one step ends and the next begins.
     EXPECT_LE(angleBetween(a, motion.at(t + 1e-9)), 2e-8);
   }
 }
 
-// The torque of a state is what L_W changes by: a difference of sixth order along the motion.
+// The torque of a state must be the rate of change of L_W, by a difference of sixth order.
 TEST(DrivenTorque, IsTheRateOfChangeOfL) {
   DrivenCase c;
   c.forcing.gravity_B = {0.2, -0.1, 0.5};
@@ -221,7 +221,7 @@ TEST(DrivenTorque, IsTheRateOfChangeOfL) {
   c.forcing.dissipation = 0.05;
   c.span = {-5, 5};
   const DrivenMotion motion = c.motion();
-  const double h = 0.003;  // the formula is of the sixth order
+  const double h = 0.003;  // step of a difference of sixth order
   double worst = 0;
   for (const double t : {-4.5, -2.0, -0.3, 0.7, 1.9, 3.3}) {
     const auto slope = [&](double k) {
@@ -230,7 +230,7 @@ TEST(DrivenTorque, IsTheRateOfChangeOfL) {
     const Vector3d rate = 1.5 * slope(1) - 0.6 * slope(2) + 0.1 * slope(3);
     worst = std::max(worst, (torque_W(c.forcing, motion.axes(), motion.at(t)) - rate).norm());
   }
-  expectResidual("dL/dt", worst, 3e-11);  // 3.2e-12
+  expectResidual("dL/dt", worst, 3e-11);  // measured 3.2e-12
 }
 
 }  // namespace

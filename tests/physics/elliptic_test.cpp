@@ -14,8 +14,8 @@
 #include "physics/random_bodies.h"
 #include "physics/residual.h"
 
-// Expected values: Boost.Math over 60 digits, where k = sqrt(1 - mc) keeps enough of mc; where Boost has no such
-// function, a trapezoidal sum, which converges geometrically for a periodic integrand.
+// Boost.Math computes the expected values with 60 digits, in which k = sqrt(1 - mc) keeps enough of mc. Where
+// Boost lacks a function, a trapezoidal sum replaces it, which converges geometrically for a periodic integrand.
 
 namespace poinsot::physics {
 namespace {
@@ -33,7 +33,7 @@ double relativeError(const T& measured, const Real& expected) {
 
 Real modulus(double mc) { return sqrt(Real(1 - Real(mc))); }
 
-TEST(Elliptic, CompleteK) {
+TEST(Elliptic, CompleteKMatchesBoost) {
   Draw draw(31);
   double worst = 0, worstDD = 0;
   for (int i = 0; i < 300; ++i) {
@@ -47,14 +47,14 @@ TEST(Elliptic, CompleteK) {
   EXPECT_EQ(completeK(1.0), kHalfPi.hi);
 }
 
-TEST(Elliptic, CompleteKAtTheEdgeOfTheSeparatrix) {
+TEST(Elliptic, CompleteKIsAccurateAtTheSeparatrix) {
   // K = ln(4/sqrt(mc)) + O(mc log mc), DLMF 19.12.1
   const double mc = 0x1p-800;
   const Real expected = log(Real(4)) + 400 * log(Real(2));
   expectResidual("K at 2^-800", relativeError(completeK(DoubleDouble(mc)), expected), 1e-30);  // measured 1.5e-32
 }
 
-TEST(Elliptic, CarlsonRF) {
+TEST(Elliptic, CarlsonRFMatchesBoost) {
   Draw draw(32);
   double worst = 0, worstDD = 0;
   for (int i = 0; i < 300; ++i) {
@@ -67,11 +67,11 @@ TEST(Elliptic, CarlsonRF) {
   expectResidual("R_F, double-double", worstDD, 1e-30);  // measured 5.8e-32
 }
 
-TEST(Elliptic, CarlsonRJ) {
+TEST(Elliptic, CarlsonRJMatchesBoost) {
   Draw draw(33);
   double worst = 0;
   for (int i = 0; i < 300; ++i) {
-    // The arguments of the free motion: x = cn^2 <= p <= y = dn^2 <= 1.
+    // Free motion uses the arguments x = cn^2 <= p <= y = dn^2 <= 1.
     const double mc = draw.decade(-20, 0), g = 1 + draw.decade(-10, 10),
                  cn2 = i % 5 == 0 ? 0 : draw.decade(-20, 0);
     const double p = cn2 + mc / g * (1 - cn2), y = std::max(p, cn2 + mc * (1 - cn2));
@@ -81,11 +81,11 @@ TEST(Elliptic, CarlsonRJ) {
   expectResidual("R_J, double", worst, 4e-15);  // measured 7.5e-16
 }
 
-TEST(Elliptic, Cel) {
+TEST(Elliptic, CelMatchesBoost) {
   Draw draw(34);
   double worst = 0, worstDD = 0;
   for (int i = 0; i < 300; ++i) {
-    // cel(kc, p, 1, 1) = Pi(n = 1 - p, k); negative characteristic, as in the free motion.
+    // cel(kc, p, 1, 1) = Pi(n = 1 - p, k), with a negative characteristic, as in free motion.
     const double mc = draw.decade(-18, 0), p = 1 + draw.decade(-6, 6);
     const DoubleDouble kc = sqrt(DoubleDouble(mc));
     const Real expected = boost::math::ellint_3(modulus(mc), Real(1 - Real(p)));
@@ -96,7 +96,7 @@ TEST(Elliptic, Cel) {
   expectResidual("cel, double-double", worstDD, 2e-30);  // measured 6.8e-32
 }
 
-/// Trapezoidal rule over 0..pi/2 of the even, pi-periodic integrand of cel(kc, p, 1, 0).
+/// Returns the trapezoidal sum over 0..pi/2 of the even, pi-periodic integrand of cel(kc, p, 1, 0).
 Real celByQuadrature(const Real& kc, const Real& p, int panels) {
   const Real step = boost::math::constants::half_pi<Real>() / panels;
   Real sum = 0;
@@ -108,7 +108,7 @@ Real celByQuadrature(const Real& kc, const Real& p, int panels) {
   return sum * step;
 }
 
-TEST(Elliptic, CelAsUsedForTheAttitude) {
+TEST(Elliptic, CelMatchesQuadratureAsUsedForTheAttitude) {
   for (const double p : {1.0, 1.5, 4.0})
     for (const double kc : {0.5, 0.9}) {
       const Real expected = celByQuadrature(Real(kc), Real(p), 120);  // 120 panels: e^(-2 artanh(1/2) 120) = 1e-57
@@ -117,7 +117,7 @@ TEST(Elliptic, CelAsUsedForTheAttitude) {
     }
 }
 
-TEST(Elliptic, JacobiFunctions) {
+TEST(Elliptic, JacobiFunctionsMatchBoost) {
   Draw draw(35);
   double phase = 0, norm = 0;
   for (int i = 0; i < 400; ++i) {
@@ -126,7 +126,7 @@ TEST(Elliptic, JacobiFunctions) {
     Real cn, dn;
     const Real sn = boost::math::jacobi_elliptic(modulus(mc), Real(u), &cn, &dn);
     const SnCnDn f = JacobiFunctions(mc).at(u);
-    // As a shift of u: the angle between (sn, cn) and the expected one, over its rate dn.
+    // The error as a shift of u: the angle from the expected (sn, cn), divided by its rate dn.
     const Real angle = (Real(f.sn) * cn - Real(f.cn) * sn) / dn;
     phase = std::max(phase, std::abs(static_cast<double>(angle)) / std::max(1.0, std::abs(u)));
     norm = std::max(norm, std::abs(f.sn * f.sn + f.cn * f.cn - 1));
@@ -136,7 +136,7 @@ TEST(Elliptic, JacobiFunctions) {
   expectResidual("sn^2 + cn^2 - 1", norm, 1e-15);                        // measured 4.4e-16
 }
 
-TEST(Elliptic, JacobiFunctionsAtTheEnds) {
+TEST(Elliptic, JacobiFunctionsAreExactAtTheEnds) {
   const JacobiFunctions functions(0.25);
   EXPECT_EQ(functions.at(0).sn, 0);
   EXPECT_EQ(functions.at(0).cn, 1);

@@ -21,7 +21,7 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double kRounding = 1e-14;  // of values of order 10, given to 16 digits
+constexpr double kRounding = 1e-14;  // values of order 10, given to 16 digits
 
 void expectNear(const Vector3d& measured, const Vector3d& expected, double bound = kRounding) {
   EXPECT_LE((measured - expected).norm(), bound) << measured.transpose() << " for " << expected.transpose();
@@ -31,7 +31,7 @@ Matrix3d symmetric(double xx, double yy, double zz, double xy, double xz, double
   return (Matrix3d() << xx, xy, xz, xy, yy, yz, xz, yz, zz).finished();
 }
 
-TEST(Equation02And03, AngularMomentumAboutAPivot) {
+TEST(Equation02And03, GiveTheAngularMomentumAboutAPivot) {
   const ParticleSystem body = FiveMasses().pivoted();
   const Matrix3d inertia = body.inertiaAbout(Vector3d::Zero());
   EXPECT_LE((inertia - symmetric(8.560546875, 8.654296875, 9.3046875, -0.24609375, 1.01953125, 2.1796875)).norm(),
@@ -40,7 +40,7 @@ TEST(Equation02And03, AngularMomentumAboutAPivot) {
   expectNear(inertia * FiveMasses().omega, {6.22265625, -7.9236328125, 5.6578125});
 }
 
-TEST(Equation04And05, OrbitalAndIntrinsicParts) {
+TEST(Equation04And05, OrbitalAndIntrinsicPartsAddUp) {
   const ParticleSystem body = FiveMasses().flying();
   EXPECT_EQ(body.mass_kg(), 6);
   expectNear(body.centre_W(), FiveMasses().centre, 1e-16);
@@ -49,8 +49,8 @@ TEST(Equation04And05, OrbitalAndIntrinsicParts) {
   expectNear(body.intrinsicAngularMomentum(), {6.0150146484375, -7.01356201171875, 5.062939453125});
 }
 
-// Any point K of the body may be the reference of eq (4); only for the centre of mass does it fall into two parts.
-TEST(Equation04, AnotherReferencePointDoesNotSplitIt) {
+// Any point K of the body may be the reference of eq (4), but only the centre of mass splits L into two parts.
+TEST(Equation04, SplitsLOnlyAboutTheCentreOfMass) {
   const FiveMasses five;
   const Vector3d K = five.particles[0].position_W;
   const Vector3d velocity = five.velocity + five.omega.cross(K - five.centre);
@@ -62,7 +62,7 @@ TEST(Equation04, AnotherReferencePointDoesNotSplitIt) {
   EXPECT_GT((split - body.angularMomentumAbout(Vector3d::Zero())).norm(), 1);
 }
 
-TEST(Equation06And07, IntrinsicAngularMomentum) {
+TEST(Equation06And07, GiveTheIntrinsicAngularMomentum) {
   const ParticleSystem body = FiveMasses().flying();
   const Matrix3d inertia = body.inertiaAbout(body.centre_W());
   EXPECT_LE((inertia -
@@ -72,10 +72,10 @@ TEST(Equation06And07, IntrinsicAngularMomentum) {
   expectNear(inertia * FiveMasses().omega, body.intrinsicAngularMomentum());
 }
 
-/// Forces on three of the five masses, N.
+/// Returns forces on three of the five masses, N.
 std::vector<Vector3d> forces() { return {{1, 0, -2}, {0, 0, 0}, {0, 1.5, 0.5}, {0, 0, 0}, {-1, -0.5, 0.25}}; }
 
-TEST(Equation08And09, Torques) {
+TEST(Equation08And09, GiveTheTorquesAboutOriginAndCentre) {
   const ParticleSystem body = FiveMasses().flying();
   const Vector3d aboutOrigin = body.torqueAbout(Vector3d::Zero(), forces());
   const Vector3d aboutCentre = body.torqueAbout(body.centre_W(), forces());
@@ -85,9 +85,9 @@ TEST(Equation08And09, Torques) {
   expectNear(aboutOrigin - aboutCentre, {-0.140625, 0.4296875, 0.34375});
 }
 
-/// Accelerations of the masses of a rigid body under forces, by Gauss's principle of least constraint: of all
-/// rigid accelerations A + alpha × r + omega × (omega × r), those with the least sum m |a - F/m|². No torque
-/// equation.
+/// Returns the accelerations of a rigid body's masses under forces by Gauss's principle of least constraint: the
+/// rigid accelerations A + alpha × r + omega × (omega × r) with the least sum m |a - F/m|². Uses no equation of
+/// torques.
 std::vector<Vector3d> accelerations(const ParticleSystem& body, const Vector3d& omega,
                                     const std::vector<Vector3d>& forces) {
   const auto n = static_cast<Eigen::Index>(forces.size());
@@ -113,7 +113,7 @@ std::vector<Vector3d> accelerations(const ParticleSystem& body, const Vector3d& 
   return result;
 }
 
-/// d/dt of sum m (r - point) × (v - u) for accelerations a of the masses and the acceleration of the point.
+/// Returns d/dt of sum m (r - point) × (v - u) for accelerations a of the masses and an acceleration of the point.
 Vector3d momentRate(const ParticleSystem& body, const Vector3d& point, const std::vector<Vector3d>& a,
                     const Vector3d& ofPoint) {
   Vector3d sum = Vector3d::Zero();
@@ -124,7 +124,7 @@ Vector3d momentRate(const ParticleSystem& body, const Vector3d& point, const std
   return sum;
 }
 
-TEST(Equation01And08And09, TorqueIsTheRateAboutAFixedPointAndAboutTheCentreOnly) {
+TEST(Equation01And08And09, HoldOnlyAboutFixedPointsAndTheCentre) {
   const FiveMasses five;
   const ParticleSystem body = five.flying();
   const std::vector<Vector3d> a = accelerations(body, five.omega, forces());
@@ -133,19 +133,19 @@ TEST(Equation01And08And09, TorqueIsTheRateAboutAFixedPointAndAboutTheCentreOnly)
   expectNear(momentumRate, {0, 1, -1.25});  // measured 4e-15
   expectNear(momentRate(body, Vector3d::Zero(), a, Vector3d::Zero()), {3.125, 2.9375, 0.9375}, 2e-14);
   expectNear(momentRate(body, body.centre_W(), a, momentumRate / 6), {3.265625, 2.5078125, 0.59375}, 2e-14);
-  // "But not any other moving point": particle 1.
+  // The lecture: "But not any other moving point". Here the point is particle 1.
   const Vector3d moving = five.particles[0].position_W;
   EXPECT_GT((momentRate(body, moving, a, a[0]) - body.torqueAbout(moving, forces())).norm(), 1);
 }
 
-// The lecture derives eq (9) with "R_cm × P = 0"; that is not 0, but d(R_cm)/dt × P is, which is what is needed.
-TEST(Equation09, WhatVanishesIsTheVelocityTimesTheMomentum) {
+// The lecture derives eq (9) with "R_cm × P = 0", which is not 0. The derivation needs only d(R_cm)/dt × P = 0.
+TEST(Equation09, VelocityOfTheCentreIsParallelToTheMomentum) {
   const ParticleSystem body = FiveMasses().flying();
   EXPECT_LE(body.centreVelocity_W().cross(body.momentum_W()).norm(), 2e-15);  // measured 8.3e-16
   EXPECT_GT(body.orbitalAngularMomentum().norm(), 2);
 }
 
-TEST(Equation10To12, Energies) {
+TEST(Equation10To12, GiveTheEnergiesOfFiveMasses) {
   const FiveMasses five;
   const ParticleSystem body = five.flying();
   EXPECT_NEAR(body.kineticEnergy(), 13.95713928222656, kRounding);
@@ -155,8 +155,8 @@ TEST(Equation10To12, Energies) {
   EXPECT_NEAR(0.5 * five.omega.dot(body.inertiaAbout(Vector3d::Zero()) * five.omega), 8.487919921875, kRounding);
 }
 
-// Eq (12): the sum over masses, omega·I·omega/2, and the sum over components, of random systems.
-TEST(Equation12, ThreeExpressionsOfTheEnergy) {
+// Eq (12) for random systems: the sum over masses, omega·I·omega/2 and the sum over components are equal.
+TEST(Equation12, ThreeExpressionsOfTheEnergyAgree) {
   Draw draw(211);
   double worst = 0;
   for (int n = 0; n < 200; ++n) {
@@ -174,8 +174,8 @@ TEST(Equation12, ThreeExpressionsOfTheEnergy) {
   expectResidual("T three ways, relative", worst, 1e-14);  // measured 7.8e-16
 }
 
-// Eq (1) for a body thrown under gravity: P and L_tot gain what the force and its torque bring.
-TEST(Equation01, ThrownBody) {
+// Eq (1) for a body thrown under gravity: P and L_tot change by the time integrals of force and torque.
+TEST(Equation01, ThrownBodyGainsTheImpulseOfItsWeight) {
   const FiveMasses five;
   const ParticleSystem start = five.flying();
   const PrincipalAxes axes(start.inertiaAbout(start.centre_W()));
@@ -191,8 +191,8 @@ TEST(Equation01, ThrownBody) {
               2e-14);
 }
 
-// Up at 3 m/s against 4 m/s², by hand: 0.75 s, 1.125 m; along any axis.
-TEST(Flight, HasATop) {
+// Worked by hand: 3 m/s upward against 4 m/s² last 0.75 s and rise 1.125 m, along any axis.
+TEST(Flight, TopMatchesAHandComputedExample) {
   const FlightTop top = Flight{.velocity_W = {3, 7, 0}, .gravity_W = {-4, 0, 0}}.top();
   EXPECT_EQ(top.t_s, 0.75);
   EXPECT_EQ(top.rise_m, 1.125);
@@ -200,8 +200,8 @@ TEST(Flight, HasATop) {
   EXPECT_EQ((Flight{.velocity_W = {1, 2, 3}, .gravity_W = Vector3d::Zero()}.top().t_s), 0);
 }
 
-// The same flight, its masses one by one: where they are and how fast, from the attitude and omega alone.
-TEST(Equation01To10, ThrownBodyIsItsMasses) {
+// A flight by its separate masses, whose positions and velocities follow from attitude and omega.
+TEST(Equation01To10, ThrownBodyAgreesWithItsSeparateMasses) {
   const FiveMasses five;
   const ParticleSystem start = five.flying();
   const FreeMotion motion(PrincipalAxes(start.inertiaAbout(start.centre_W())), five.omega,
@@ -231,7 +231,7 @@ TEST(Equation01To10, ThrownBodyIsItsMasses) {
   expectResidual("T, relative", energy, 1e-14);                            // measured 4.4e-16
 }
 
-TEST(ParticleSystem, RefusesWhatIsNoMatter) {
+TEST(ParticleSystem, RejectsInvalidParticles) {
   const auto message = [](std::vector<Particle> particles) -> std::string {
     try {
       ParticleSystem{std::move(particles)};
@@ -241,7 +241,7 @@ TEST(ParticleSystem, RefusesWhatIsNoMatter) {
     }
     return "accepted";
   };
-  EXPECT_EQ(message({}), "a body of particles needs at least one");
+  EXPECT_EQ(message({}), "a body of particles needs at least one particle");
   EXPECT_EQ(message({{-1, {0, 0, 0}, {0, 0, 0}}}),
             "the mass of a particle must be positive and finite, got -1 kg");
   EXPECT_EQ(message({{1, {std::numeric_limits<double>::quiet_NaN(), 0, 0}, {0, 0, 0}}}),

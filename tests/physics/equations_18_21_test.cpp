@@ -9,8 +9,8 @@
 #include "physics/random_bodies.h"
 #include "physics/residual.h"
 
-// The free symmetric top from space: the lecture's eq (18) to (21). (19) and (20) along random motions stand in
-// symmetric_top_test.cpp.
+// The free symmetric top from space: the lecture's eq (18) to (21). symmetric_top_test.cpp tests (19) and (20)
+// along random motions.
 
 namespace poinsot::physics {
 namespace {
@@ -19,9 +19,9 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
-constexpr double kDigits = 1e-14;  // of values near 1 given to 15 digits, or angles near 30 deg
+constexpr double kDigits = 1e-14;  // values near 1 given to 15 digits, or angles near 30 deg
 
-/// |L| = 2 at 25 deg from the symmetry axis z, moments Ip, Ip, I3: the example of the expected values below.
+/// Returns omega of a top with moments Ip, Ip, I3 whose L is tilted from its axis z, by default |L| = 2 at 25 deg.
 Vector3d tilted(double Ip, double I3, double theta = 25 * kDegree, double L = 2) {
   return {L * std::sin(theta) / Ip, 0, L * std::cos(theta) / I3};
 }
@@ -43,7 +43,7 @@ TEST(Equation18, AngularMomentumInSpaceIsConstant) {
   expectResidual("R I omega - L, relative", worst, 1e-14);  // measured 1.1e-15
 }
 
-TEST(Equation20And21, ProlateTop) {
+TEST(Equation20And21, GiveRatesAndConesOfAProlateTop) {
   const auto cones = precessionCones(PrincipalMoments({1.5, 1.5, 0.9}), tilted(1.5, 0.9));
   ASSERT_TRUE(cones);
   EXPECT_EQ(cones->axis, 2);
@@ -56,7 +56,7 @@ TEST(Equation20And21, ProlateTop) {
   EXPECT_NEAR(cones->spaceCone_rad / kDegree, 9.36919873349163, kDigits);
 }
 
-TEST(Equation21, OblateTop) {
+TEST(Equation21, GivesRatesAndConesOfAnOblateTop) {
   const auto cones = precessionCones(PrincipalMoments({1.5, 1.5, 2.1}), tilted(1.5, 2.1));
   ASSERT_TRUE(cones);
   EXPECT_EQ(cones->sense, RollingSense::kInside);
@@ -67,7 +67,7 @@ TEST(Equation21, OblateTop) {
   EXPECT_NEAR(cones->spaceCone_rad / kDegree, 8.13773656191702, kDigits);
 }
 
-// "A strange notion of the spin, since it goes to zero for a spinning sphere."
+// The lecture: "A strange notion of the spin, since it goes to zero for a spinning sphere."
 TEST(Equation21, SphereHasNoSpin) {
   const Vector3d omega(1, -2, 3);
   const auto cones = precessionCones(PrincipalMoments({1.5, 1.5, 1.5}), omega);
@@ -79,8 +79,8 @@ TEST(Equation21, SphereHasNoSpin) {
   EXPECT_EQ(cones->wobblePeriod(), INFINITY);
 }
 
-// Feynman's plate: I3 = 2 Ip, k 5 deg from L: two wobbles in a turn.
-TEST(Equation20, FeynmansPlate) {
+// Feynman's plate, with I3 = 2 Ip and k at 5 deg from L, wobbles twice in a turn.
+TEST(Equation20, FeynmansPlateWobblesTwiceInATurn) {
   const auto cones = precessionCones(PrincipalMoments({1, 1, 2}), tilted(1, 2, 5 * kDegree));
   ASSERT_TRUE(cones);
   EXPECT_NEAR(cones->precessionRate / cones->spinRate, 2.00763967508669, kDigits);
@@ -89,7 +89,7 @@ TEST(Equation20, FeynmansPlate) {
 }
 
 // A football as a solid ellipsoid of semi-axes 0.14 m and 0.085 m: I3/Ip = 2 b²/(a² + b²).
-TEST(Equation20, Football) {
+TEST(Equation20, GivesThePrecessionOfAFootball) {
   const double a = 0.14, b = 0.085, Ip = a * a + b * b, I3 = 2 * b * b;
   EXPECT_NEAR(I3 / Ip, 0.538676607642125, 1e-15);
   const double theta = 20 * kDegree;
@@ -114,8 +114,7 @@ TEST(Equation18, Explorer1KeepsLAndLosesEnergy) {
   EXPECT_NEAR(after.kineticEnergy() / before.kineticEnergy(), 0.00837459898295, 6e-15);
 }
 
-// Whichever axis is the symmetric one, and whichever way the body spins about it.
-TEST(PrecessionCones, ForEveryAxisAndSense) {
+TEST(PrecessionCones, AreFoundForEveryAxisAndSense) {
   for (int axis = 0; axis < 3; ++axis)
     for (const double sense : {1.0, -1.0}) {
       Vector3d I = Vector3d::Constant(1.5), omega = Vector3d::Zero();
@@ -132,14 +131,14 @@ TEST(PrecessionCones, ForEveryAxisAndSense) {
     }
 }
 
-TEST(PrecessionCones, OfASpinAlongAndAcrossTheAxis) {
+TEST(PrecessionCones, AreRightForSpinsAlongAndAcrossTheAxis) {
   const PrincipalMoments moments({2, 2, 3});
   const auto along = precessionCones(moments, {0, 0, 2});
   ASSERT_TRUE(along);
   EXPECT_EQ(along->tilt_rad, 0);
   EXPECT_EQ(along->bodyCone_rad, 0);
   EXPECT_EQ(along->spaceCone_rad, 0);
-  EXPECT_EQ(along->precessionRate, 3);  // L/I1, whatever it means here
+  EXPECT_EQ(along->precessionRate, 3);  // L/I1, although no axis precesses
   const auto across = precessionCones(moments, {0, 2, 0});
   ASSERT_TRUE(across);
   EXPECT_NEAR(across->tilt_rad, 90 * kDegree, 1e-15);
@@ -149,14 +148,14 @@ TEST(PrecessionCones, OfASpinAlongAndAcrossTheAxis) {
   EXPECT_EQ(across->wobblePeriod(), INFINITY);
 }
 
-TEST(PrecessionCones, OfBodiesThatHaveNone) {
+TEST(PrecessionCones, AreAbsentWithoutSymmetryOrSpin) {
   EXPECT_FALSE(precessionCones(PrincipalMoments({2, 3, 4}), {1, 1, 1}));
   EXPECT_FALSE(precessionCones(PrincipalMoments({2, 2, 3}), {0, 0, 0}));
   EXPECT_THROW(precessionCones(PrincipalMoments({2, 2, 3}), {NAN, 0, 0}), core::Error);
 }
 
-// The same angles and scaled rates for spins of any magnitude.
-TEST(PrecessionCones, InAnyUnits) {
+// Spins of any magnitude have the same angles, and rates in proportion.
+TEST(PrecessionCones, ScaleWithTheSpin) {
   const PrincipalMoments moments({2, 2, 3});
   const Vector3d omega(0.3, 0.4, 1.7);
   const auto cones = precessionCones(moments, omega);

@@ -43,7 +43,7 @@ TEST(Equation24To26, HoldAlongTheMotion) {
   expectResidual("Euler's equations, rad/s²", worst, 5e-13);  // measured 3.6e-14
 }
 
-// Eq (22), (23): dL/dt = 0 in space and -omega × L in the body. L in the body as R^T L, from the attitude alone.
+// Eq (22), (23): dL/dt = 0 in space and -omega × L in the body. R^T L gives L in the body from the attitude alone.
 TEST(Equation22And23, AngularMomentumInTheBodyTurnsBackwards) {
   Draw draw(232);
   double worst = 0;
@@ -70,7 +70,7 @@ TEST(Equation22And23, AttitudeTurnsAtOmega) {
   expectResidual("d(R v)/dt - omega × R v, 1/s", worst, 5e-13);  // measured 9.3e-14
 }
 
-// A second-order difference converges as h²: what is differenced is smooth, and the high order above is no luck.
+// Differences of second order converge as h², so that the motion is smooth and the residuals above are not luck.
 TEST(Equation24To26, SecondDifferencesConverge) {
   Draw draw(234);
   for (int i = 0; i < 20; ++i) {

@@ -18,7 +18,7 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-/// The Earth as a rigid top of dynamical ellipticity e = I3/Ip - 1, its spin so far off the axis (rad).
+/// The Earth as a rigid top: its dynamical ellipticity e = I3/Ip - 1 and the angle of its spin from the axis.
 struct Earth {
   double ellipticity, offAxis_rad;
 
@@ -38,7 +38,7 @@ Wobble wobbleOf(double ellipticity) {
 }
 
 // The lecture's "about 306 days" belongs to 1/306 = 0.003268; its 0.0033 gives 303 sidereal days.
-TEST(Equation29, ChandlerPeriodOfTheRigidEarth) {
+TEST(Equation29, GivesTheChandlerPeriodOfTheRigidEarth) {
   // 1 + e rounded to a double leaves e good to 7e-14 relative: 2e-11 days.
   EXPECT_NEAR(wobbleOf(0.0033).siderealDays, 303.030303030303, 3e-11);
   EXPECT_NEAR(wobbleOf(0.0033).solarDays, 302.2028988, 1e-7);
@@ -50,7 +50,7 @@ TEST(Equation29, ChandlerPeriodOfTheRigidEarth) {
   EXPECT_NEAR(wobbleOf(H / (1 - H)).solarDays, 303.6246, 5e-5);  // 304.4559 x 86164.0905/86400
 }
 
-// The footnote: the wobble is some 10 m at the pole, and L is closer still to omega: 3.3 cm.
+// The lecture's footnote: the wobble is some 10 m at the pole, and L is only 3.3 cm from omega.
 TEST(Equation29, ChandlerWobbleIsSmall) {
   const double radius_m = 6371e3;
   const PrecessionCones cones = Earth{0.003284547836, 10 / radius_m}.cones();
@@ -60,8 +60,8 @@ TEST(Equation29, ChandlerWobbleIsSmall) {
   EXPECT_EQ(cones.sense, RollingSense::kInside);
 }
 
-// Sign of Omega_p: an oblate body's omega goes round k in the sense of the spin, a prolate one's against it.
-TEST(Equation29, SenseOfTheWobble) {
+// Sign of Omega_p: omega goes round k in the sense of the spin for an oblate body, against it for a prolate one.
+TEST(Equation29, WobbleTurnsWithTheSpinIfOblate) {
   for (const double I3 : {0.7, 1.4}) {
     const PrincipalMoments moments({1, 1, I3});
     const Vector3d omega(0.5, 0, 2);
@@ -78,7 +78,7 @@ PrincipalMoments randomTop(Draw& draw) {
   return PrincipalMoments({Ip, Ip, Ip * draw.between(0.1, 1.99)});
 }
 
-// Eq (27), (28) by differences, eq (29) at late times: omega_3 and the size of omega_perp stay.
+// Eq (27), (28) by differences, and eq (29) at late times: omega_3 and the size of omega_perp are constant.
 TEST(Equation27To29, OmegaTurnsRigidlyInTheBody) {
   Draw draw(241);
   double size = 0, rates = 0;
@@ -99,7 +99,7 @@ TEST(Equation27To29, OmegaTurnsRigidlyInTheBody) {
   expectResidual("eq (27), (28), rad/s²", rates, 5e-13);           // measured 4.7e-15
 }
 
-// After the wobble's period omega is back in the body, after half of it across k; and not after another time.
+// After a wobble's period omega is back in the body; after half a period omega_perp is reversed.
 TEST(Equation29, OmegaReturnsAfterTheWobble) {
   Draw draw(242);
   double worst = 0;

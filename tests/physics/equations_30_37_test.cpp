@@ -30,7 +30,7 @@ struct Top {
   Vector3d omega_W(double at) const { return motion.at(at).omega_W; }
 };
 
-/// About any of the three axes, spinning either way.
+/// Returns a random top about any of the three axes, spinning either way.
 Top randomTop(Draw& draw) {
   const double Ip = draw.between(0.6, 2);
   Vector3d I = Vector3d::Constant(Ip);
@@ -69,7 +69,7 @@ TEST(Equation30And31, OmegaTurnsAboutKAndKAboutOmega) {
 }
 
 // Eq (32) to (34): omega_p = Omega_p k + omega = L/I1, and both vectors turn at it.
-TEST(Equation32To34, DecompositionOfOmega) {
+TEST(Equation32To34, OmegaSplitsIntoPrecessionAndSpin) {
   const auto sum = [](const Top& top) {
     const Vector3d k = top.k_W(top.t), omega = top.omega_W(top.t);
     const AngularVelocityParts parts = top.cones.parts(omega, k);
@@ -91,7 +91,7 @@ TEST(Equation32To34, DecompositionOfOmega) {
 }
 
 // The prolate top of eq (20): omega_p = L/I1 = 4/3 along L.
-TEST(Equation34, ProlateExample) {
+TEST(Equation34, ProlateTopPrecessesAboutLAtLOverI1) {
   const double theta = 25 * 3.14159265358979323846 / 180;
   const Vector3d omega(2 * std::sin(theta) / 1.5, 0, 2 * std::cos(theta) / 0.9);
   const PrecessionCones cones = *precessionCones(PrincipalMoments({1.5, 1.5, 0.9}), omega);
@@ -117,8 +117,8 @@ TEST(Equation35, OmegaPrecessesAboutL) {
   EXPECT_NEAR(Herpolhode(PrincipalMoments({1.5, 1.5, .9}), {.5, 0, 2}).largestRadius(), 0.3076923076923077, 1e-16);
 }
 
-// Eq (36): L = I1 omega + (I3 - I1)(k·omega) k; eq (37): Omega_p of the football of the examples is -0.8.
-TEST(Equation36And37, BackInTheBody) {
+// Eq (36): L = I1 omega + (I3 - I1)(k·omega) k; eq (37): Omega_p of this football is -0.8.
+TEST(Equation36And37, LFollowsFromOmegaAndTheAxis) {
   const auto momentum = [](const Top& top) {
     const double I1 = top.moments[(top.cones.axis + 1) % 3], I3 = top.moments[top.cones.axis];
     const Vector3d omega = top.omega_W(top.t * 1e5), k = top.k_W(top.t * 1e5);
@@ -128,9 +128,9 @@ TEST(Equation36And37, BackInTheBody) {
   EXPECT_NEAR(precessionCones(PrincipalMoments({1.5, 1.5, .9}), {.5, 0, 2})->bodyRate, -0.8, 2e-16);
 }
 
-// Angles of the cones measured on the motion; and they roll: at the line of contact, omega, the axis k is carried
-// round L as fast as the body turns under omega.
-TEST(PrecessionCones, AreThoseOfTheMotionAndRoll) {
+// The half-angles are measured on the motion. The cones roll without slipping: at the line of contact, omega, the
+// precession about L and the body's turning have equal speed.
+TEST(PrecessionCones, MatchTheMotionAndRollWithoutSlipping) {
   const auto angle = [](const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); };
   const auto cones = [&](const Top& top) {
     const Vector3d k = top.k_W(top.t), omega = top.omega_W(top.t), L = top.motion.L_W();

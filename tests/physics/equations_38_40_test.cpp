@@ -10,8 +10,8 @@
 #include "physics/random_bodies.h"
 #include "physics/residual.h"
 
-// Poinsot's construction: the lecture's eq (38) to (40) and its figure. That omega stays on the plane and on the
-// ellipsoid stands in free_motion_invariants_test.cpp, the lengths rolled in herpolhode_test.cpp.
+// Poinsot's construction: the lecture's eq (38) to (40) and its figure. free_motion_invariants_test.cpp tests that
+// omega stays on plane and ellipsoid, herpolhode_test.cpp that equal lengths roll off.
 
 namespace poinsot::physics {
 namespace {
@@ -31,8 +31,8 @@ Case randomCase(Draw& draw) {
   return {moments, omega0, FreeMotion(moments, omega0, draw.attitude())};
 }
 
-// L is normal to the ellipsoid at omega: grad T by central differences, which for a quadratic T are exact but for
-// rounding; and against the fixed L at late times.
+// L is normal to the ellipsoid at omega. Central differences give grad T, exact for a quadratic T except for
+// rounding. At late times it must still be the fixed L.
 TEST(Equation39, MomentumIsTheGradientOfTheEnergy) {
   Draw draw(262);
   double differences = 0, direction = 0;
@@ -52,8 +52,8 @@ TEST(Equation39, MomentumIsTheGradientOfTheEnergy) {
   expectResidual("angle of grad T and L, rad", direction, 1e-14);  // measured 7.3e-16
 }
 
-// The plane omega·L = 2T touches the ellipsoid in one point: all others are below it, by as much as their distance
-// along the ellipsoid says.
+// The plane omega·L = 2T touches the ellipsoid in one point. Other points lie below it, by an amount that follows
+// from their distance to the point of contact.
 TEST(Equation40, PlaneTouchesTheEllipsoidInOnePoint) {
   Draw draw(263);
   for (int i = 0; i < 200; ++i) {
@@ -63,7 +63,7 @@ TEST(Equation40, PlaneTouchesTheEllipsoidInOnePoint) {
     const Vector3d normal_B = s.q_WB.conjugate() * c.motion.L_W().normalized(), &a = construction.semiAxes_P();
     for (int j = 0; j < 20; ++j) {
       const Vector3d other = a.cwiseProduct(draw.direction());
-      // On the unit sphere of x/a: 1 - cos of an angle is half the squared chord.
+      // On the unit sphere of x/a, 1 - cos of an angle is half the squared chord.
       const double chord = (other - s.omega_B).cwiseQuotient(a).norm();
       EXPECT_NEAR(other.dot(normal_B), construction.planeHeight() * (1 - chord * chord / 2),
                   8e-15 * construction.planeHeight());
@@ -87,7 +87,7 @@ TEST(RollingFigure, ContactPointIsAtRest) {
 }
 
 // The rate of the herpolhode on the motion, and its bounds L/I3 and L/I1.
-TEST(RollingFigure, RateOfTheHerpolhode) {
+TEST(RollingFigure, HerpolhodeHasTheRateOfTheMotion) {
   Draw draw(265);
   double worst = 0;
   for (int i = 0; i < 200; ++i) {
@@ -106,11 +106,11 @@ TEST(RollingFigure, RateOfTheHerpolhode) {
   expectResidual("rho² chi', (rad/s)³", worst, 5e-13);  // measured 2.1e-14
 }
 
-TEST(RollingFigure, RateOfTheHerpolhodeInLimits) {
+TEST(RollingFigure, HerpolhodeRateIsRightInLimitingCases) {
   const Herpolhode steady(PrincipalMoments({2, 3, 4}), {0, 2, 0});
   EXPECT_EQ(steady.rate(0), 0);
   const Herpolhode spiral(PrincipalMoments({1, 2, 2.25}), {.75, .5, 1});
-  EXPECT_NEAR(spiral.rate(0), 1.286953767623375, 3e-16);  // 2T/L = L/I2, table of examples
+  EXPECT_NEAR(spiral.rate(0), 1.286953767623375, 3e-16);  // 2T/L = L/I2
   EXPECT_EQ(spiral.rate(0.3), spiral.rate(0));
 }
 

@@ -12,8 +12,8 @@
 #include "physics/residual.h"
 #include "physics/taylor_oracle.h"
 
-// The short free flow against the Taylor integrator in long double (taylor_oracle.h), for one step. The bound is
-// in roundings of the angle turned, plus the rounding of the quaternion handed out.
+// One step of the free flow is compared with the Taylor integrator in long double (taylor_oracle.h). The bound
+// counts roundings of the angle turned, plus the rounding of the returned quaternion.
 
 namespace poinsot::physics {
 namespace {
@@ -29,7 +29,7 @@ DrivenState startOf(const Vector3d& I, const Vector3d& omega, const Eigen::Quate
   return state;
 }
 
-/// Error of one step in units of 2^-53 (1 + angle turned), the largest over the draws.
+/// Returns the largest error of one step over all draws, in units of 2^-53 (1 + angle turned).
 double worstError(std::uint64_t seed, const std::function<void(Draw&, Vector3d& I, Vector3d& omega)>& drawBody) {
   Draw draw(seed);
   double worst = 0;
@@ -48,7 +48,7 @@ double worstError(std::uint64_t seed, const std::function<void(Draw&, Vector3d& 
   return worst;
 }
 
-TEST(FreeFlow, IsExactToRoundings) {  // measured 1.1 to 1.4
+TEST(FreeFlow, IsExactToWithinRounding) {  // measured 1.1 to 1.4
   const auto moments = [](Draw& draw) { return draw.moments().values(); };
   expectResidual("random bodies, roundings",
                  worstError(201,
@@ -93,9 +93,9 @@ void drawRod(Draw& draw, double thinnest, Vector3d& I, Vector3d& omega) {
   omega = draw.direction();
 }
 
-// A rounding of the attitude is one of the momentum along the rod, which its small moment makes a large one of the
-// spin about it: up to I_max/I_min roundings where the step is cut into parts.
-TEST(FreeFlow, Rods) {
+// A rounding of the attitude changes the momentum along the rod, which its small moment turns into a large change
+// of the spin: up to I_max/I_min roundings if the step is cut into parts.
+TEST(FreeFlow, StaysWithinAmplifiedRoundingForRods) {
   expectResidual("rods to 1 : 100, roundings",
                  worstError(206, [](Draw& draw, Vector3d& I, Vector3d& omega) { drawRod(draw, -2, I, omega); }),
                  60);  // measured 8.1
@@ -104,7 +104,7 @@ TEST(FreeFlow, Rods) {
                  1e5);  // measured 2.5e4
 }
 
-TEST(FreeFlow, KeepsTheMomentumAndRest) {
+TEST(FreeFlow, ConservesMomentumAndKeepsABodyAtRest) {
   const Vector3d I(1, 1.5, 2);
   DrivenState state = startOf(I, {0.3, 1, -2}, Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5));
   const auto L = state.L_W;
@@ -115,8 +115,8 @@ TEST(FreeFlow, KeepsTheMomentumAndRest) {
   EXPECT_EQ(resting.q_WP.x.hi, 0.5);
 }
 
-// Moments and rates near the ends of the range of doubles.
-TEST(FreeFlow, KnowsNoUnits) {
+// The moments are scaled towards both ends of the range of doubles.
+TEST(FreeFlow, DoesNotDependOnUnits) {
   const Vector3d I(1, 1.5, 2), omega(0.3, 1, -2);
   DrivenState plain = startOf(I, omega, Eigen::Quaterniond::Identity());
   FreeFlow(PrincipalMoments(I)).apply(plain, 0.1);
@@ -128,7 +128,7 @@ TEST(FreeFlow, KnowsNoUnits) {
   }
 }
 
-// Over 1400 rad: the roundings neither add up nor show in the energy.
+// Over 1400 rad, roundings must neither add up nor show in the energy.
 TEST(FreeFlow, AgreesWithTheClosedForm) {
   const Vector3d I(1, 1.5, 2), omega(0.3, 1, -2);
   DrivenState state = startOf(I, omega, Eigen::Quaterniond::Identity());

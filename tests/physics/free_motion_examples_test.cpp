@@ -19,22 +19,22 @@ void expectNear(double measured, double expected) {
   if (std::isinf(expected))
     EXPECT_EQ(measured, expected);
   else
-    EXPECT_NEAR(measured, expected, 7e-16 * std::abs(expected));  // 5e-16 is what 16 digits hold
+    EXPECT_NEAR(measured, expected, 7e-16 * std::abs(expected));  // 16 digits hold 5e-16
 }
 
 class FreeMotionExample : public testing::TestWithParam<Example> {};
 
-TEST_P(FreeMotionExample, State) {
+TEST_P(FreeMotionExample, StateMatchesTheExample) {
   const Example& e = GetParam();
   const RigidBodyState state = FreeMotion(PrincipalMoments(e.I), e.omega0, e.q0).at(e.t_s);
-  // Measured: at most 3.1e-16, 2.3e-16.
+  // Measured: at most 3.1e-16 rad and 2.3e-16 rad/s.
   expectResidual("attitude, rad",
                  TaylorOracle<long double>::angle({e.q_WB.w(), e.q_WB.x(), e.q_WB.y(), e.q_WB.z()}, state.q_WB),
                  4e-15);
   expectResidual("omega_B, rad/s", (state.omega_B - e.omega_B).norm(), 1e-15);
 }
 
-TEST_P(FreeMotionExample, Constants) {
+TEST_P(FreeMotionExample, ConstantsMatchTheExample) {
   const Example& e = GetParam();
   const PrincipalMoments moments(e.I);
   const FreeMotion motion(moments, e.omega0, e.q0);
@@ -43,7 +43,7 @@ TEST_P(FreeMotionExample, Constants) {
   expectNear(PoinsotConstruction(moments, e.omega0).planeHeight(), e.planeHeight);
 }
 
-TEST_P(FreeMotionExample, Curves) {
+TEST_P(FreeMotionExample, PolhodeAndHerpolhodeMatchTheExample) {
   const Example& e = GetParam();
   const Polhode polhode(PrincipalMoments(e.I), e.omega0);
   const Herpolhode herpolhode(PrincipalMoments(e.I), e.omega0);
@@ -59,9 +59,9 @@ TEST_P(FreeMotionExample, Curves) {
 INSTANTIATE_TEST_SUITE_P(Physics, FreeMotionExample, testing::ValuesIn(kExamples),
                          [](const auto& example) { return std::string(example.param.name); });
 
-TEST(FreeMotionExamples, SemiAxesOfTheEnergyEllipsoid) {
+TEST(FreeMotionExamples, SemiAxesMatchAHandComputedExample) {
   const PoinsotConstruction construction(PrincipalMoments({2, 3, 4}), {.5, .25, 1});
-  // sqrt(2T/I_i) with 2T = 4.6875 by hand.
+  // Worked by hand: sqrt(2T/I_i) with 2T = 4.6875.
   EXPECT_NEAR(construction.semiAxes_P()[0], 1.530931089239486, 7e-16);
   EXPECT_EQ(construction.semiAxes_P()[1], 1.25);
   EXPECT_NEAR(construction.semiAxes_P()[2], 1.082531754730548, 7e-16);

@@ -8,15 +8,15 @@
 #include "physics/residual.h"
 #include "physics/theta_oracle.h"
 
-// 1500 bodies and starts made to be difficult, at times of either sign up to 1e9 s, where |omega| t reaches 1e14
-// rad. The expected state is the textbooks' closed form in theta functions at 100 digits (theta_oracle.h). Bounds
-// are the project's: 4e-15 rad at any time, omega to 4e-15 of the largest |omega| of the motion; T, |L| and L_W,
-// worked out from the state in 100 digits, to 4e-15 of their size.
+// 1500 difficult bodies and starts, at times of either sign up to 1e9 s, where |omega| t reaches 1e14 rad. The
+// expected state is the textbooks' closed form in theta functions with 100 digits (theta_oracle.h). Bounds:
+// attitude 4e-15 rad at any time; omega 4e-15 of the largest |omega| of the motion; T, |L| and L_W, computed from
+// the state with 100 digits, 4e-15 of their size.
 //
-// POINSOT_SWEEP=n in the environment draws n times as many. Measured over all regimes with gcc 12, -O2: attitude
-// 7.9e-16 rad, omega 4.2e-16, T 8.4e-16, |L| 4.2e-16, L_W 7.8e-16; ten times as many (POINSOT_SWEEP=10)
-// give 1.2e-15, 4.9e-16, 8.9e-16, 4.5e-16, 8.2e-16. The attitude of each regime stands beside its case, tenfold
-// sweep in brackets.
+// POINSOT_SWEEP=n in the environment draws n times as many cases. Measured over all regimes with gcc 12, -O2:
+// attitude 7.9e-16 rad, omega 4.2e-16, T 8.4e-16, |L| 4.2e-16, L_W 7.8e-16; POINSOT_SWEEP=10 gives 1.2e-15,
+// 4.9e-16, 8.9e-16, 4.5e-16, 8.2e-16. A comment in each test gives its attitude error, for POINSOT_SWEEP=10 in
+// brackets.
 
 namespace poinsot::physics {
 namespace {
@@ -71,7 +71,7 @@ int sweep() {
   return times ? std::atoi(times) : 1;
 }
 
-/// The same motion with the axes named in another order and the spin about each of either sign.
+/// Returns the same motion with its axes in a random order and a random sign of the spin about each.
 Start disguised(Draw& draw, const Vector3d& I, const Vector3d& omega0) {
   const int first = static_cast<int>(draw.between(0, 3)), step = draw.sign() > 0 ? 1 : 2;
   Start start{I, omega0, draw.attitude()};
@@ -103,17 +103,17 @@ void expectWithinBounds(const char* name, std::uint64_t seed, int bodies, DrawSt
   expectResidual("  L_W, relative", worst.momentum, kBound);
 }
 
-/// Spin in rad/s: |omega| t up to 1e14 at 1e9 s.
+/// Returns a spin in rad/s, for which |omega| t reaches up to 1e14 at 1e9 s.
 double anySpeed(Draw& draw) { return draw.decade(-3, 5); }
 
-TEST(FreeMotionHostile, AnySolidBody) {
+TEST(FreeMotionAccuracy, HoldsForAnySolidBody) {
   // measured 7.1e-16 rad (1.0e-15)
   expectWithinBounds("any", 101, 200, [](Draw& draw) {
     return disguised(draw, draw.moments().values(), draw.direction() * anySpeed(draw));
   });
 }
 
-TEST(FreeMotionHostile, TwoMomentsNearlyEqual) {
+TEST(FreeMotionAccuracy, HoldsForTwoNearlyEqualMoments) {
   // measured 7.1e-16 rad (8.0e-16)
   expectWithinBounds("two nearly equal", 102, 150, [](Draw& draw) {
     const Vector3d I(1, 1 + draw.sign() * draw.decade(-16, -6), draw.between(0.01, 1.99));
@@ -121,7 +121,7 @@ TEST(FreeMotionHostile, TwoMomentsNearlyEqual) {
   });
 }
 
-TEST(FreeMotionHostile, NearSpheres) {
+TEST(FreeMotionAccuracy, HoldsForNearlySphericalBodies) {
   // measured 6.2e-16 rad (9.0e-16)
   expectWithinBounds("near spheres", 103, 150, [](Draw& draw) {
     const double gap = draw.decade(-15, -6);
@@ -130,7 +130,7 @@ TEST(FreeMotionHostile, NearSpheres) {
   });
 }
 
-TEST(FreeMotionHostile, Needles) {
+TEST(FreeMotionAccuracy, HoldsForNeedles) {
   // measured 7.3e-16 rad (9.0e-16)
   expectWithinBounds("one moment 1e-12 of the others", 104, 150, [](Draw& draw) {
     const double thin = draw.decade(-12, -3);
@@ -141,7 +141,7 @@ TEST(FreeMotionHostile, Needles) {
   });
 }
 
-TEST(FreeMotionHostile, Laminae) {
+TEST(FreeMotionAccuracy, HoldsForLaminae) {
   // measured 7.8e-16 rad (7.8e-16)
   expectWithinBounds("laminae", 105, 100, [](Draw& draw) {
     const double narrow = draw.decade(-12, 0), wide = draw.between(0.5, 1);
@@ -149,8 +149,8 @@ TEST(FreeMotionHostile, Laminae) {
   });
 }
 
-/// omega_3 = omega_1 sqrt(I1 (I2 - I1)/(I3 (I3 - I2))), rounded: as near the separatrix as doubles come.
-TEST(FreeMotionHostile, WithinUlpsOfTheSeparatrix) {
+/// Rounding omega_3 = omega_1 sqrt(I1 (I2 - I1)/(I3 (I3 - I2))) comes as near the separatrix as doubles can.
+TEST(FreeMotionAccuracy, HoldsWithinUlpsOfTheSeparatrix) {
   // measured 7.4e-16 rad (8.0e-16)
   expectWithinBounds("ulps off the separatrix", 106, 200, [](Draw& draw) {
     const double middle = draw.between(1.01, 3), largest = middle + draw.between(0.01, 0.99);
@@ -162,8 +162,8 @@ TEST(FreeMotionHostile, WithinUlpsOfTheSeparatrix) {
   });
 }
 
-/// The same about moments that make the separatrix exact, one to three ulps off.
-TEST(FreeMotionHostile, OneToThreeUlpsOffAnExactSeparatrix) {
+/// Doubles hold the separatrix of these moments exactly; the starts are one to three ulps off.
+TEST(FreeMotionAccuracy, HoldsOneToThreeUlpsFromTheSeparatrix) {
   // measured 7.6e-16 rad (8.0e-16)
   expectWithinBounds("1 to 3 ulps off an exact separatrix", 107, 50, [](Draw& draw) {
     const double ulps = draw.sign() * std::ceil(draw.between(0, 3));
@@ -172,7 +172,7 @@ TEST(FreeMotionHostile, OneToThreeUlpsOffAnExactSeparatrix) {
   });
 }
 
-TEST(FreeMotionHostile, DisturbedSpinsAboutTheMiddleAxis) {
+TEST(FreeMotionAccuracy, HoldsForDisturbedSpinsAboutTheMiddleAxis) {
   // measured 7.7e-16 rad (1.0e-15)
   expectWithinBounds("middle axis, disturbed", 108, 150, [](Draw& draw) {
     const double middle = draw.between(1.01, 3), largest = middle + draw.between(0.01, 0.99);
@@ -181,7 +181,7 @@ TEST(FreeMotionHostile, DisturbedSpinsAboutTheMiddleAxis) {
   });
 }
 
-TEST(FreeMotionHostile, FaintWobblesAboutAStableAxis) {
+TEST(FreeMotionAccuracy, HoldsForFaintWobblesAboutAStableAxis) {
   // measured 7.0e-16 rad (1.2e-15)
   expectWithinBounds("stable axis, faint wobble", 109, 150, [](Draw& draw) {
     const Vector3d spin = draw.sign() > 0 ? Vector3d::UnitX() : Vector3d::UnitZ();
@@ -192,15 +192,15 @@ TEST(FreeMotionHostile, FaintWobblesAboutAStableAxis) {
   });
 }
 
-TEST(FreeMotionHostile, SymmetricBodies) {
+TEST(FreeMotionAccuracy, HoldsForSymmetricBodies) {
   // measured 6.9e-16 rad (8.7e-16)
   expectWithinBounds("symmetric", 110, 100, [](Draw& draw) {
     return disguised(draw, {1, 1, draw.between(0.001, 1.999)}, draw.direction() * anySpeed(draw));
   });
 }
 
-/// Several of the above at once.
-TEST(FreeMotionHostile, NearlySymmetricAndNearlySteadyOrSlow) {
+/// Combines several of the difficulties above.
+TEST(FreeMotionAccuracy, HoldsForNearlySymmetricAndSteadyMotion) {
   // measured 6.9e-16 rad (7.4e-16)
   expectWithinBounds("nearly symmetric, nearly steady", 111, 150, [](Draw& draw) {
     const Vector3d I(1, 1 + draw.decade(-15, -6), draw.sign() > 0 ? 1 + draw.decade(-12, -1) : draw.unit() + 1e-6);
@@ -210,8 +210,8 @@ TEST(FreeMotionHostile, NearlySymmetricAndNearlySteadyOrSlow) {
   });
 }
 
-/// As far as phases of 106 bits hold 4e-15 rad.
-TEST(FreeMotionHostile, TenToTheSixteenRadians) {
+/// Phases of 106 bits hold 4e-15 rad up to 1e16 rad.
+TEST(FreeMotionAccuracy, HoldsAfterTenToTheSixteenRadians) {
   Draw draw(113);
   double worst = 0;
   for (int i = 0; i < 50 * sweep(); ++i) {
@@ -223,7 +223,7 @@ TEST(FreeMotionHostile, TenToTheSixteenRadians) {
   expectResidual("|omega| t up to 1e16, rad", worst, kBound);
 }
 
-TEST(FreeMotionHostile, SteadySpins) {
+TEST(FreeMotionAccuracy, HoldsForSteadySpins) {
   // measured 2.9e-16 rad (4.1e-16)
   expectWithinBounds("steady", 112, 50, [](Draw& draw) {
     const Vector3d spin = Vector3d::Unit(static_cast<int>(draw.between(0, 3)));

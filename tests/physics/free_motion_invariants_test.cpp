@@ -57,7 +57,7 @@ TEST(FreeMotionInvariants, EnergyAndAngularMomentumAreConstant) {
   expectResidual("L_W, relative", direction, 4e-15);  // measured 1.1e-15
 }
 
-TEST(FreeMotionInvariants, TheStartIsTheStart) {
+TEST(FreeMotionInvariants, StateAtTimeZeroIsTheStart) {
   Draw draw(42);
   double attitude = 0, omega = 0, momentum = 0;
   for (int i = 0; i < 300; ++i) {
@@ -74,14 +74,14 @@ TEST(FreeMotionInvariants, TheStartIsTheStart) {
   expectResidual("L_W of the start, relative", momentum, 2e-15);  // measured 6.5e-16
 }
 
-TEST(FreeMotionInvariants, QuaternionIsUnitAndOnTheUpperHalf) {
+TEST(FreeMotionInvariants, QuaternionHasLengthOneAndNonNegativeW) {
   forRandomStates(43, [&](const Case&, const FreeMotion&, const RigidBodyState& s) {
     EXPECT_NEAR(s.q_WB.norm(), 1, 4e-16);
     EXPECT_GE(s.q_WB.w(), 0);
   });
 }
 
-TEST(FreeMotionInvariants, OmegaInSpaceIsOmegaTurned) {
+TEST(FreeMotionInvariants, OmegaInSpaceIsTheRotatedBodyOmega) {
   double worst = 0;
   forRandomStates(44, [&](const Case&, const FreeMotion&, const RigidBodyState& s) {
     worst = std::max(worst, (s.omega_W - s.q_WB.toRotationMatrix() * s.omega_B).norm() / s.omega_B.norm());
@@ -90,7 +90,7 @@ TEST(FreeMotionInvariants, OmegaInSpaceIsOmegaTurned) {
 }
 
 // Eq (38) and (40), and the lecture's figure: the tip of omega lies on the plane and on the ellipsoid.
-TEST(FreeMotionInvariants, ContactPointIsOnThePlaneAndOnTheEllipsoid) {
+TEST(FreeMotionInvariants, ContactPointIsOnPlaneAndEllipsoid) {
   double plane = 0, ellipsoid = 0;
   forRandomStates(45, [&](const Case& c, const FreeMotion& motion, const RigidBodyState& s) {
     const PoinsotConstruction construction(c.moments, c.omega0_B);
@@ -103,8 +103,8 @@ TEST(FreeMotionInvariants, ContactPointIsOnThePlaneAndOnTheEllipsoid) {
   expectResidual("on the ellipsoid", ellipsoid, 4e-15);                   // measured 8.9e-16
 }
 
-// Eq (39): L is normal to the ellipsoid where it touches, so the plane touches it and cuts it nowhere: the largest
-// height of the ellipsoid along L, sqrt(sum (semi-axis_i L_i)^2)/|L|, is the height of the plane.
+// Eq (39): L is normal to the ellipsoid at the point of contact, and the plane does not cut the ellipsoid. Its
+// largest height along L, sqrt(sum (semi-axis_i L_i)^2)/|L|, is the height of the plane.
 TEST(FreeMotionInvariants, ThePlaneTouchesTheEllipsoid) {
   double tilt = 0, support = 0;
   forRandomStates(46, [&](const Case& c, const FreeMotion& motion, const RigidBodyState& s) {
@@ -120,8 +120,8 @@ TEST(FreeMotionInvariants, ThePlaneTouchesTheEllipsoid) {
   expectResidual("height of the ellipsoid, relative", support, 4e-15);  // measured 4.4e-16
 }
 
-// Composition is limited by the rounding of the state handed over: it enters the phase as 1e-16 |omega| t.
-TEST(FreeMotionInvariants, TheMotionFromALaterStateIsTheSameMotion) {
+// Rounding of the intermediate state limits the accuracy: it enters the phase as 1e-16 |omega| t.
+TEST(FreeMotionInvariants, MotionFromALaterStateIsTheSameMotion) {
   Draw draw(47);
   double worst = 0;
   for (int i = 0; i < 200; ++i) {
@@ -132,12 +132,12 @@ TEST(FreeMotionInvariants, TheMotionFromALaterStateIsTheSameMotion) {
     const FreeMotion later(c.moments, middle.omega_B, middle.q_WB);
     worst = std::max(worst, angleBetween(later.at(t2).q_WB, motion.at(t1 + t2).q_WB));
   }
-  // t1 + t2 is rounded too: up to 7e-15 s at 3 rad/s.
+  // t1 + t2 is rounded, too, by up to 7e-15 s at 3 rad/s.
   expectResidual("R(t1 + t2), rad", worst, 4e-14);  // measured 1e-14
 }
 
 // omega0 -> -omega0 with t -> -t retraces the same attitudes.
-TEST(FreeMotionInvariants, TimeReversal) {
+TEST(FreeMotionInvariants, TimeReversalRetracesTheAttitudes) {
   Draw draw(48);
   double worst = 0;
   for (int i = 0; i < 200; ++i) {
@@ -151,8 +151,8 @@ TEST(FreeMotionInvariants, TimeReversal) {
   expectResidual("reversed attitude, rad", worst, 4e-15);  // measured 4.9e-16
 }
 
-// Naming the axes in another order (turned, or mirrored with the signs that undo the mirror) changes nothing.
-TEST(FreeMotionInvariants, OrderOfTheAxes) {
+// Another order of the axes (turned, or mirrored with signs that undo the mirror) must not change the motion.
+TEST(FreeMotionInvariants, OrderOfTheAxesDoesNotMatter) {
   const int orders[][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}};
   Draw draw(49);
   double worst = 0;
@@ -161,7 +161,7 @@ TEST(FreeMotionInvariants, OrderOfTheAxes) {
     const double t = draw.decade(-1, 8);
     const RigidBodyState expected = c.motion().at(t);
     for (const auto& order : orders) {
-      Matrix3d S = Matrix3d::Zero();  // from body components to the renamed ones
+      Matrix3d S = Matrix3d::Zero();  // from body components to components along the renamed axes
       for (int k = 0; k < 3; ++k) S(k, order[k]) = 1;
       S *= S.determinant();
       const PrincipalMoments moments(S.cwiseAbs() * c.moments.values());
@@ -175,7 +175,7 @@ TEST(FreeMotionInvariants, OrderOfTheAxes) {
 }
 
 // Scaling the moments, or omega and time, by powers of two changes no bit.
-TEST(FreeMotionInvariants, UnitsOfAnyMagnitude) {
+TEST(FreeMotionInvariants, ScalingByPowersOfTwoChangesNoBit) {
   Draw draw(50);
   for (int i = 0; i < 100; ++i) {
     const Case c = randomCase(draw);
@@ -221,15 +221,15 @@ TEST(FreeMotionInvariants, TheSeparatrixEndsOnTheMiddleAxis) {
     EXPECT_NEAR(s.q_WB.norm(), 1, 4e-16);
     EXPECT_NEAR(s.omega_B[0], 0, 1e-300);
     EXPECT_NEAR(s.omega_B[2], 0, 1e-300);
-    // L/I2 from the table of examples; towards -axis 2 in the past: omega_2' = (I3 - I1) omega_3 omega_1/I2 > 0.
+    // The limit is L/I2, in the past towards -axis 2 because omega_2' = (I3 - I1) omega_3 omega_1/I2 > 0.
     EXPECT_NEAR(s.omega_B[1], std::copysign(1.286953767623375, t), 5e-16);
     EXPECT_LE((s.omega_W - motion.L_W() / 2).norm(), 2e-15);
   }
 }
 
-// A wobble far below the rounding of omega itself is carried, and grows as it must about the middle axis:
-// the flips of the table of T-handles come at equal steps per decade.
-TEST(FreeMotionInvariants, FaintDisturbanceOfTheMiddleAxisFlipsInTheEnd) {
+// A wobble far below the rounding of omega must not be lost. It grows about the middle axis, so that each decade
+// of the disturbance delays the flip by the same time.
+TEST(FreeMotionInvariants, FaintDisturbanceFlipsTheMiddleAxis) {
   const PrincipalMoments moments({1, 2, 3});
   const double lambda = 1 / std::sqrt(3.0);  // sqrt((I3-I2)(I2-I1)/(I1 I3)) omega_2
   double before = 0;
@@ -246,7 +246,7 @@ TEST(FreeMotionInvariants, FaintDisturbanceOfTheMiddleAxisFlipsInTheEnd) {
   }
 }
 
-TEST(FreeMotionInvariants, AbsurdTimesStillGiveARotation) {
+TEST(FreeMotionInvariants, HugeTimesStillGiveARotation) {
   const FreeMotion motion(PrincipalMoments({2, 3, 4}), {.5, .25, 1}, Quaterniond::Identity());
   for (const double t : {1e18, -1e30, 1e100, 1e280}) {
     const RigidBodyState s = motion.at(t);
@@ -255,7 +255,7 @@ TEST(FreeMotionInvariants, AbsurdTimesStillGiveARotation) {
   }
 }
 
-TEST(FreeMotionErrors, RefusesWhatIsNoStart) {
+TEST(FreeMotionErrors, RejectInvalidStarts) {
   const PrincipalMoments moments({2, 3, 4});
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto messageOf = [&](const Vector3d& omega, const Quaterniond& q) -> std::string {

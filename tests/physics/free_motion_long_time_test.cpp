@@ -6,10 +6,10 @@
 #include "physics/residual.h"
 #include "physics/taylor_oracle.h"
 
-// Very long times against the integrator of 60 digits. After one period Tp of omega in the body, the attitude has
-// gained a fixed rotation: q(t + Tp) = M q(t), M = q(Tp) q(0)^-1. So q(n Tp + r) = M^n q(r), and one period
-// integrated to 60 digits gives the attitude at any t. Tp itself is refined by Newton on the integrator:
-// no elliptic function enters the expected value. Measured: at most 6.1e-16 rad, and 3.1e-16 of omega.
+// Motion at very long times, compared with an integrator of 60 digits. After one period Tp of omega in the body,
+// the attitude has gained a fixed rotation: q(t + Tp) = M q(t), M = q(Tp) q(0)^-1. Thus q(n Tp + r) = M^n q(r),
+// and one period integrated to 60 digits gives the attitude at any t. Newton's method on the integrator refines
+// Tp, so that no elliptic function enters the expected value. Measured: at most 6.1e-16 rad, and 3.1e-16 of omega.
 
 namespace poinsot::physics {
 namespace {
@@ -42,7 +42,7 @@ class PeriodicOracle {
   }
 
  private:
-  /// Newton's estimate of the time from `state` to the nearby point `omega` of its polhode.
+  /// Returns Newton's estimate of the time from `state` to the nearby point `omega` of its polhode.
   Real60 timeTo(const std::array<Real60, 3>& omega, const Oracle::State& state) const {
     const auto rate = oracle_.derivative(state);
     Real60 along = 0, square = 0;
@@ -87,31 +87,31 @@ void expectAtLongTimes(const char* name, const Vector3d& I, const Vector3d& omeg
   expectResidual("  omega_B, of the start's", omega / omega0.norm(), 4e-15);
 }
 
-TEST(FreeMotionLongTime, AboutLargest) {
+TEST(FreeMotionLongTime, StaysAccurateAboutTheLargestAxis) {
   expectAtLongTimes("about the largest", {2, 3, 4}, {.5, .25, 1}, {1e3, 12345.678, -1e6, 1e9, 1e12, 3.3e14});
 }
 
-TEST(FreeMotionLongTime, AboutSmallest) {
+TEST(FreeMotionLongTime, StaysAccurateAboutTheSmallestAxis) {
   expectAtLongTimes("about the smallest", {0.3, 1.1, 1.2}, {1, -.4, .7},
                     {1e3, 12345.678, -1e6, 1e9, 1e12, 3.3e14});
 }
 
-TEST(FreeMotionLongTime, TennisRacket) {
+TEST(FreeMotionLongTime, StaysAccurateForATennisRacket) {
   expectAtLongTimes("racket", {0.0133, 0.0014, 0.0147}, {6, 0.001, 0.02}, {100, 4567.8, -1e6, 1e9, 1e12});
 }
 
-TEST(FreeMotionLongTime, OneUlpOffTheSeparatrix) {
+TEST(FreeMotionLongTime, StaysAccurateOneUlpFromTheSeparatrix) {
   expectAtLongTimes("one ulp off", {1, 2, 2.25}, {.75, .5, 1 + 0x1p-52}, {119, 1e4, -1e6, 1e9, 1e12});
 }
 
-/// On the separatrix omega settles on the middle axis as e^(-lambda t): integrated till |u| = 60, when 1e-26 is
-/// left of the other components, then a steady turn about L at the rate |omega| that is left.
-TEST(FreeMotionLongTime, Separatrix) {
+/// On the separatrix omega settles on the middle axis as e^(-lambda t). The oracle integrates until lambda t = 60,
+/// when the other components are 1e-26. Then the body turns steadily about L at the remaining |omega|.
+TEST(FreeMotionLongTime, StaysAccurateOnTheSeparatrix) {
   const Vector3d I(1, 2, 2.25), omega0(.75, .5, 1);
   const Quaterniond q0(0.5, -0.25, 0.75, 1.5);
   const FreeMotion motion(PrincipalMoments(I), omega0, q0);
   const Oracle oracle(I, omega0, q0);
-  const Real60 settled_s = 60 / 0.4289845892077917;  // lambda, from the table of examples
+  const Real60 settled_s = 60 / 0.4289845892077917;  // lambda
   double worst = 0;
   for (const double t : {200.0, -200.0, 12345.678, -1e6, 1e9, -1e12}) {
     Oracle::State state = oracle.at(t < 0 ? Real60(-settled_s) : settled_s);
@@ -125,7 +125,7 @@ TEST(FreeMotionLongTime, Separatrix) {
   expectResidual("separatrix", worst, 4e-15);  // measured 3.2e-16
 }
 
-TEST(FreeMotionLongTime, NearlySymmetric) {
+TEST(FreeMotionLongTime, StaysAccurateForANearlySymmetricBody) {
   expectAtLongTimes("nearly symmetric", {1, 1 + 1e-9, 1.75}, {.6, .3, 1}, {1e3, -1e6, 1e9, 1e12});
 }
 

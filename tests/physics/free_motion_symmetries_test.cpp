@@ -6,9 +6,9 @@
 #include "physics/residual.h"
 #include "physics/theta_oracle.h"
 
-// What a change of units or of axes may do to the motion: nothing. Each pair of motions is given doubles that are
-// exactly each other's images, so that the project's 4e-15 rad must hold between them at any time; the orders of
-// the axes, time reversal, powers of two and the group property are in free_motion_invariants_test.cpp.
+// A change of units or of axes must not change the motion. The doubles of each pair of motions are exact images of
+// each other, so that 4e-15 rad must hold between them at any time. free_motion_invariants_test.cpp tests orders
+// of the axes, time reversal, powers of two and the group property.
 
 namespace poinsot::physics {
 namespace {
@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 
 constexpr double kBound = 4e-15;
 
-/// Rounded to 26 bits, so that a product with a whole number below 2^27 is exact.
+/// Rounds components to 26 bits, so that their product with a whole number below 2^27 is exact.
 Vector3d shortened(const Vector3d& v) {
   return v.unaryExpr([](double x) { return std::ldexp(std::round(std::ldexp(x, 26)), -26); });
 }
@@ -37,7 +37,7 @@ double angleBetween(const Quaterniond& a, const Quaterniond& b) {
   return ThetaOracle::angle(ThetaOracle::rotationMatrix(a), b);
 }
 
-TEST(FreeMotionSymmetries, ScalingOfTheMoments) {
+TEST(FreeMotionSymmetries, ScalingTheMomentsScalesOnlyTheEnergy) {
   Draw draw(131);
   double attitude = 0, omega = 0, energy = 0;
   for (int i = 0; i < 100; ++i) {
@@ -57,7 +57,7 @@ TEST(FreeMotionSymmetries, ScalingOfTheMoments) {
   expectResidual("  T, relative", energy, kBound);                    // measured 2.2e-16
 }
 
-TEST(FreeMotionSymmetries, ScalingOfTime) {
+TEST(FreeMotionSymmetries, ScalingTimeScalesOnlyOmega) {
   Draw draw(132);
   double attitude = 0, omega = 0;
   for (int i = 0; i < 100; ++i) {
@@ -75,7 +75,7 @@ TEST(FreeMotionSymmetries, ScalingOfTime) {
   expectResidual("  omega_B, relative to the start", omega, kBound);  // measured 3.1e-16
 }
 
-TEST(FreeMotionSymmetries, TurnedSpace) {
+TEST(FreeMotionSymmetries, TurningSpaceTurnsTheMotion) {
   Draw draw(133);
   double attitude = 0, omega = 0;
   for (int i = 0; i < 300; ++i) {
@@ -92,9 +92,9 @@ TEST(FreeMotionSymmetries, TurnedSpace) {
   expectResidual("  omega_W, relative to itself", omega, kBound);  // measured 1.1e-15
 }
 
-/// Body axes that are not principal: the components of omega along the principal axes are rounded once more, which
-/// acts as a start that is 2e-16 off, so the comparison is over 10 rad.
-TEST(FreeMotionSymmetries, BodyAxesThatAreNotPrincipal) {
+/// With body axes that are not principal, omega along the principal axes is rounded once more. The start is 2e-16
+/// off, so that the comparison covers 10 rad only.
+TEST(FreeMotionSymmetries, BodyAxesDoNotMatter) {
   Draw draw(134);
   double attitude = 0, omega = 0, momentum = 0;
   for (int i = 0; i < 300; ++i) {

@@ -13,10 +13,10 @@
 // Figures: Takahashi, Busch & Scheeres, Astron. J. 146 (2013) 95: ratios of the moments, fitted state of
 // 1992-11-09 17:49:47 UTC, and the states of December reduced by Hudson & Ostro, Science 270 (1995) 84. Euler
 // angles are 3-1-3 from the ecliptic of J2000; x, y, z are the axes of moments 3.0836, 3.235, 1 (z is the long
-// axis). Direction of L: Zhao et al., MNRAS 450 (2015) 3620. Read in the tests of Principia
-// (physics/euler_solver_test.cpp), which give beside each date how far its own solution is from the observation:
-// the same differences are expected here, to the digits given there. Not covered: the flyby of 2008, before which
-// the Earth's torque turned the body (100 degrees).
+// axis). Direction of L: Zhao et al., MNRAS 450 (2015) 3620. The figures were read in the tests of Principia
+// (physics/euler_solver_test.cpp), which also give the difference between Principia's solution and the observation
+// on each date. The same differences are expected here, to the digits given there. Not covered: the flyby of 2008,
+// before which the Earth's torque turned the body (100 degrees).
 
 namespace poinsot::physics {
 namespace {
@@ -41,7 +41,7 @@ struct Observation {
   int day, hour, minute;      // of December 1992, UTC
   double alpha, beta, gamma;  // degrees
   Vector3d omega_B;           // degrees/day
-  double speedOff, omegaOff;  // what Principia finds: relative, degrees
+  double speedOff, omegaOff;  // Principia's differences: relative, degrees
   double xOff, yOff, zOff;    // degrees, of each axis of the body
 };
 
@@ -67,7 +67,7 @@ const Observation kObservations[] = {
     {18, 7, 9, 91.6, 81.6, 142.4, {-24.3, 29.6, -102.0}, 0.036, 2.1, 6.3, 4.1, 5.6},
 };
 
-/// Seconds from 1992-11-09 17:49:47 UTC; no leap second lies between.
+/// Returns seconds from 1992-11-09 17:49:47 UTC; no leap second lies between.
 double secondsFromEpoch(const Observation& o) {
   return 86400.0 * (21 + o.day) + 3600 * (o.hour - 17) + 60 * (o.minute - 49) - 47;
 }
@@ -79,10 +79,10 @@ FreeMotion toutatis() {
 
 class ToutatisObserved : public testing::TestWithParam<Observation> {};
 
-/// One of the last digit that Principia gives. Measured: at most 0.062 degrees where it gives tenths.
+/// Returns one unit of the last digit that Principia gives. Measured: at most 0.062 degrees where that is tenths.
 double lastDigit(double value) { return value >= 10 ? 1 : 0.1; }
 
-TEST_P(ToutatisObserved, IsSeenWhereTheFitPutsIt) {
+TEST_P(ToutatisObserved, DiffersFromTheFitByThePublishedAngles) {
   const Observation& o = GetParam();
   const RigidBodyState state = toutatis().at(secondsFromEpoch(o));
   const Quaterniond seen = attitude(o.alpha, o.beta, o.gamma);
@@ -100,17 +100,16 @@ TEST_P(ToutatisObserved, IsSeenWhereTheFitPutsIt) {
 INSTANTIATE_TEST_SUITE_P(December1992, ToutatisObserved, testing::ValuesIn(kObservations),
                          [](const auto& date) { return "Day" + std::to_string(date.param.day); });
 
-TEST(Toutatis, AngularMomentumPointsWhereItWasIn2012) {
+TEST(Toutatis, AngularMomentumPointsAsObservedIn2012) {
   const double longitude = 180.2 * kDegree, latitude = -54.75 * kDegree;  // ecliptic, from the flyby of 2012-12-13
   const Vector3d expected(std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
                           std::sin(latitude));
-  // measured 1.23: so much do the fit to 1992 and the flyby of 2012 differ
+  // measured 1.23, by which the fit to 1992 and the flyby of 2012 differ
   expectResidual("direction of L, degrees", angle_deg(toutatis().L_W(), expected), 2);
 }
 
-/// The mean periods, in days, that Zhao et al. find: of rotation about the long axis, and of its precession about
-/// L.
-TEST(Toutatis, TurnsAboutItsLongAxisAndPrecesses) {
+/// Zhao et al. give these mean periods in days: of rotation about the long axis, and of its precession about L.
+TEST(Toutatis, HasTheObservedPeriodsOfRotationAndPrecession) {
   const FreeMotion motion = toutatis();
   const Vector3d L = motion.L_W().normalized();
   const int steps = 20000;

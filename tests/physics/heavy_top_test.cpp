@@ -20,23 +20,23 @@ using Eigen::Vector3d;
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
-// The top of the project's notes; expected values from two other methods, a closed form and a Taylor integration.
+// Expected values for this top come from two other methods, a closed form and a Taylor integration.
 const PrincipalMoments kMoments({1.40625, 1.40625, 0.65625});
 const Vector3d kGravity(0, 0, 2.84375);
 constexpr double kSpin = 9.15625;
 
 Vector3d upAtTilt(double tilt_rad) { return {std::sin(tilt_rad), 0, std::cos(tilt_rad)}; }
 
-TEST(HeavyTop, SleepingLimit) {
+TEST(HeavyTop, HasTheLimitingSpinOfASleepingTop) {
   EXPECT_NEAR(heavyTop(kMoments, kGravity)->sleepingSpin(), 6.09449400220044, 3e-15);
 }
 
-TEST(HeavyTop, SteadyPrecession) {
+TEST(HeavyTop, HasASlowAndAFastSteadyPrecession) {
   const auto rates = heavyTop(kMoments, kGravity)->steadyPrecession(30 * kDegree, kSpin);
   ASSERT_TRUE(rates);
   EXPECT_NEAR(rates->slow, 0.530251265914263, 6e-16);
   EXPECT_NEAR(rates->fast, 4.40368790953541, 6e-15);
-  // Below the least spin for the tilt there are none; a hanging top needs no spin.
+  // Below the least spin for the tilt no rate exists; a hanging top needs no spin.
   EXPECT_FALSE(heavyTop(kMoments, kGravity)->steadyPrecession(30 * kDegree, 5));
   const auto pendulum = heavyTop(kMoments, kGravity)->steadyPrecession(120 * kDegree, 0);
   ASSERT_TRUE(pendulum);
@@ -48,7 +48,7 @@ TEST(HeavyTop, SteadyPrecession) {
   EXPECT_TRUE(std::isfinite(heavyTop(kMoments, kGravity)->steadyPrecession(89.999 * kDegree, kSpin)->fast));
 }
 
-TEST(HeavyTop, NutationOfATopLetGo) {
+TEST(HeavyTop, HasTheNutationOfAReleasedTop) {
   const Nutation swing = heavyTop(kMoments, kGravity)->nutation({0, 0, kSpin}, upAtTilt(30 * kDegree));
   EXPECT_NEAR(swing.leastTilt_rad / kDegree, 30, 1e-13);
   EXPECT_NEAR(swing.mostTilt_rad / kDegree, 38.840183490757, 6e-13);
@@ -56,13 +56,13 @@ TEST(HeavyTop, NutationOfATopLetGo) {
   EXPECT_NEAR(swing.precession_rad, 0.958047879275758037, 4e-15);
 }
 
-// Started with the steady rate the tilt stays; the swing's period is then that of small nutations.
+// A start at a steady rate keeps the tilt. The swing's period is then the period of small nutations.
 TEST(HeavyTop, SteadyPrecessionDoesNotNutate) {
   const HeavyTop top = *heavyTop(kMoments, kGravity);
   const Vector3d up = upAtTilt(30 * kDegree);
   for (const double rate :
        {top.steadyPrecession(30 * kDegree, kSpin)->slow, top.steadyPrecession(30 * kDegree, kSpin)->fast}) {
-    // omega = rate up + the rest along k, which makes up omega_3.
+    // omega = rate up, plus a part along k that completes omega_3.
     const Vector3d omega = rate * up + (kSpin - rate * up[2]) * Vector3d::UnitZ();
     const Nutation swing = top.nutation(omega, up);
     EXPECT_NEAR(swing.leastTilt_rad, 30 * kDegree, 1e-7);
@@ -71,8 +71,9 @@ TEST(HeavyTop, SteadyPrecessionDoesNotNutate) {
   }
 }
 
-// Against the integrated motion: at the least tilt, and a period later again at it, turned by the precession.
-TEST(HeavyTop, SwingIsThatOfTheMotion) {
+// The integrated motion must stay between the tilts. After a period its axis must have the same height and be
+// turned by the precession.
+TEST(HeavyTop, NutationMatchesTheIntegratedMotion) {
   Draw draw(301);
   double tilt = 0, turned = 0;
   for (int i = 0; i < 25; ++i) {
@@ -102,17 +103,17 @@ TEST(HeavyTop, SwingIsThatOfTheMotion) {
     turned = std::max(turned, std::abs(std::remainder(swept - swing.precession_rad, 2 * 180 * kDegree)));
   }
   expectResidual("height of the axis after a period", tilt, 1e-12);  // measured 3.2e-14
-  // An axis that passes close to the vertical turns about it as fast as that is close.
+  // The closer an axis passes to the vertical, the faster its azimuth turns.
   expectResidual("precession in a period, rad", turned, 5e-11);  // measured 4.9e-12
 }
 
-TEST(HeavyTop, OfASleepingTop) {
+TEST(HeavyTop, UprightTopSleepsOrFallsByItsSpin) {
   const HeavyTop top = *heavyTop(kMoments, kGravity);
   const Nutation upright = top.nutation({0, 0, kSpin}, {0, 0, 1});
   EXPECT_EQ(upright.leastTilt_rad, 0);
   EXPECT_EQ(upright.mostTilt_rad, 0);
-  // Too slow: it falls from upright, in infinite time, down to the tilt where f's other root is:
-  // cos theta = L3²/(2 I1 Mgl) - 1 by hand.
+  // A top that is too slow falls from upright in infinite time, down to the other root of f. By hand:
+  // cos theta = L3²/(2 I1 Mgl) - 1.
   const double slow = 4;
   const Nutation falling = top.nutation({0, 0, slow}, {0, 0, 1});
   EXPECT_EQ(falling.leastTilt_rad, 0);
@@ -121,8 +122,8 @@ TEST(HeavyTop, OfASleepingTop) {
   EXPECT_NEAR(std::cos(falling.mostTilt_rad), L3 * L3 / (2 * 1.40625 * 2.84375) - 1, 1e-15);
 }
 
-// Close past the vertical the azimuth turns by half a turn more, one way or the other; through it, by neither.
-TEST(HeavyTop, SwingsPastTheVertical) {
+// An axis that passes close to the vertical turns by half a turn more or less than one that passes through it.
+TEST(HeavyTop, AzimuthGainsHalfATurnPastTheVertical) {
   const HeavyTop top = *heavyTop(kMoments, kGravity);
   const auto swing = [&](double lean) { return top.nutation({0.5, 0, kSpin}, Vector3d(lean, 0, 1).normalized()); };
   const Nutation through = swing(0);
@@ -134,12 +135,12 @@ TEST(HeavyTop, SwingsPastTheVertical) {
     EXPECT_NEAR(other, -180 * kDegree, 20 * lean);
     EXPECT_NEAR(swing(lean).leastTilt_rad, lean, 1e-6 * lean);
   }
-  // Upright at the spin that only just sleeps: nothing moves, and no swing is finite.
+  // An upright top at the limiting spin does not move.
   EXPECT_EQ(top.nutation({0, 0, top.sleepingSpin()}, {0, 0, 1}).mostTilt_rad, 0);
 }
 
-// Spins and weights of any size, next to the vertical and at rest: always an answer, and the tilts in order.
-TEST(HeavyTop, AnyStartHasASwing) {
+// Spins and weights of any size, near the vertical and at rest, must give a swing with ordered tilts.
+TEST(HeavyTop, AnyStartGivesAValidNutation) {
   Draw draw(302);
   for (int i = 0; i < 5000; ++i) {
     const double Ip = draw.decade(-6, 6);
@@ -163,7 +164,7 @@ TEST(HeavyTop, NeedsGravityAlongTheSymmetryAxis) {
   EXPECT_FALSE(heavyTop(PrincipalMoments({2, 3, 4}), kGravity));
   EXPECT_TRUE(heavyTop(PrincipalMoments({2, 2, 2}), {0, -1, 0}));
   EXPECT_EQ(heavyTop(kMoments, {0, 0, -3})->k_P, Vector3d(0, 0, -1));
-  const PrincipalMoments rounded({2, 2 + 1e-6, 3});  // a body whose parts have six digits
+  const PrincipalMoments rounded({2, 2 + 1e-6, 3});  // moments that are equal to six digits
   EXPECT_FALSE(heavyTop(rounded, kGravity));
   EXPECT_NEAR(heavyTop(rounded, kGravity + Vector3d(1e-7, 0, 0), 1e-6)->across, 2 + 0.5e-6, 1e-15);
   EXPECT_FALSE(heavyTop(rounded, kGravity, 1e-7));

@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 
 constexpr double kTurn = 2 * 3.14159265358979323846;
 
-/// The herpolhode in plane polar coordinates about L, from the motion alone.
+/// The herpolhode in plane coordinates about L, from the motion alone.
 class PlaneCurve {
  public:
   explicit PlaneCurve(const FreeMotion& motion) : motion_(motion), normal_(motion.L_W().normalized()) {
@@ -34,7 +34,6 @@ class PlaneCurve {
     return {omega.dot(first_), omega.dot(second_), 0};
   }
 
-  /// Angle swept between two near points.
   static double angle(const Vector3d& from, const Vector3d& to) {
     return std::atan2(from.cross(to)[2], from.dot(to));
   }
@@ -49,7 +48,7 @@ struct Case {
   Vector3d omega0;
 };
 
-/// Not near the separatrix: so that a few hundred even steps in time follow the curve.
+/// Returns a case away from the separatrix, so that a few hundred even steps in time follow the curve.
 Case randomCase(Draw& draw) {
   for (;;) {
     const Case c{draw.moments(), draw.direction()};
@@ -58,7 +57,7 @@ Case randomCase(Draw& draw) {
   }
 }
 
-TEST(Herpolhode, RadiiAndAngleAreThoseOfTheMotion) {
+TEST(Herpolhode, RadiiAndAngleMatchTheMotion) {
   Draw draw(81);
   double angle = 0, beyond = 0, reached = 0;
   for (int i = 0; i < 40; ++i) {
@@ -84,9 +83,9 @@ TEST(Herpolhode, RadiiAndAngleAreThoseOfTheMotion) {
   expectResidual("short of the ring's edges", reached, 1e-3);    // measured 4.7e-05
 }
 
-// Rolling without slipping: in a radial period the contact point covers the same length on the ellipsoid and on
-// the plane. Both lengths by the trapezoidal rule over a period, which converges geometrically: |omega'| in the
-// body (Euler's equations) and in space (differences).
+// In a radial period the contact point covers the same length on the ellipsoid and on the plane. The trapezoidal
+// rule over a period, which converges geometrically, gives both lengths from |omega'| in the body (Euler's
+// equations) and in space (differences).
 TEST(Herpolhode, RollsWithoutSlipping) {
   Draw draw(82);
   double worst = 0;
@@ -107,9 +106,10 @@ TEST(Herpolhode, RollsWithoutSlipping) {
   expectResidual("arc lengths, relative", worst, 1e-12);  // measured 4e-14
 }
 
-// Montgomery, Am. J. Phys. 59 (1991) 394: twice the angle per radial period is 2T Tp/L - A modulo a turn, A the
-// solid angle that L encloses in the body. A by the trapezoidal rule from Euler's equations: no elliptic integral.
-TEST(Herpolhode, GeometricPhase) {
+// Montgomery, Am. J. Phys. 59 (1991) 394: twice the angle per radial period is 2T Tp/L - A modulo a turn, where A
+// is the solid angle that L encloses in the body. The trapezoidal rule gives A from Euler's equations, without
+// elliptic integrals.
+TEST(Herpolhode, HasMontgomerysGeometricPhase) {
   Draw draw(83);
   double worst = 0;
   for (int i = 0; i < 40; ++i) {
@@ -138,7 +138,7 @@ TEST(Herpolhode, GeometricPhase) {
   expectResidual("geometric phase, rad", worst, 4e-13);  // measured 7.1e-15
 }
 
-// Bodies that obey the triangle inequality draw no inflection (the rate chi' is positive and the curve convex).
+// The herpolhode of a body that obeys the triangle inequality has no inflection.
 TEST(Herpolhode, NeverBendsOutwards) {
   Draw draw(84);
   for (int i = 0; i < 60; ++i) {
@@ -153,7 +153,7 @@ TEST(Herpolhode, NeverBendsOutwards) {
   }
 }
 
-TEST(Herpolhode, ClosedCurves) {
+TEST(Herpolhode, FindsTheClosureOfClosedCurves) {
   const PrincipalMoments moments({1.25, 2, 2.75});
   {
     const Vector3d omega0(1.577034598253537625, 0, 1.5);
@@ -180,7 +180,7 @@ TEST(Herpolhode, ClosedCurves) {
   }
 }
 
-TEST(Herpolhode, MostDoNotClose) {
+TEST(Herpolhode, FindsNoClosureOfAnOpenCurve) {
   const Herpolhode herpolhode(PrincipalMoments({2, 3, 4}), {.5, .25, 1});
   EXPECT_FALSE(herpolhode.closure(100, 1e-6));
 }
@@ -197,7 +197,7 @@ TEST(Herpolhode, SymmetricTopDrawsACircle) {
   }
 }
 
-TEST(Herpolhode, DegenerateCases) {
+TEST(Herpolhode, HandlesSteadySpinsAndTheSeparatrix) {
   const Herpolhode steady(PrincipalMoments({2, 3, 4}), {0, 2, 0});
   EXPECT_EQ(steady.regime(), PolhodeRegime::kSteady);
   EXPECT_EQ(steady.largestRadius(), 0);

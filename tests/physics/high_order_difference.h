@@ -5,8 +5,8 @@
 
 namespace poinsot::physics {
 
-/// f' at t by the central difference of order 12, for smooth f of rates near 1: with this step its error
-/// (h^12/12012 of the 13th derivative) is below the rounding of the values over h, some 1e-14.
+/// Returns f' at t by the central difference of order 12, for smooth f with rates near 1. Its error (h^12/12012 of
+/// the 13th derivative) is below the rounding of the values over h, some 1e-14.
 template <typename F>
 Eigen::Vector3d derivative(const F& f, double t) {
   constexpr double h = 0.06;

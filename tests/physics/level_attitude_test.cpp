@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The attitude that brings L onto the vertical. The oracle turns the vector in 64-bit mantissas by the matrix of
-// the quaternion; the least angle between two directions is their atan2.
+// The attitude that brings L onto the vertical. The oracle turns a vector by the quaternion's matrix in long
+// double (64-bit mantissa) and computes the angle between two directions with atan2.
 #include "physics/level_attitude.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ constexpr double kArcsecond = std::numbers::pi / 648000;
 
 double sign(Vertical vertical) { return vertical == Vertical::kUp ? 1 : -1; }
 
-/// Tilts from 0.001 arcsec to 180 degrees, finely where two directions are nearly opposite or nearly the same.
+/// Returns tilts from 0.001 arcsec to 180 degrees, dense where two directions are nearly opposite or nearly equal.
 std::vector<double> tilts() {
   std::vector<double> list{0, std::numbers::pi / 2, std::numbers::pi};
   for (const double from : {0.0, std::numbers::pi})
@@ -44,14 +44,14 @@ std::vector<Vector3d> directions() {
   return list;
 }
 
-/// How far off the vertical the turned vector is, over its length.
+/// Returns the distance of the turned vector from the vertical, over its length.
 double offVertical(const Quaterniond& q, const Vector3d& v, Vertical vertical) {
   const LongVector turned = q.cast<long double>().normalized().toRotationMatrix() * v.cast<long double>();
   EXPECT_GT(sign(vertical) * static_cast<double>(turned.z()), 0);
   return static_cast<double>(std::hypot(turned.x(), turned.y()) / v.cast<long double>().norm());
 }
 
-// Measured: 1.6e-16, the rounding of the quaternion; Eigen's FromTwoVectors: 2.8e-6.
+// Measured 1.6e-16, the rounding of the quaternion. Eigen's FromTwoVectors leaves 2.8e-6.
 TEST(LevelAttitude, TurnsEveryDirectionOntoTheVertical) {
   double worst = 0;
   for (const Vector3d& d : directions())
@@ -61,7 +61,7 @@ TEST(LevelAttitude, TurnsEveryDirectionOntoTheVertical) {
   expectResidual("vector off the vertical, over its length", worst, 4e-16);
 }
 
-// The turn is about a horizontal axis, by the angle between the two. Measured: 4.4e-16 rad, a unit in the last
+// The turn is about a horizontal axis, by the angle from the vertical. Measured: 4.4e-16 rad, a unit in the last
 // place of pi.
 TEST(LevelAttitude, TakesTheShortestWay) {
   double worst = 0;
@@ -75,7 +75,7 @@ TEST(LevelAttitude, TakesTheShortestWay) {
   expectResidual("angle of the turn, rad", worst, 1e-15);
 }
 
-// By the definition for directions that have no shortest way: as if they leaned towards +y.
+// Directions without a shortest way turn as if they leaned towards +y, by definition.
 TEST(LevelAttitude, TurnsAnOppositeDirectionAboutX) {
   EXPECT_EQ(turnOntoVertical({0, 0, 2}, Vertical::kDown).coeffs(), Eigen::Vector4d(-1, 0, 0, 0));
   EXPECT_EQ(turnOntoVertical({0, 0, -2}, Vertical::kUp).coeffs(), Eigen::Vector4d(1, 0, 0, 0));
@@ -83,8 +83,8 @@ TEST(LevelAttitude, TurnsAnOppositeDirectionAboutX) {
   EXPECT_EQ(turnOntoVertical(Vector3d::Zero(), Vertical::kDown).coeffs(), Eigen::Vector4d(0, 0, 0, 1));
 }
 
-/// Spins about either end of each axis with L off it by each tilt up to a degree, of bodies in their principal
-/// axes and in others.
+/// Calls check(axes, omega_B) for spins about either end of each axis, with L off it by each tilt up to 0.02 rad,
+/// for bodies in their principal axes and in others.
 template <typename Check>
 void forEachWobble(const Check& check) {
   Draw draw(31);
@@ -106,8 +106,8 @@ void forEachWobble(const Check& check) {
   }
 }
 
-// L of the motion itself, which is worked out to 100 bits from the attitude and the spin. Measured: 1.6e-16 |L|.
-TEST(LevelAttitude, MakesLOfEveryWobbleVertical) {
+// FreeMotion computes L to 100 bits from the attitude and the spin. Measured: 1.6e-16 |L|.
+TEST(LevelAttitude, MakesLVerticalForEveryWobble) {
   double worst = 0;
   forEachWobble([&](const PrincipalAxes& axes, const Vector3d& omega_B) {
     for (const Vertical vertical : {Vertical::kUp, Vertical::kDown}) {

@@ -11,13 +11,13 @@
 
 namespace poinsot::physics {
 
-/// The largest difference of an entry, of the largest entry expected.
+/// Returns the largest difference of an entry, relative to the largest expected entry.
 template <typename Measured, typename Expected>
 double relative(const Measured& measured, const Expected& expected) {
   return (measured - expected).cwiseAbs().maxCoeff() / expected.cwiseAbs().maxCoeff();
 }
 
-/// What was said on refusal, which must be of a physical kind.
+/// Returns the message of the kPhysics error that `make` throws, or "accepted".
 inline std::string refusal(const std::function<void()>& make) {
   try {
     make();

@@ -16,8 +16,8 @@
 #include "physics/random_bodies.h"
 #include "physics/run_condition.h"
 
-// Every function of the physics that takes a time, at every kind of time: it gives finite numbers that are a state
-// of the motion, or the documented error.
+// Functions of the physics library that take a time. For any time they must give finite numbers that are a state
+// of the motion, or throw the documented error.
 namespace poinsot::physics {
 namespace {
 
@@ -26,7 +26,7 @@ using Eigen::Vector3d;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Every decade that matters, and `more` at random.
+/// Returns times in every decade that matters, and `more` random ones.
 std::vector<double> times(int more = 60) {
   using Limits = std::numeric_limits<double>;
   std::vector<double> all{0.0, Limits::quiet_NaN()};
@@ -118,7 +118,7 @@ std::vector<Kind> kinds() {
   return all;
 }
 
-/// "" for a result; else the message. Any other exception ends the test.
+/// Returns the message of the core::Error that `use` throws, or "" if it throws nothing.
 std::string refusal(const std::function<void()>& use) {
   try {
     use();
@@ -130,7 +130,7 @@ std::string refusal(const std::function<void()>& use) {
   }
 }
 
-/// The attitude carries L_B to L_W, and the energy is omega's; both to roundings.
+/// Expects that the attitude carries L_B to L_W and that the energy follows from omega, both within rounding.
 void expectState(const Motion& motion, const RigidBodyState& s, double t_s) {
   EXPECT_EQ(s.t_s, t_s);
   EXPECT_NEAR(s.q_WB.norm(), 1, 1e-14);
@@ -140,7 +140,7 @@ void expectState(const Motion& motion, const RigidBodyState& s, double t_s) {
   EXPECT_NEAR(0.5 * m_B.dot(s.omega_B), s.kineticEnergy, 1e-12 * s.kineticEnergy);
 }
 
-TEST(MotionTimes, GiveAStateOrARefusal) {
+TEST(MotionTimes, GiveAStateOrAnError) {
   for (const Kind& kind : kinds()) {
     const double rate = kind.motion->at(0).omega_B.norm();
     for (const double t : times()) {
@@ -150,14 +150,14 @@ TEST(MotionTimes, GiveAStateOrARefusal) {
       if (message.empty()) expectState(*kind.motion, state, t);
       if (!kind.free) continue;
       const double phase = rate * std::abs(t);
-      // The closed form has three rates, none above 2 |omega|; on the axis of largest moment one is |omega|.
+      // No rate of the closed form exceeds 2 |omega|; about the axis of largest moment one rate is |omega|.
       if (phase > kFarthestPhase_rad / 2 && phase < 2 * kFarthestPhase_rad) continue;
       EXPECT_EQ(message.empty(), std::isfinite(t) && phase <= kFarthestPhase_rad / 2) << message;
     }
   }
 }
 
-TEST(MotionTimes, ReachHalfTheFarthestPhaseWithAnyBody) {
+TEST(MotionTimes, ReachHalfTheLargestPhaseForAnyBody) {
   Draw draw(290);
   for (int i = 0; i < 2000; ++i) {
     const Vector3d omega_P = draw.decade(-14, 30) * draw.direction();
@@ -168,7 +168,7 @@ TEST(MotionTimes, ReachHalfTheFarthestPhaseWithAnyBody) {
   }
 }
 
-TEST(MotionTimes, ManyAtOnceAreTheStatesOfEach) {
+TEST(MotionTimes, GiveTheSameStatesInOneCallAsOneByOne) {
   const std::vector<double> times_s = {2, -1, 0, 0.5, 0.5};
   for (const Kind& kind : kinds()) {
     SCOPED_TRACE(kind.name);
@@ -184,7 +184,7 @@ TEST(MotionTimes, ManyAtOnceAreTheStatesOfEach) {
   }
 }
 
-TEST(MotionTimes, ManyAtOnceNameTheIndexOfTheRefusedOne) {
+TEST(MotionTimes, ErrorsNameTheIndexOfARejectedTime) {
   for (const Kind& kind : kinds())
     for (const double t : {kInfinity, std::numeric_limits<double>::quiet_NaN(), 1e300}) {
       SCOPED_TRACE(kind.name + " at " + std::to_string(t));
@@ -194,7 +194,7 @@ TEST(MotionTimes, ManyAtOnceNameTheIndexOfTheRefusedOne) {
     }
 }
 
-TEST(MotionTimes, SpansAreDrivenOrRefused) {
+TEST(MotionTimes, GiveADrivenMotionOrAnErrorForAnySpan) {
   for (DrivenCase& c : drivenCases())
     for (const double t : times(0)) {
       SCOPED_TRACE(t);
@@ -229,7 +229,7 @@ TEST(MotionTimes, FlightsAreFiniteOrRefused) {
     }
 }
 
-TEST(MotionTimes, ConditionsOfRunsAreFiniteOrRefused) {
+TEST(MotionTimes, RunConditionsAreFiniteOrRejected) {
   for (const Vector3d& omega : {Vector3d(0, 0, 0), Vector3d(0, 0, 1), Vector3d(1e-12, 1, 0), Vector3d(1e40, 2, 3)})
     for (const double t : times()) {
       SCOPED_TRACE(t);

@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-TEST(Polhode, SamplesAreWhereTheMotionIs) {
+TEST(Polhode, SamplesLieOnThePathOfOmega) {
   Draw draw(71);
   double worst = 0;
   for (int i = 0; i < 100; ++i) {
@@ -33,7 +33,7 @@ TEST(Polhode, SamplesAreWhereTheMotionIs) {
   expectResidual("sample against the motion, relative", worst, 4e-14);  // measured 4.8e-15
 }
 
-TEST(Polhode, SamplesGoOnceRoundFromTheStart) {
+TEST(Polhode, SamplesCoverTheCurveOnceFromTheStart) {
   Draw draw(72);
   for (int i = 0; i < 100; ++i) {
     const PrincipalMoments moments = draw.moments();
@@ -65,7 +65,7 @@ TEST(Polhode, SamplesAreOnBothEllipsoids) {
   expectResidual("on the momentum ellipsoid", momentum, 4e-15);  // measured 4.4e-16
 }
 
-// Near the separatrix nearly all time is spent near the middle axis; the samples are not.
+// Near the separatrix the motion spends nearly all its time near the middle axis. The samples must not.
 TEST(Polhode, SamplesAreWellSpreadNearTheSeparatrix) {
   const PrincipalMoments moments({1, 2, 3});
   const auto samples = Polhode(moments, {1e-6, 1, 0}).samples(100);
@@ -87,8 +87,8 @@ TEST(Polhode, SeparatrixIsHalfACurveBetweenTheMiddlePoles) {
   ASSERT_EQ(samples.size(), 33u);
   EXPECT_EQ(samples.front().t_s, -kInfinity);
   EXPECT_EQ(samples.back().t_s, kInfinity);
-  const double pole = 1.286953767623375;  // L/I2, table of examples
-  // omega_2' = (I3 - I1) omega_3 omega_1/I2 < 0: from +2 to -2.
+  const double pole = 1.286953767623375;  // L/I2
+  // The curve runs from +2 to -2 because omega_2' = (I3 - I1) omega_3 omega_1/I2 < 0.
   EXPECT_LE((samples.front().omega_P - Vector3d(0, pole, 0)).norm(), 5e-16);
   EXPECT_LE((samples.back().omega_P - Vector3d(0, -pole, 0)).norm(), 5e-16);
   const FreeMotion motion(moments, omega0, Quaterniond::Identity());
@@ -112,12 +112,12 @@ TEST(Polhode, SteadySpinIsAPoint) {
   EXPECT_EQ(Polhode(PrincipalMoments({2, 2, 3}), {1, 2, 0}).regime(), PolhodeRegime::kSteady);
 }
 
-TEST(Polhode, RegimeFollowsTheAxisWhateverTheOrder) {
+TEST(Polhode, RegimeIsRightForAnyOrderOfMoments) {
   EXPECT_EQ(Polhode(PrincipalMoments({4, 2, 3}), {1, .1, .1}).regime(), PolhodeRegime::kAboutLargest);
   EXPECT_EQ(Polhode(PrincipalMoments({4, 2, 3}), {.1, 1, .1}).regime(), PolhodeRegime::kAboutSmallest);
 }
 
-TEST(Polhode, NeedsFourSamples) {
+TEST(Polhode, RejectsFewerThanFourSamples) {
   EXPECT_THROW(Polhode(PrincipalMoments({2, 3, 4}), {1, 2, 3}).samples(3), std::logic_error);
 }
 
@@ -132,8 +132,7 @@ TEST(PoinsotConstruction, RefusesABodyAtRest) {
   }
 }
 
-// In any units, and nearest to the centre for spin about the largest axis: the plane is never beyond the contact
-// point.
+// In any units, the height of the plane lies between the semi-axes and does not exceed |omega|.
 TEST(PoinsotConstruction, PlaneIsNotBeyondTheContactPoint) {
   Draw draw(74);
   for (int i = 0; i < 200; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Oracles: the conditions of Moreau (1962) for the projection y of x onto a closed convex cone: (x - y)·y = 0, and
-// (x - y)·g <= 0 for every edge g of the cone; and random possible bodies, none of which may be nearer.
+// Oracles: Moreau's conditions (1962) for the projection y of x onto a closed convex cone, (x - y)·y = 0 and
+// (x - y)·g <= 0 for every edge g of the cone; and random possible bodies, which must not be nearer.
 #include "physics/possible_inertia.h"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// By hand: (1, 2, 4) is short by 1, a third of which goes to each moment. (-1, 1, 1) and (-3, 1, 3) lie nearest to
-// the edge (0, 1, 1), and its least moment becomes a millionth of the others.
+// Worked by hand: (1, 2, 4) violates the inequality by 1; each moment changes by a third of that. (-1, 1, 1) and
+// (-3, 1, 3) lie nearest to the edge (0, 1, 1), whose least moment becomes a millionth of the others.
 TEST(NearestPossibleMoments, MatchesHandComputedExamples) {
   EXPECT_LE((*nearestPossibleMoments({1, 2, 4}) - Vector3d(4, 7, 11) / 3).norm(), 1e-15);
   EXPECT_LE((*nearestPossibleMoments({4, 1, 2}) - Vector3d(11, 4, 7) / 3).norm(), 1e-15);
@@ -28,7 +28,7 @@ TEST(NearestPossibleMoments, MatchesHandComputedExamples) {
   EXPECT_EQ(*nearestPossibleMoments({1, 2, 3}), Vector3d(1, 2, 3));
 }
 
-TEST(NearestPossibleMoments, AreNoneOfWhatHasNoDirection) {
+TEST(NearestPossibleMoments, AreAbsentForNegativeZeroAndNaN) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(nearestPossibleMoments({-1, -2, -3}));
   EXPECT_FALSE(nearestPossibleMoments({0, 0, 0}));
@@ -43,15 +43,14 @@ Matrix3d randomSymmetric(Draw& draw, double size) {
   return m;
 }
 
-/// A possible tensor in any axes, about as large as `size`.
+/// Returns a possible tensor in any axes, about as large as `size`.
 Matrix3d randomPossible(Draw& draw, double size) {
   const Vector3d p(draw.unit(), draw.unit(), draw.unit());
   const Matrix3d R = draw.attitude().toRotationMatrix();
   return size * R * (p.sum() * Matrix3d::Identity() - Matrix3d(p.asDiagonal())) * R.transpose();
 }
 
-// Of vectors: the change of all three by the same amount along the violated face's normal. Measured: both
-// 2.3e-16, without the vectors whose least moment is raised to a millionth.
+// Measured: 2.3e-16 for both conditions, without vectors whose least moment is raised to a millionth.
 TEST(NearestPossibleMoments, FulfilTheConditionsOfTheProjection) {
   Draw draw(71);
   for (int i = 0; i < 1000; ++i) {
@@ -92,8 +91,8 @@ TEST(NearestPossibleTensor, FulfilsTheConditionsOfTheProjection) {
   EXPECT_GT(projected, 500);
 }
 
-// Measured: the nearest of the others is 1.3e-9 of the distance farther; the bound is for raised least moments.
-TEST(NearestPossibleTensor, IsNoFartherThanAnyOther) {
+// Measured: the nearest other tensor is farther by 1.3e-9 of the distance. The bound allows raised least moments.
+TEST(NearestPossibleTensor, IsNoFartherThanOtherPossibleTensors) {
   Draw draw(73);
   for (int i = 0; i < 100; ++i) {
     const Matrix3d x = randomSymmetric(draw, 1);
@@ -103,14 +102,14 @@ TEST(NearestPossibleTensor, IsNoFartherThanAnyOther) {
     for (int k = 0; k < 500; ++k) {
       const Matrix3d other = randomPossible(draw, draw.decade(-2, 0.5));
       EXPECT_GE((x - other).norm(), distance * (1 - 1e-5));
-      // Neighbours of the result, too: a mixture of two possible bodies is one.
+      // A mixture of two possible bodies is possible, so that this gives neighbours of the result.
       const double part = draw.decade(-6, 0);
       EXPECT_GE((x - ((1 - part) * *nearest + part * other)).norm(), distance * (1 - 1e-5));
     }
   }
 }
 
-TEST(NearestPossibleTensor, LeavesPossibleOnes) {
+TEST(NearestPossibleTensor, EqualsATensorThatIsPossible) {
   Draw draw(74);
   for (int i = 0; i < 200; ++i) {
     const Matrix3d x = randomPossible(draw, 1) + 1e-3 * Matrix3d::Identity();

@@ -25,7 +25,7 @@ using Real =
 
 Matrix3d diagonal(const Vector3d& moments) { return moments.asDiagonal(); }
 
-/// Moments of the kind that `i` chooses: any, nearly equal ones, very small ones.
+/// Returns moments of the kind that `i` chooses: any, nearly equal or very small ones.
 Vector3d hostileMoments(Draw& draw, int i) {
   const double gap = i % 3 == 1 ? draw.decade(-16, -2) : draw.unit();
   const double low = i % 3 == 2 ? draw.decade(-12, 0) : draw.between(.02, 1);
@@ -34,8 +34,8 @@ Vector3d hostileMoments(Draw& draw, int i) {
          draw.decade(-20, 20);
 }
 
-// PHYSICS section 3, eq 17.
-TEST(PrincipalAxes, Equation17OfFiveMasses) {
+// Expected moments are computed apart from the code.
+TEST(PrincipalAxes, ObeyEquation17ForFiveMasses) {
   const Matrix3d I{{8.5045166015625, -0.052734375, 1.06787109375},
                    {-0.052734375, 7.9420166015625, 2.19287109375},
                    {1.06787109375, 2.19287109375, 8.54296875}};
@@ -48,8 +48,8 @@ TEST(PrincipalAxes, Equation17OfFiveMasses) {
   expectResidual("rebuilt", relative(axes.inertia_B(), I), 5e-16);  // measured 5.2e-17
 }
 
-// The eigenvectors in 60 digits: A v = lambda v and v_i v_j = delta_ij, far below a rounding of a double.
-TEST(SymmetricEigen, ResidualsIn60Digits) {
+// Checked in 60 digits, A v = lambda v and v_i v_j = delta_ij hold far below a rounding of a double.
+TEST(SymmetricEigen, HasTinyResidualsIn60Digits) {
   Draw draw(41);
   const auto real = [](const DoubleDouble& a) { return Real(a.hi) + Real(a.lo); };
   Real equation = 0, orthonormal = 0;
@@ -72,7 +72,7 @@ TEST(SymmetricEigen, ResidualsIn60Digits) {
   expectResidual("orthonormality", static_cast<double>(orthonormal), 2e-30);  // measured 1.6e-31
 }
 
-TEST(PrincipalAxes, AnyBodyInAnyAxes) {
+TEST(PrincipalAxes, RebuildTheTensorOfAnyBody) {
   Draw draw(42);
   double rebuilt = 0, moments = 0, unit = 0;
   for (int i = 0; i < 1000; ++i) {
@@ -91,7 +91,7 @@ TEST(PrincipalAxes, AnyBodyInAnyAxes) {
   expectResidual("unit quaternion", unit, 5e-16);             // measured 2.2e-16
 }
 
-TEST(PrincipalAxes, ChangeOfAxesThereAndBack) {
+TEST(PrincipalAxes, RoundTripVectorsBetweenAxes) {
   Draw draw(43);
   for (int i = 0; i < 200; ++i) {
     const PrincipalAxes axes(turnedTensor(draw.attitude(), diagonal(draw.moments().values())));
@@ -102,8 +102,8 @@ TEST(PrincipalAxes, ChangeOfAxesThereAndBack) {
   }
 }
 
-// By definition, whatever the axes B: a vector along a principal axis has no component along the others. A
-// component of 20 units in the last place is more than rounding and stays.
+// A vector along a principal axis has no component along the others by definition, for any axes B. A component of
+// 20 units in the last place is more than rounding and stays.
 TEST(PrincipalAxes, ComponentsOfAVectorAlongAnAxisAreExact) {
   Draw draw(45);
   for (int i = 0; i < 100000; ++i) {
@@ -119,8 +119,8 @@ TEST(PrincipalAxes, ComponentsOfAVectorAlongAnAxisAreExact) {
   }
 }
 
-// Three different moments: of the four proper frames the nearest to B, a turn of at most 120 degrees.
-TEST(PrincipalAxes, TakeTheSmallestTurn) {
+// For three different moments, the nearest to B of the four proper frames is at most 120 degrees away.
+TEST(PrincipalAxes, AreTheNearestAxesToTheBodyAxes) {
   Draw draw(44);
   for (int i = 0; i < 300; ++i) {
     const PrincipalAxes axes(turnedTensor(draw.attitude(), diagonal({1, 2, 2.5})));
@@ -140,7 +140,7 @@ TEST(PrincipalAxes, ADiagonalTensorKeepsAxesAndMomentsBitForBit) {
   }
 }
 
-TEST(PrincipalAxes, RoundingOffTheDiagonalTurnsNoAxis) {
+TEST(PrincipalAxes, RoundingErrorsOffTheDiagonalTurnNoAxis) {
   Matrix3d I = diagonal({3, 1, 2.5});
   I(0, 1) = I(1, 0) = 1e-16;
   I(1, 2) = I(2, 1) = -3e-16;
@@ -149,7 +149,7 @@ TEST(PrincipalAxes, RoundingOffTheDiagonalTurnsNoAxis) {
   EXPECT_EQ(axes.moments().values(), Vector3d(3, 1, 2.5));
 }
 
-TEST(PrincipalAxes, DegenerateBodiesInventNoAxis) {
+TEST(PrincipalAxes, SphericalBodiesKeepTheBodyAxes) {
   Draw draw(46);
   for (int i = 0; i < 300; ++i) {
     const double I = draw.decade(-9, 9);
@@ -180,7 +180,7 @@ TEST(PrincipalAxes, ASymmetricTopHasItsAxisAndEqualMoments) {
   expectResidual("axis, times the gap", direction, 2e-15);  // measured 3e-16
 }
 
-// Moments 1 and 1 + gap: the axes of the exact doubles, as long as the gap is more than rounding.
+// Moments 1 and 1 + gap must have the axes of the exact doubles if the gap is more than rounding.
 TEST(PrincipalAxes, NearlyEqualMomentsHaveTheirOwnAxes) {
   Draw draw(48);
   for (const double gap : {1e-4, 1e-8, 1e-11, 1e-13}) {
@@ -200,7 +200,7 @@ std::string verdict(const Matrix3d& I) {
   return refusal([&] { PrincipalAxes axes(I); });
 }
 
-TEST(PrincipalAxes, RefusesWhatNoBodyHas) {
+TEST(PrincipalAxes, RejectImpossibleTensors) {
   const double inf = std::numeric_limits<double>::infinity();
   EXPECT_EQ(verdict(diagonal({1, 1, inf})), "inertia tensor must be finite, got I_zz = inf kg·m²");
   EXPECT_EQ(verdict(Matrix3d{{2, 0, .1}, {0, 2, 0}, {.2, 0, 2}}),
@@ -215,25 +215,24 @@ TEST(PrincipalAxes, RefusesWhatNoBodyHas) {
   EXPECT_EQ(verdict(diagonal({0, 1, 1})), "principal moments must be positive, got (0, 1, 1) kg·m²");  // a rod
 }
 
-TEST(PrincipalAxes, RefusesARodHoweverItLies) {
+TEST(PrincipalAxes, RejectARodInAnyDirection) {
   Draw draw(49);
   for (int i = 0; i < 300; ++i)
     EXPECT_EQ(verdict(turnedTensor(draw.attitude(), diagonal({0, 1, 1}))).substr(0, 34),
               "principal moments must be positive");
-  EXPECT_EQ(
-      verdict(Matrix3d{{1e-17, 1e-17, 0}, {1e-17, 1, 0}, {0, 0, 1}}),
-      "principal moments must be positive; the least of (1e-17, 1, 1) kg·m² is nothing but rounding: matter on "
-      "one line has no moment about it; give it another part, or an extent");
+  EXPECT_EQ(verdict(Matrix3d{{1e-17, 1e-17, 0}, {1e-17, 1, 0}, {0, 0, 1}}),
+            "principal moments must be positive; the least of (1e-17, 1, 1) kg·m² is only a rounding error: "
+            "matter on one line has no moment about that line; add another part, or give the body an extent");
 }
 
-TEST(PrincipalAxes, AsymmetryByRoundingIsTakenOut) {
+TEST(PrincipalAxes, RemoveAsymmetryCausedByRounding) {
   Matrix3d I{{2, .25, 0}, {.25, 3, 0}, {0, 0, 4}};
   I(0, 1) += 1e-14;
   EXPECT_EQ(verdict(I), "accepted");
   EXPECT_EQ(PrincipalAxes(I).inertia_B(), PrincipalAxes(I).inertia_B().transpose());
 }
 
-TEST(PrincipalAxes, AQuaternionOfUnitLengthIsAContract) {
+TEST(PrincipalAxes, ThrowALogicErrorForANonUnitQuaternion) {
   EXPECT_THROW(PrincipalAxes(PrincipalMoments({1, 1, 1}), Quaterniond(1, 1, 0, 0)), std::logic_error);
 }
 

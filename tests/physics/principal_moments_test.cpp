@@ -10,24 +10,24 @@
 namespace poinsot::physics {
 namespace {
 
-TEST(PrincipalMoments, AreMadeOfThreeNumbersOrAVector) {
+TEST(PrincipalMoments, AcceptThreeNumbersOrAVector) {
   const Eigen::Vector3d three(1, 2, 2.5);
   EXPECT_EQ(PrincipalMoments(1, 2, 2.5).values(), three);
   EXPECT_EQ(PrincipalMoments({1, 2, 2.5}).values(), three);
   EXPECT_EQ(PrincipalMoments(three).values(), three);
-  EXPECT_EQ(PrincipalMoments(0.5 * (three + three)).values(), three);  // an expression of Eigen's
+  EXPECT_EQ(PrincipalMoments(0.5 * (three + three)).values(), three);  // an Eigen expression
   EXPECT_THROW(PrincipalMoments(1, 2, 3.5), core::Error);
 }
 
 using Eigen::Vector3d;
 
-TEST(PrincipalMoments, AcceptsWhatABodyCanHave) {
+TEST(PrincipalMoments, AcceptPossibleMoments) {
   EXPECT_EQ(PrincipalMoments({3, 1, 2}).values(), Vector3d(3, 1, 2));  // a lamina
   EXPECT_EQ(PrincipalMoments({0.1, 0.2, 0.30000000000000004}).values()[2], 0.1 + 0.2);
   EXPECT_EQ(PrincipalMoments({1e300, 1e300, 1e300})[1], 1e300);
 }
 
-TEST(PrincipalMoments, RefusesWhatNoBodyHas) {
+TEST(PrincipalMoments, RejectImpossibleMoments) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(refusal([] {
               PrincipalMoments({0.9, 0.2, 0.1});
@@ -44,7 +44,7 @@ TEST(PrincipalMoments, RefusesWhatNoBodyHas) {
             "principal moments must be finite, got (1, nan, 1) kg·m²");
 }
 
-TEST(PrincipalMoments, MomentumAndEnergy) {
+TEST(PrincipalMoments, GiveAngularMomentumAndEnergy) {
   const PrincipalMoments moments({2, 3, 4});
   EXPECT_EQ(moments.angularMomentum({.5, .25, 1}), Vector3d(1, .75, 4));
   EXPECT_EQ(moments.kineticEnergy({.5, .25, 1}), 2.34375);  // (0.5 + 0.1875 + 4)/2

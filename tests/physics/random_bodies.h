@@ -11,15 +11,15 @@
 
 namespace poinsot::physics {
 
-/// Numbers from a fixed seed; the mapping to doubles is our own, as the library's distributions may change.
+/// Random numbers from a fixed seed. Maps bits to doubles itself, because the standard distributions may change.
 class Draw {
  public:
   explicit Draw(std::uint64_t seed) : engine_(seed) {}
 
-  /// In [0, 1).
+  /// Returns a number in [0, 1).
   double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
   double between(double low, double high) { return low + (high - low) * unit(); }
-  /// 10^x, x even in [low, high].
+  /// Returns 10^x, with x uniform in [low, high].
   double decade(double low, double high) { return std::pow(10.0, between(low, high)); }
   double sign() { return engine_() & 1 ? 1 : -1; }
 
@@ -35,7 +35,7 @@ class Draw {
     return Eigen::Quaterniond(Eigen::AngleAxisd(between(-3, 3), axis));
   }
 
-  /// Moments of a body with second moments a, b, c > 0 of its mass: every solid body has such.
+  /// Returns moments of a body whose mass has second moments a, b, c > 0, as every solid body has.
   PrincipalMoments moments() {
     const double a = between(0.02, 1), b = between(0.02, 1), c = between(0.02, 1);
     return PrincipalMoments({b + c, a + c, a + b});

@@ -8,8 +8,8 @@
 
 namespace poinsot::physics {
 
-/// Asserts residual <= bound. With POINSOT_SHOW_RESIDUALS set, prints the residual: the figure noted beside the
-/// bound.
+/// Expects residual <= bound. If POINSOT_SHOW_RESIDUALS is set, prints the residual, which tests note as
+/// "measured".
 inline void expectResidual(const char* what, double residual, double bound) {
   if (std::getenv("POINSOT_SHOW_RESIDUALS")) std::printf("  %-52s %.3g (bound %.3g)\n", what, residual, bound);
   EXPECT_LE(residual, bound) << what;

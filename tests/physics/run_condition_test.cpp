@@ -21,7 +21,7 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-/// A vector whose components are each off by a few steps of their last place, up to `kSteps`.
+/// Most steps of 2^-52 by which rounded() moves each component.
 constexpr int kSteps = 32;
 Vector3d rounded(const Vector3d& v, Draw& draw) {
   Vector3d off = v;
@@ -35,8 +35,8 @@ double angleBetween(const Quaterniond& a, const Quaterniond& b) {
   return 2 * std::atan2(d.vec().norm(), std::abs(d.w()));
 }
 
-/// The largest angle that such roundings bring about, for one step, in the last half period before t: near the
-/// separatrix the body mostly turns about the middle axis, and only a flip shows when it comes.
+/// Returns the largest angle that such roundings cause, divided by kSteps, in the last half period before t. Near
+/// the separatrix the body mostly turns about the middle axis, and errors show only in the times of flips.
 double spread(const PrincipalMoments& moments, const Vector3d& omega, double t, Draw& draw) {
   const FreeMotion exact(moments, omega, Quaterniond::Identity());
   const double last = std::min(t, flipTimes(moments, omega).interval_s);
@@ -52,7 +52,7 @@ double spread(const PrincipalMoments& moments, const Vector3d& omega, double t, 
   return worst / kSteps;
 }
 
-/// Stated over measured uncertainty.
+/// Ratio of the stated to the measured uncertainty.
 struct Ratio {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   int cases = 0;
@@ -84,14 +84,14 @@ void expectWithin(const Ratio& ratio, double least, double most) {
   EXPECT_LE(ratio.most, most);
 }
 
-TEST(RunCondition, IsTheSpreadOfRoundedInputs) {
+TEST(RunCondition, MatchesTheSpreadOfRoundedInputs) {
   const Ratio ratio =
       ratios(291, 1, 8, [](Draw& draw, const PrincipalMoments&) { return Vector3d(draw.direction()); });
   expectWithin(ratio, 0.2, 20);  // measured 0.71 to 6.4
 }
 
-// Starts far from the middle axis on polhodes that pass it closely: there every rounding moves the flips.
-TEST(RunCondition, NearTheSeparatrix) {
+// Starts lie far from the middle axis on polhodes that pass it closely, where every rounding moves the flips.
+TEST(RunCondition, IsRightNearTheSeparatrix) {
   const Ratio ratio = ratios(292, 1, 6, [](Draw& draw, const PrincipalMoments& moments) {
     const Separatrix s = *separatrix(moments);
     const double off = draw.sign() * draw.decade(-9, -2);
@@ -102,17 +102,17 @@ TEST(RunCondition, NearTheSeparatrix) {
   expectWithin(ratio, 0.2, 100);  // measured 1.1 to 37
 }
 
-// Until the disturbance that rounding is has grown to a flip.
-TEST(RunCondition, OnTheSeparatrix) {
+// Times end before rounding has grown to a flip.
+TEST(RunCondition, IsRightOnTheSeparatrix) {
   const Ratio ratio = ratios(293, 0, 2, [](Draw&, const PrincipalMoments& moments) {
     return Vector3d(separatrix(moments)->momentumCircle(1, 8, false)[2].cwiseQuotient(moments.values()));
   });
   expectWithin(ratio, 1, 200);  // measured 5.8 to 60
 }
 
-// A faint disturbance given as a number of its own is relatively exact, and so are the times of the flips: no
-// eps/mc here, which would be 1e11 times too much.
-TEST(RunCondition, FaintDisturbanceOfTheMiddleAxis) {
+// A faint disturbance that is a separate number is relatively exact, and so are the times of the flips. An
+// uncertainty of eps/mc would be 1e11 times too large.
+TEST(RunCondition, IsRightForAFaintDisturbanceOfTheMiddleAxis) {
   const Ratio ratio = ratios(294, 1, 6, [](Draw& draw, const PrincipalMoments& moments) {
     Vector3d omega = draw.decade(-6, -2) * draw.direction();
     omega[moments.ascendingAxes()[1]] = 1;
@@ -121,7 +121,7 @@ TEST(RunCondition, FaintDisturbanceOfTheMiddleAxis) {
   expectWithin(ratio, 0.01, 20);  // measured 0.05 to 3.7
 }
 
-// The same body described in other axes: the disturbance is then a rounding of omega itself.
+// If the same body is described in other axes, the disturbance is known only to the rounding of omega.
 TEST(RunCondition, FaintDisturbanceInOtherAxesIsLessWellKnown) {
   const PrincipalMoments moments({1, 2, 3});
   const Eigen::Quaterniond q_BP(Eigen::AngleAxisd(0.7, Vector3d(1, 2, 2) / 3));
@@ -142,8 +142,8 @@ TEST(RunCondition, FaintDisturbanceInOtherAxesIsLessWellKnown) {
   EXPECT_LT(stated / worst, 100);
 }
 
-// By the formula: 1000 turns/s for 1000 s of a steady spin leave eps 2 pi 1e6.
-TEST(RunCondition, DigitsTurnsAndFlips) {
+// The formula gives an uncertainty of eps 2 pi 1e6 for a steady spin of 1000 turns/s during 1000 s.
+TEST(RunCondition, CountsDigitsTurnsAndFlips) {
   const double turn = 2 * 3.14159265358979323846;
   const RunCondition steady = runCondition(PrincipalMoments({2, 3, 4}), {0, 0, 1000 * turn}, -1000);
   EXPECT_NEAR(steady.turns, 1e6, 1e-9);
@@ -152,7 +152,7 @@ TEST(RunCondition, DigitsTurnsAndFlips) {
   EXPECT_NEAR(steady.digits, 8.8554, 5e-5);  // -log10 1.3951e-9
   const RunCondition flips =
       runCondition(PrincipalMoments({1, 2, 3}), {0x1p-10, 1, 0}, 10 * 57.62716233737096 / 2);
-  EXPECT_NEAR(flips.flips, 10, 1e-13);  // period from the table of examples
+  EXPECT_NEAR(flips.flips, 10, 1e-13);  // two flips in a period of 57.6 s
   EXPECT_EQ(runCondition(PrincipalMoments({1, 2, 2.25}), {.75, .5, 1}, 1e4).digits, 0);
   EXPECT_EQ(runCondition(PrincipalMoments({2, 3, 4}), {0, 0, 0}, 5).attitude_rad, std::ldexp(1, -52));
   EXPECT_THROW(runCondition(PrincipalMoments({2, 3, 4}), {NAN, 0, 0}, 5), core::Error);

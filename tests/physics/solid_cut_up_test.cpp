@@ -11,7 +11,7 @@
 #include "physics/mass_testing.h"
 #include "physics/residual.h"
 
-// The formulas of solids against the same shapes cut in triangles and points, which know no formula.
+// Formulas of solids are compared with the same shapes cut into triangles and points.
 
 namespace poinsot::physics {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 using Eigen::Vector3d;
 using geometry::Mesh;
 
-/// The error of moments and volume against a mesh of n segments: falls as 1/n².
+/// Returns the relative difference in moments and volume between a solid and its mesh.
 double meshError(const Solid& solid, const Mesh& mesh) {
   const geometry::MeshIntegrals cutUp = geometry::integrals(mesh);
   const MassProperties whole = massProperties(solid, 1);
@@ -29,7 +29,7 @@ double meshError(const Solid& solid, const Mesh& mesh) {
       std::abs(cutUp.volume_m3 / volume(solid) - 1));
 }
 
-TEST(SolidCutUp, FlatOnesAreTheirMeshes) {
+TEST(SolidApproximation, FlatSolidsEqualTheirMeshes) {
   using namespace geometry;
   const Mesh hollow = joined(boxMesh({1.2, .9, .5}), flipped(boxMesh({1.1, .8, .4})));
   const struct {
@@ -47,7 +47,7 @@ TEST(SolidCutUp, FlatOnesAreTheirMeshes) {
     expectResidual(row.name, meshError(row.solid, row.mesh), 3e-15);  // measured 6.7e-16
 }
 
-TEST(SolidCutUp, RoundOnesAreTheLimitOfTheirMeshes) {
+TEST(SolidApproximation, MeshesConvergeToRoundSolids) {
   using namespace geometry;
   const struct {
     const char* name;
@@ -70,8 +70,8 @@ TEST(SolidCutUp, RoundOnesAreTheLimitOfTheirMeshes) {
   }
 }
 
-/// Moments per mass of a surface: every triangle's corners and middle weigh as its area does, which is exact for
-/// squares (Σ r r A/12 over corners and 9 A/12 at the middle).
+/// Returns the moments per mass of a surface. Each triangle's area A is spread over its corners (A/12 each) and
+/// its middle (9 A/12), which is exact for squares.
 Vector3d surfaceMoments(const Mesh& mesh, const std::function<bool(const Vector3d&)>& isPart) {
   Vector3d second = Vector3d::Zero(), first = Vector3d::Zero();
   double area = 0;
@@ -89,7 +89,7 @@ Vector3d surfaceMoments(const Mesh& mesh, const std::function<bool(const Vector3
   return {squares[1] + squares[2], squares[2] + squares[0], squares[0] + squares[1]};
 }
 
-TEST(SolidCutUp, ShellsAreTheLimitOfTheirTriangles) {
+TEST(SolidApproximation, TrianglesConvergeToShells) {
   using namespace geometry;
   const auto all = [](const Vector3d&) { return true; };
   const auto side = [](const Vector3d& r) { return std::abs(r[2]) < .85 - 1e-9; };
@@ -126,8 +126,8 @@ TEST(SolidCutUp, ShellsAreTheLimitOfTheirTriangles) {
             1e-15);
 }
 
-// The shell between two similar ellipsoids is their difference, in the limit of a thin one.
-TEST(SolidCutUp, EllipsoidShellIsAThinDifference) {
+// The shell between two similar ellipsoids is the limit of their difference.
+TEST(SolidApproximation, ThinShellsConvergeToTheEllipsoidShell) {
   const Vector3d axes(1.3, .8, .5);
   const auto thick = [&](double growth) {
     const Ellipsoid outer{axes * (1 + growth)}, inner{axes};
@@ -137,11 +137,11 @@ TEST(SolidCutUp, EllipsoidShellIsAThinDifference) {
         (outer_kg - inner_kg));
   };
   const Vector3d exact = massProperties(EllipsoidShell{axes}, 1).inertia_B().diagonal();
-  const Vector3d extrapolated = 2 * thick(1e-4) - thick(2e-4);             // of first order in the thickness
+  const Vector3d extrapolated = 2 * thick(1e-4) - thick(2e-4);             // without the first order
   expectResidual("ellipsoid shell", relative(extrapolated, exact), 1e-7);  // measured 1.3e-8
 }
 
-TEST(SolidCutUp, ThinLinesAreTheLimitOfPoints) {
+TEST(SolidApproximation, PointsConvergeToHoopAndRod) {
   constexpr int kPoints = 1000;
   Vector3d hoop = Vector3d::Zero(), rod = Vector3d::Zero();
   for (int i = 0; i < kPoints; ++i) {

@@ -27,8 +27,8 @@ struct Row {
 
 constexpr double kGolden = 1.6180339887498948482;
 
-// Values of the project's table of inertias (PHYSICS 3.1), computed apart from the code to 15 digits; those of the
-// thin bodies that it lacks (plate, disc, hoop, rod) from the textbook formulas, by hand.
+// Expected values are computed apart from the code to 15 digits; those of plate, disc, hoop and rod by hand from
+// textbook formulas.
 std::vector<Row> table() {
   return {
       {"ellipsoid", Ellipsoid{{1.3, .8, .5}}, {0.178, 0.388, 0.466}},
@@ -67,11 +67,11 @@ std::vector<Row> table() {
       {"racket",
        Racket{.68, .26},
        Vector3d(0.0014365, 0.0133167424242424, 0.0147532424242424) / .33,
-       {0.385151515151515 - .55, 0, 0}},  // balanced that far from the butt, which is at x = -0.55
+       {0.385151515151515 - .55, 0, 0}},  // distance of the balance from the butt, which is at x = -0.55
   };
 }
 
-TEST(Solid, MomentsOfTheTable) {
+TEST(Solid, MomentsAndCentresMatchTextbookFormulas) {
   for (const Row& row : table()) {
     const MassProperties whole = massProperties(row.solid, 1);
     const Matrix3d& I = whole.inertia_B();
@@ -101,7 +101,7 @@ TEST(Solid, LPlateHasItsLeastAxisAt22AndAHalfDegrees) {
   EXPECT_EQ(axes.toB(Vector3d::UnitZ()), Vector3d::UnitZ());
 }
 
-TEST(Solid, MassIsAFactor) {
+TEST(Solid, MomentsScaleWithTheMass) {
   for (const Row& row : table()) {
     const MassProperties one = massProperties(row.solid, 1), many = massProperties(row.solid, 12.5);
     EXPECT_EQ(many.mass_kg(), 12.5);
@@ -109,7 +109,7 @@ TEST(Solid, MassIsAFactor) {
   }
 }
 
-TEST(Solid, ThinWallsKeepTheirDigits) {
+TEST(Solid, ThinWallsKeepFullAccuracy) {
   const double wall = 1e-9;
   const Vector3d e(1.2, .9, .5);
   const double ab = e[0] * e[1], bc = e[1] * e[2], ca = e[2] * e[0];  // the six faces as plates
@@ -128,7 +128,7 @@ TEST(Solid, ThinWallsKeepTheirDigits) {
   EXPECT_NEAR(volume(Cylinder{1, 1, 1 - 0x1p-40}) / (2 * M_PI * 0x1p-40), 1, 2e-12);
 }
 
-TEST(Solid, PartsOfACompositeAreTheWhole) {
+TEST(Solid, PartsOfACompositeAddUpToTheWhole) {
   for (const Solid& solid : std::vector<Solid>{LPlate{{3, 2}, .5}, THandle{3, .2, 1.5, .2}, Racket{.68, .26},
                                                WingNut{.5, 1, {1.2, .2, .9}, 1.1, .3}}) {
     const std::vector<SolidPart> parts = partsOf(solid, 4);
@@ -151,7 +151,7 @@ TEST(Solid, ARacketIsALamina) {
   EXPECT_NEAR(massProperties(Racket{.68, .26}, .33).centre_B()[0] + .55, 0.385151515152, 1e-12);  // from the butt
 }
 
-TEST(Solid, VolumesOfComposites) {
+TEST(Solid, HasTheVolumesOfCompositesAndThinBodies) {
   EXPECT_NEAR(volume(THandle{3, .2, 1.5, .2}), M_PI * .04 * 4.5, 1e-15);
   EXPECT_NEAR(volume(WingNut{.5, 1, {1.2, .2, .9}, 1.1, .3}), M_PI * .25 + .432, 3e-16);
   for (const Solid& thin : std::vector<Solid>{Plate{{3, 2}}, EllipsoidShell{{1, 2, 3}}, SphereShell{1}, Disc{1},
@@ -166,7 +166,7 @@ std::string verdict(const Solid& solid, double mass_kg = 1) {
   return refusal([&] { massProperties(solid, mass_kg); });
 }
 
-TEST(Solid, RefusesLengthsThatAreNone) {
+TEST(Solid, RejectsLengthsThatAreNotPositive) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(verdict(Sphere{1}, 0), "mass must be positive and finite, got 0");
   EXPECT_EQ(verdict(Box{{1, -1, 1}}), "edge of the box must be positive and finite, got -1");
@@ -178,11 +178,11 @@ TEST(Solid, RefusesLengthsThatAreNone) {
   EXPECT_EQ(verdict(Polyhedron{PolyhedronKind::kCube, 0}),
             "edge of the polyhedron must be positive and finite, got 0");
   EXPECT_EQ(verdict(THandle{1, 1, 1, 0}), "radius of the T-handle's shaft must be positive and finite, got 0");
-  EXPECT_EQ(verdict(Racket{.25, .25}), "length of the racket less its width must be positive and finite, got 0");
+  EXPECT_EQ(verdict(Racket{.25, .25}), "length of the racket minus its width must be positive and finite, got 0");
   EXPECT_THROW(volume(Rod{0}), core::Error);
 }
 
-TEST(Solid, RefusesLengthsThatDoNotFitTogether) {
+TEST(Solid, RejectsContradictoryLengths) {
   EXPECT_EQ(verdict(HollowBox{{1, 2, 3}, .5}),
             "two walls of the hollow box must be less than its least edge 1, got a wall of 0.5");
   EXPECT_EQ(verdict(Sphere{1, 1}),
@@ -195,7 +195,7 @@ TEST(Solid, RefusesLengthsThatDoNotFitTogether) {
             "wings of the wing nut must not enter its hub of radius 0.5, got an inner edge at 0.4");
 }
 
-TEST(Solid, RefusesAKindOfPolyhedronThatIsNone) {
+TEST(Solid, RejectsAnUnknownKindOfPolyhedron) {
   const Polyhedron none{PolyhedronKind(9), 1};
   EXPECT_EQ(refusal([&] { massProperties(none, 1); }), "kind of the polyhedron must be 0 to 4, got 9");
   EXPECT_EQ(refusal([&] { volume(none); }), "kind of the polyhedron must be 0 to 4, got 9");

@@ -21,10 +21,10 @@ using Eigen::Vector3d;
 
 constexpr double kTurn = 2 * 3.14159265358979323846;
 
-// T-handle of the table of inertias at 1 turn/s about its shaft, the middle axis.
+// A T-handle, which spins at 1 turn/s about its shaft, the middle axis.
 const PrincipalMoments kTHandle({0.279722222222222, 0.513333333333333, 0.773055555555556});
 
-TEST(SpinStability, OfTheTHandle) {
+TEST(SpinStability, IsUnstableOnlyAboutTheMiddleAxis) {
   const SpinStability shaft = spinStability(kTHandle, 1, kTurn);
   EXPECT_EQ(shaft.kind, Stability::kUnstable);
   EXPECT_NEAR(shaft.rate, 3.3282, 5e-5);
@@ -32,8 +32,8 @@ TEST(SpinStability, OfTheTHandle) {
   EXPECT_EQ(spinStability(kTHandle, 2, -kTurn).kind, Stability::kStable);
 }
 
-// A small disturbance of a stable spin is back after a period of the frequency; the polhode's own period says so.
-TEST(SpinStability, FrequencyIsThatOfSmallPolhodes) {
+// A small disturbance of a stable spin returns after one period, which must be the polhode's.
+TEST(SpinStability, HasTheFrequencyOfSmallPolhodes) {
   Draw draw(271);
   double worst = 0;
   for (int i = 0; i < 200; ++i) {
@@ -51,8 +51,8 @@ TEST(SpinStability, FrequencyIsThatOfSmallPolhodes) {
   expectResidual("period of a small circling, relative", worst, 1e-12);  // measured 3.3e-16
 }
 
-// A disturbance of 1e-9 along the growing direction grows as e^(rate t) of the motion.
-TEST(SpinStability, RateIsTheGrowthOfADisturbance) {
+// A relative disturbance of 1e-9 must grow at the stated rate.
+TEST(SpinStability, HasTheGrowthRateOfADisturbance) {
   Draw draw(272);
   double worst = 0;
   for (int i = 0; i < 100; ++i) {
@@ -64,14 +64,14 @@ TEST(SpinStability, RateIsTheGrowthOfADisturbance) {
     omega[k] = 1.5;
     omega[a] = 1e-9;
     const FreeMotion motion(moments, omega, Quaterniond::Identity());
-    // cosh for a start without velocity.
+    // A disturbance that starts without velocity grows as cosh.
     const double t = 5 / stability.rate, grown = motion.at(t).omega_B[a] / omega[a];
     worst = std::max(worst, std::abs(grown / std::cosh(5.0) - 1));
   }
   expectResidual("growth over five e-foldings, relative", worst, 1e-11);  // measured 6.8e-14
 }
 
-TEST(SpinStability, NeutralCases) {
+TEST(SpinStability, IsNeutralForEqualMomentsAndAtRest) {
   EXPECT_EQ(spinStability(PrincipalMoments({2, 2, 2}), 1, 3).kind, Stability::kNeutral);
   EXPECT_EQ(spinStability(PrincipalMoments({2, 2, 3}), 0, 3).kind, Stability::kNeutral);
   EXPECT_EQ(spinStability(PrincipalMoments({2, 3, 4}), 0, 0).kind, Stability::kNeutral);
@@ -80,8 +80,9 @@ TEST(SpinStability, NeutralCases) {
   EXPECT_THROW(spinStability(PrincipalMoments({2, 2, 3}), 3, 1), std::logic_error);
 }
 
-// Flip intervals of the table, s; each decade of the disturbance adds (2/lambda) ln 10 = 1.38367 s.
-TEST(FlipTimes, OfTheTHandle) {
+// Expected flip intervals in s are computed apart from the code. Each decade of the disturbance adds
+// (2/lambda) ln 10 = 1.38367 s.
+TEST(FlipTimes, MatchComputedIntervalsOfTheTHandle) {
   const double expected[][2] = {{0.1, 3.31061953}, {0.01, 4.69446708}, {0.001, 6.07814236}, {0.0001, 7.46181502}};
   for (const auto& [disturbance, flip_s] : expected) {
     const FlipTimes flip = flipTimes(kTHandle, {disturbance, kTurn, 0});
@@ -97,8 +98,8 @@ TEST(FlipTimes, OfTheTHandle) {
   EXPECT_NEAR(decade, 1.38367, 5e-6);
 }
 
-// The motion flips when it says: omega_2 is reversed after an interval, and omega_1 and omega_3 too or not at all.
-TEST(FlipTimes, AreThoseOfTheMotion) {
+// In the motion, omega_2 is reversed after one interval, restored after two, and 0 after half of one.
+TEST(FlipTimes, MatchTheMotion) {
   const Vector3d omega(0.01, kTurn, 0);
   const FreeMotion motion(kTHandle, omega, Quaterniond::Identity());
   const double flip_s = flipTimes(kTHandle, omega).interval_s;
@@ -107,15 +108,15 @@ TEST(FlipTimes, AreThoseOfTheMotion) {
   EXPECT_NEAR(motion.at(flip_s / 2).omega_B[1], 0, 1e-13);
 }
 
-TEST(FlipTimes, InLimits) {
+TEST(FlipTimes, AreRightInLimitingCases) {
   EXPECT_EQ(flipTimes(kTHandle, {0, 1, 0}).interval_s, 0);
   EXPECT_EQ(flipTimes(PrincipalMoments({1, 2, 2.25}), {.75, .5, 1}).interval_s, INFINITY);
   EXPECT_NEAR(flipTimes(PrincipalMoments({1, 2, 2.25}), {.75, .5, 1}).growthRate, 0.4289845892077917, 1e-16);
   EXPECT_THROW(flipTimes(kTHandle, {NAN, 1, 0}), core::Error);
 }
 
-/// Time between two sign changes of the middle component of L, from Euler's equations dm/dt = m x (I^-1 m) alone,
-/// by Runge and Kutta's fourth order.
+/// Returns the time between two sign changes of the middle component of L, by Runge-Kutta steps of order 4 of
+/// Euler's equations dm/dt = m x (I^-1 m) alone.
 double integratedInterval(const PrincipalMoments& moments, Vector3d m_P) {
   const int middle = moments.ascendingAxes()[1];
   const auto rate = [&](const Vector3d& m) -> Vector3d { return m.cross(m.cwiseQuotient(moments.values())); };
@@ -141,10 +142,10 @@ TEST(FlipInterval, IsTheTimeBetweenSignChangesOfTheMiddleComponent) {
     worst = std::max(worst, std::abs(integratedInterval(moments, m_P) / exact - 1));
     EXPECT_EQ(exact, flipTimes(moments, m_P.cwiseQuotient(moments.values())).interval_s);
   }
-  expectResidual("interval against integrated", worst, 1e-10);  // 1.2e-11
+  expectResidual("interval against integrated", worst, 1e-10);  // measured 1.2e-11
 }
 
-TEST(FlipInterval, GoesOnToTheSteadySpins) {
+TEST(FlipInterval, IsContinuousAtSteadySpins) {
   const Vector3d& I = kTHandle.values();
   for (const int axis : {0, 2}) {
     const Vector3d along = -3 * Vector3d::Unit(axis);
@@ -152,7 +153,7 @@ TEST(FlipInterval, GoesOnToTheSteadySpins) {
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
     const double rate = 3 / I[axis] * std::sqrt((I[axis] - I[i]) * (I[axis] - I[j]) / (I[i] * I[j]));
     EXPECT_NEAR(flipInterval(kTHandle, along) * rate, 3.14159265358979324, 1e-14);
-    // A polhode of 1e-5 rad takes longer by a part of that square.
+    // A polhode of 1e-5 rad takes longer by a relative amount of about that angle squared.
     const Vector3d beside = along + 3e-5 * (Vector3d(1, 1, 1) - Vector3d::Unit(axis));
     EXPECT_NEAR(flipInterval(kTHandle, beside) / flipInterval(kTHandle, along), 1, 1e-8);
   }
@@ -160,8 +161,8 @@ TEST(FlipInterval, GoesOnToTheSteadySpins) {
   EXPECT_EQ(flipInterval(kTHandle, {0, -5, 0}), std::numeric_limits<double>::infinity());
 }
 
-// A symmetric body's flips are the slower the nearer L is to the plane across its axis, and so never come there.
-TEST(FlipInterval, OfASymmetricBodyGrowsTowardsItsEquator) {
+// Flips of a symmetric body slow down as L approaches the plane across its axis, where no flip ever comes.
+TEST(FlipInterval, GrowsTowardsTheEquatorOfASymmetricBody) {
   const PrincipalMoments disc({1, 1, 2});
   EXPECT_GT(flipInterval(disc, {1, 0, 1e-9}), 1e8 * flipInterval(disc, {1, 0, 1}));
   EXPECT_EQ(flipInterval(disc, {1, 2, 0}), std::numeric_limits<double>::infinity());
@@ -176,7 +177,7 @@ TEST(Stability, RefusesNumbersThatAreNotFinite) {
   }
 }
 
-TEST(Stability, OfAVectorIsThatOfTheAxisItIsAlong) {
+TEST(Stability, IsEqualForAnAxisAndAVectorAlongIt) {
   for (const double w : {1e-300, -3.0, 1e300})
     for (int axis = 0; axis < 3; ++axis) {
       const Vector3d omega_P = w * Vector3d::Unit(axis);

@@ -35,7 +35,7 @@ std::string refusal(const PrincipalAxes& axes, const EnergyStart& start) {
 
 // The prolate top of the lecture's eq (20): Ip = 1.5, I3 = 0.9, |L| = 2, theta = 25 deg; omega_1 and omega_3 by
 // hand.
-TEST(Start, SpinWithATiltIsTheTopOfTheLecture) {
+TEST(Start, SpinWithATiltMatchesTheTopOfTheLecture) {
   const PrincipalAxes axes(PrincipalMoments({1.5, 1.5, 0.9}));
   const Vector3d omega = omegaFromSpin(axes, {2, 2.01401730452589, 25 * kDegree, 0});
   EXPECT_NEAR(omega[0], 0.563491015654266, 2e-15);  // 15 digits given
@@ -44,11 +44,12 @@ TEST(Start, SpinWithATiltIsTheTopOfTheLecture) {
   EXPECT_NEAR(axes.angularMomentum(omega).norm(), 2, 8e-15);
 }
 
-/// A body described in axes that are not its principal ones.
+/// Returns random principal axes, turned from the body axes.
 PrincipalAxes randomAxes(Draw& draw) { return {draw.moments(), draw.attitude()}; }
 
-// By the definition: the angle between L and the axis, the side it leans to, and the component of omega.
-TEST(Start, SpinMeansWhatItSays) {
+// A spin is defined by the angle between L and the axis, the side to which L leans, and a component of
+// omega.
+TEST(Start, SpinHasTheGivenTiltSideAndComponent) {
   Draw draw(201);
   double angle = 0, side = 0;
   for (int i = 0; i < 300; ++i) {
@@ -72,7 +73,7 @@ TEST(Start, SpinWithoutTiltIsSteady) {
     EXPECT_EQ(omegaFromSpin(moments, {axis, -1.5, 0, 0.7}), Vector3d(-1.5 * Vector3d::Unit(axis)));
 }
 
-TEST(Start, SpinRefusesATiltThatIsNone) {
+TEST(Start, RejectsInvalidTiltsOfASpin) {
   const PrincipalMoments moments({2, 3, 4});
   for (const double tilt : {-0.1, 90 * kDegree, 2.0, std::numeric_limits<double>::quiet_NaN()})
     EXPECT_THROW(omegaFromSpin(moments, {0, 1, tilt, 0}), core::Error) << tilt;
@@ -85,7 +86,7 @@ TEST(Start, SpinRefusesATiltThatIsNone) {
   }
 }
 
-TEST(Start, FromSpace) {
+TEST(Start, ConvertsOmegaAndMomentumFromSpace) {
   Draw draw(202);
   double velocity = 0, momentum = 0;
   for (int i = 0; i < 200; ++i) {
@@ -100,8 +101,8 @@ TEST(Start, FromSpace) {
   expectResidual("L_W = R I R^T omega_W", momentum, 2e-14);  // measured 2.5e-15
 }
 
-// Table of examples: P1's T and |L|, whose herpolhode has 0.1404... as least and 0.2630... as largest radius.
-TEST(Start, EnergyAtPhaseZeroIsTheLargestRadius) {
+// The herpolhode of this T and |L| has radii from 0.1404... to 0.2630... (tests/support/development_examples.h).
+TEST(Start, PhaseZeroIsAtTheLargestHerpolhodeRadius) {
   const PrincipalAxes axes(PrincipalMoments({2, 3, 4}));
   const auto radius = [&](double phase) {
     const Vector3d omega = omegaFromEnergy(axes, {2.34375, 4.190763653560053, phase, false});
@@ -114,7 +115,7 @@ TEST(Start, EnergyAtPhaseZeroIsTheLargestRadius) {
   EXPECT_NEAR(radius(0.75), 0.1404323099902769, 2e-15);
 }
 
-TEST(Start, EnergyAndMomentumAreThoseGiven) {
+TEST(Start, HasTheGivenEnergyAndMomentum) {
   Draw draw(203);
   double energy = 0, momentum = 0, late = 0;
   for (int i = 0; i < 300; ++i) {
@@ -126,7 +127,7 @@ TEST(Start, EnergyAndMomentumAreThoseGiven) {
     const Vector3d omega_B = omegaFromEnergy(axes, start), L_B = axes.inertia_B() * omega_B;
     energy = std::max(energy, std::abs(omega_B.dot(L_B) / 2 / T - 1));
     momentum = std::max(momentum, std::abs(L_B.norm() / L - 1));
-    // From the start at phase 0, the motion itself is there after phase periods.
+    // The motion from phase 0 must be there after `phase` periods.
     const Vector3d zero_B = omegaFromEnergy(axes, {T, L, 0, start.negative});
     const double period = Polhode(axes.moments(), axes.toP(zero_B)).period();
     const Vector3d there = FreeMotion(axes, zero_B, Quaterniond::Identity()).at(start.phase * period).omega_B;
@@ -137,8 +138,9 @@ TEST(Start, EnergyAndMomentumAreThoseGiven) {
   expectResidual("omega after the phase, relative", late, 1e-14);  // measured 2e-15
 }
 
-// The side of the axis circled; at phase 0, no middle component and a positive one on the other extreme axis.
-TEST(Start, EnergyPicksOneOfTwoPolhodes) {
+// `negative` chooses the end of the axis that omega circles. At phase 0 omega has no middle component, and a
+// positive one along the other extreme axis.
+TEST(Start, BranchSelectsOneOfTwoPolhodes) {
   const Vector3d orders[] = {{2, 3, 4}, {2, 4, 3}, {3, 2, 4}, {3, 4, 2}, {4, 2, 3}, {4, 3, 2}};
   for (const Vector3d& I : orders) {
     const PrincipalMoments moments(I);
@@ -162,25 +164,26 @@ TEST(Start, EnergyPicksOneOfTwoPolhodes) {
   }
 }
 
-TEST(Start, EnergyOfASteadySpin) {
+TEST(Start, EnergyOfASteadySpinGivesTheSpin) {
   const PrincipalMoments moments({2, 3, 4});
-  // |omega| = 3 rad/s about the smallest, the largest: 2T = I w², L = I w.
+  // At 3 rad/s about the smallest or the largest axis, 2T = I w² and L = I w.
   EXPECT_EQ(omegaFromEnergy(moments, {9, 6, 0.3, false}), Vector3d(3, 0, 0));
   EXPECT_EQ(omegaFromEnergy(moments, {9, 6, 0, true}), Vector3d(-3, 0, 0));
   EXPECT_EQ(omegaFromEnergy(moments, {18, 12, 0, true}), Vector3d(0, 0, -3));
-  // Decimals: 2 T I1 is not L² to the last bit, yet a spin is meant.
+  // With decimals, 2 T I differs from L² in the last bits, but the start must still be a steady spin.
   const PrincipalMoments tenths({0.1, 0.15, 0.2});
   EXPECT_LE(
       (omegaFromEnergy(tenths, {0.02, 0.2 * std::sqrt(0.2), 0, false}) - Vector3d(0, 0, std::sqrt(0.2))).norm(),
       2e-16);
   EXPECT_EQ(omegaFromEnergy(moments, {0, 0, 0, false}), Vector3d(0, 0, 0));
-  // A sphere: any direction, so z. A symmetric body spun in its equator: in the equator.
+  // A sphere could spin about any direction and spins about z. A symmetric body spins about an axis in its
+  // equator.
   EXPECT_EQ(omegaFromEnergy(PrincipalMoments({2, 2, 2}), {9, 6, 0.4, true}), Vector3d(0, 0, -3));
   EXPECT_EQ(omegaFromEnergy(PrincipalMoments({2, 2, 3}), {9, 6, 0.4, false}), Vector3d(3, 0, 0));
   EXPECT_EQ(omegaFromEnergy(PrincipalMoments({1.5, 2, 2}), {9, 6, 0.4, false}), Vector3d(0, 0, 3));
 }
 
-TEST(Start, EnergyOnTheSeparatrix) {
+TEST(Start, EnergyOnTheSeparatrixNeedsPhaseZero) {
   const PrincipalMoments moments({1, 2, 2.25});
   // L² = 2 T I2: m1² = I1 (2 T I3 - L²)/(I3 - I1) with 2T = 5, L² = 10, by hand m1² = 1 and m3² = 9.
   const Vector3d omega = omegaFromEnergy(moments, {2.5, std::sqrt(10.0), 0, true});
@@ -194,7 +197,7 @@ TEST(Start, EnergyOnTheSeparatrix) {
   EXPECT_EQ(refusal(moments, {4, 4, 0, false}), "accepted");
 }
 
-TEST(Start, EnergyRefusesWhatNoStateHas) {
+TEST(Start, RejectsImpossibleEnergyAndMomentum) {
   const PrincipalMoments moments({2, 8, 8});
   EXPECT_EQ(
       refusal(moments, {4, 3, 0, false}),
@@ -212,7 +215,7 @@ TEST(Start, EnergyRefusesWhatNoStateHas) {
   EXPECT_EQ(refusal(moments, {INFINITY, 5, 0, false}), "kinetic energy must be finite, got inf");
 }
 
-TEST(Start, EnergyInAnyUnits) {
+TEST(Start, EnergyDoesNotDependOnUnits) {
   const PrincipalMoments moments({2, 3, 4});
   const Vector3d omega = omegaFromEnergy(moments, {2.25, 4, 0.3, false});
   for (const int n : {-400, 400}) {

@@ -7,7 +7,7 @@
 #include "physics/random_bodies.h"
 #include "physics/residual.h"
 
-// The symmetric top of the lecture, which the code does not know: eq (19) to (37) in terms of L, k and omega.
+// General free motion is compared with the lecture's symmetric top, eq (19) to (37) in terms of L, k and omega.
 
 namespace poinsot::physics {
 namespace {
@@ -31,9 +31,10 @@ Top randomTop(Draw& draw) {
           draw.between(-30, 30)};
 }
 
-// The two rotations of eq (20) and (29), applied in the plainest way: k and the body turn about L by L t/Ip, and
-// the body about its own axis by -Omega_p t. The angles carry eps |omega| t of plain doubles, hence the bound.
-TEST(SymmetricTop, AttitudeIsTwoSteadyRotations) {
+// The two rotations of eq (20) and (29) give the expected attitude: k and the body turn about L by L t/Ip, and the
+// body about its own axis by -Omega_p t. In plain doubles the angles are off by eps |omega| t, which sets the
+// bound.
+TEST(SymmetricTop, AttitudeCombinesTwoSteadyRotations) {
   Draw draw(61);
   double worst = 0;
   for (int i = 0; i < 300; ++i) {
@@ -75,8 +76,8 @@ TEST(SymmetricTop, MomentumVelocityAndAxisLieInOnePlane) {
   expectResidual("omega·(k × L), relative", plane, 4e-15);  // measured 6.5e-16
 }
 
-// The prolate example of the notes: Ip = 1.5, I3 = 0.9, |L| = 2 at 25 deg from k; by hand omega_P = 4/3 rad/s and
-// k is back after 2 pi/omega_P = 4.71238898038469 s.
+// A prolate top with Ip = 1.5, I3 = 0.9 and |L| = 2 at 25 deg from k. By hand omega_P = 4/3 rad/s, and k returns
+// after 2 pi/omega_P = 4.71238898038469 s.
 TEST(SymmetricTop, AxisReturnsAfterOnePrecession) {
   const double theta = 25 * 3.14159265358979323846 / 180;
   const FreeMotion motion(PrincipalMoments({1.5, 1.5, 0.9}),
@@ -87,8 +88,8 @@ TEST(SymmetricTop, AxisReturnsAfterOnePrecession) {
   EXPECT_NEAR(opposite.dot(Vector3d::UnitZ()), std::cos(2 * theta), 2e-15);
 }
 
-// Feynman's plate, I3 = 2 Ip, k 5 deg from L: two wobbles a turn, omega_P/omega_3 = 2/cos theta
-// = 2.00763967508669.
+// Feynman's plate, with I3 = 2 Ip and k at 5 deg from L, wobbles twice in a turn:
+// omega_P/omega_3 = 2/cos theta = 2.00763967508669.
 TEST(SymmetricTop, PlateWobblesTwiceAsFastAsItSpins) {
   const double theta = 5 * 3.14159265358979323846 / 180;
   const Vector3d omega0(std::sin(theta), 0, std::cos(theta) / 2);

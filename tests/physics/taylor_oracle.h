@@ -13,14 +13,14 @@
 
 namespace poinsot::physics {
 
-/// 60 decimal digits: enough where the motion itself amplifies the rounding of the oracle (near the separatrix by
-/// 1/sqrt(mc) at each flip).
+/// Number of 60 decimal digits, enough where the motion amplifies the rounding of the oracle (near the separatrix
+/// by 1/sqrt(mc) at each flip).
 using Real60 =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<60>, boost::multiprecision::et_off>;
 
-/// An integrator that shares nothing with the code under test: Taylor series of high order in time of
+/// Integrator that shares nothing with the code under test. Uses Taylor series of high order in time of
 ///   I omega' = (I omega) × omega (lecture, eq 24 to 26, no torque),    q' = q (0, omega)/2
-/// with omega in body axes, in the arithmetic of Real. No elliptic functions, no invariants.
+/// with omega in body axes, in the arithmetic of Real, without elliptic functions or invariants.
 /// Order and step as in Jorba & Zou, Exp. Math. 14 (2005) 99: the step is the radius of convergence over e^2.
 template <typename Real>
 class TaylorOracle {
@@ -54,7 +54,7 @@ class TaylorOracle {
     return state;
   }
 
-  /// omega' at a state.
+  /// Returns omega' at a state.
   std::array<Real, 3> derivative(const State& s) const {
     return {(I_[1] - I_[2]) / I_[0] * s.omega[1] * s.omega[2], (I_[2] - I_[0]) / I_[1] * s.omega[2] * s.omega[0],
             (I_[0] - I_[1]) / I_[2] * s.omega[0] * s.omega[1]};
@@ -73,7 +73,8 @@ class TaylorOracle {
     return {q[0] / norm, q[1] / norm, q[2] / norm, q[3] / norm};
   }
 
-  /// Angle between the attitude q and that of the state under test, rad, without the rounding of a subtraction.
+  /// Returns the angle in rad between the attitude q and the tested attitude, without the rounding of a
+  /// subtraction.
   static double angle(const std::array<Real, 4>& q, const Eigen::Quaterniond& tested) {
     const std::array<Real, 4> inverse =
         unit({Real(tested.w()), Real(-tested.x()), Real(-tested.y()), Real(-tested.z())});
@@ -127,7 +128,7 @@ class TaylorOracle {
     return series;
   }
 
-  /// |c_0/c_n|^(1/n) of the last two orders, over the components [from, to) together.
+  /// Returns the lesser |c_0/c_n|^(1/n) of the last two orders n, for the components [from, to) together.
   double radiusFrom(const std::array<std::vector<Real>, 7>& c, std::size_t from, std::size_t to) const {
     const auto largest = [&](std::size_t n) {
       double size = 1e-300;

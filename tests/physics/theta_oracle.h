@@ -17,8 +17,8 @@ namespace poinsot::physics {
 using Vector100 = std::array<Real100, 3>;
 using Matrix100 = std::array<Vector100, 3>;  // rows
 
-/// Free rotation as the textbooks write it, at 100 digits: a route that shares no formula of the attitude with the
-/// code under test, and costs the same at any time.
+/// Free rotation by the textbooks' formulas with 100 digits. Shares no formula of the attitude with the code under
+/// test, and costs the same at any time.
 ///
 ///   omega by Landau & Lifshitz, Mechanics, section 37 (modulus k, not its complement; 2 E I - M^2 as differences)
 ///   attitude by Euler angles about M: tan psi and cos theta from m, and phi from the theta functions of Jacobi,
@@ -26,8 +26,8 @@ using Matrix100 = std::array<Vector100, 3>;  // rows
 ///   (Jacobi, Crelle 39 (1850) 293; van Zon & Schofield, J. Comput. Phys. 225 (2007) 145). kappa is such that
 ///   phi' at u = 0 is M/I_a, and phi enters by its cosine and sine alone, so no angle is ever unwrapped.
 ///
-/// Not for the separatrix itself, where K is infinite. Checked against the Taylor integrator in
-/// free_motion_oracle_test.cpp.
+/// Rejects the separatrix itself, where K is infinite. theta_oracle_test.cpp compares this class with the Taylor
+/// integrator.
 class ThetaOracle {
  public:
   using Real = Real100;
@@ -40,7 +40,7 @@ class ThetaOracle {
   ThetaOracle(const Eigen::Vector3d& I, const Eigen::Vector3d& omega0, const Eigen::Quaterniond& q0)
       : ThetaOracle(I, omega0, rotationMatrix(q0)) {}
 
-  /// The same with R0 exact to 100 digits.
+  /// Constructs the oracle from a start R0 that is exact to 100 digits.
   ThetaOracle(const Eigen::Vector3d& I, const Eigen::Vector3d& omega0, const Matrix100& R0) {
     for (std::size_t i = 0; i < 3; ++i) {
       I_[i] = I[static_cast<int>(i)];
@@ -60,7 +60,8 @@ class ThetaOracle {
     return {omega, product(R0_, product(transposed(eulerMatrix(m0_, 1, 0)), turned(m, u, t)))};
   }
 
-  /// Of the whole motion, rad/s: |omega|^2 is linear in sn^2 u, so largest at u = 0 or u = K.
+  /// Returns the largest |omega| of the whole motion, rad/s. |omega|^2 is linear in sn^2 u, so largest at u = 0 or
+  /// u = K.
   double largestOmega() const {
     const auto squared = [](const Real& x) { return Real(x * x); };
     if (steady_) return std::sqrt(static_cast<double>(Real(dot(omega0_, omega0_))));
@@ -69,7 +70,6 @@ class ThetaOracle {
     return static_cast<double>(Real(sqrt(at0 > atK ? at0 : atK)));
   }
 
-  /// I omega0 in W and twice the energy, as the start gives them.
   Vector100 momentum_W() const {
     Vector100 m;
     for (std::size_t i = 0; i < 3; ++i) m[i] = I_[i] * omega0_[i];
@@ -79,7 +79,8 @@ class ThetaOracle {
     return I_[0] * omega0_[0] * omega0_[0] + I_[1] * omega0_[1] * omega0_[1] + I_[2] * omega0_[2] * omega0_[2];
   }
 
-  /// Angle between the attitude R and that of the state under test, rad, without the rounding of a subtraction.
+  /// Returns the angle in rad between the attitude R and the tested attitude, without the rounding of a
+  /// subtraction.
   static double angle(const Matrix100& R, const Eigen::Quaterniond& tested) {
     const Matrix100 D = product(transposed(R), rotationMatrix(tested));
     const Real x = D[2][1] - D[1][2], y = D[0][2] - D[2][0], z = D[1][0] - D[0][1];
@@ -96,7 +97,7 @@ class ThetaOracle {
     return static_cast<double>(Real(sqrt(square)));
   }
 
-  /// Of any nonzero quaternion, divided by its squared length.
+  /// Returns the rotation matrix of any nonzero quaternion.
   static Matrix100 rotationMatrix(const Eigen::Quaterniond& q) {
     return rotationMatrix({Real(q.w()), Real(q.x()), Real(q.y()), Real(q.z())});
   }
@@ -129,7 +130,7 @@ class ThetaOracle {
   }
 
  private:
-  /// omega parallel to I omega: products of doubles, exact in 332 bits.
+  /// Returns whether omega is parallel to I omega.
   bool isSteady() const {
     const auto couples = [&](std::size_t j, std::size_t k) {
       return I_[j] != I_[k] && omega0_[j] != 0 && omega0_[k] != 0;
@@ -171,7 +172,7 @@ class ThetaOracle {
     A_c_ = sqrt(Real(Ic * fromA / (Ic - Ia)));
     lambda_ = sqrt(Real((Ic - I2) * fromA / (Ia * I2 * Ic)));
     k2_ = (I2 - Ia) * fromC / ((Ic - I2) * fromA);
-    // Euler: the sign of m_2' = m_j m_k (1/I_k - 1/I_j), (2, j, k) cyclic, is that of cn dn.
+    // Euler's equations give m_2' = m_j m_k (1/I_k - 1/I_j), with (2, j, k) cyclic, which has the sign of cn dn.
     const std::size_t j = (mid_ + 1) % 3, k = (mid_ + 2) % 3;
     signC_ = m0_[c_] < 0 ? -1 : 1;
     sign2_ = signC_ * (I_[k] < I_[j] ? 1 : -1);
@@ -185,7 +186,7 @@ class ThetaOracle {
     w_ = pi * eta / (2 * K_);
   }
 
-  /// K of the modulus whose complement is given: pi/(2 AGM(1, k')).
+  /// Returns K of the modulus with this complement k', pi/(2 AGM(1, k')).
   static Real quarterPeriod(const Real& complement) {
     Real a = 1, b = complement;
     for (int i = 0; i < 40 && abs(Real(a - b)) > a * Real("1e-60"); ++i) {
@@ -204,13 +205,13 @@ class ThetaOracle {
 
   Real angleOf(const Real& u) const { return boost::math::constants::half_pi<Real>() * u / K_; }
 
-  /// d arg theta_1(v - i w)/du at u = 0, where theta_1 is imaginary.
+  /// Returns d arg theta_1(v - i w)/du at u = 0, where theta_1 is imaginary.
   Real logarithmicSlope() const {
     const auto f = theta_->first(0, w_);
     return -f.slope.re / f.value.im * angleOf(1);
   }
 
-  /// theta_1(v - i w)^rho up to its size: a direction in the plane.
+  /// Returns theta_1(v - i w)^rho, scaled to unit length.
   ThetaSeries::Complex phaseFactor(const Real& u) const {
     if (!theta_) return {1, 0};
     const ThetaSeries::Complex f = theta_->first(angleOf(u), w_).value;
@@ -229,7 +230,7 @@ class ThetaOracle {
     return m;
   }
 
-  /// Rz(phi) Rx(theta) Rz(psi) at phase u, phi counted from the start.
+  /// Returns Rz(phi) Rx(theta) Rz(psi) at phase u, with phi counted from the start.
   Matrix100 turned(const Vector100& m, const Real& u, const Real& t) const {
     const Real secular = kappa_ * lambda_ * t;
     const ThetaSeries::Complex now = phaseFactor(u);
@@ -238,7 +239,7 @@ class ThetaOracle {
     return eulerMatrix(m, c * cosine - s * sine, s * cosine + c * sine);
   }
 
-  /// Rz(phi) Rx(theta) Rz(psi) in the axes x = c + 1, y = c + 2, z = c, acting on body components, where
+  /// Returns Rz(phi) Rx(theta) Rz(psi) for body components along the axes x = c + 1, y = c + 2, z = c, where
   ///   m_x = M sin theta sin psi,   m_y = M sin theta cos psi,   m_z = M cos theta.
   Matrix100 eulerMatrix(const Vector100& m, const Real& cosPhi, const Real& sinPhi) const {
     const std::size_t x = (c_ + 1) % 3, y = (c_ + 2) % 3;
@@ -264,7 +265,7 @@ class ThetaOracle {
   std::size_t a_ = 0, mid_ = 1, c_ = 2;
   int rho_ = 1, sign2_ = 1, signC_ = 1;
   Real M_, A_a_, A_2_, A_c_, lambda_, k2_, K_, u0_, w_, kappa_;
-  std::optional<ThetaSeries> theta_;  // none for a symmetric body: k = 0
+  std::optional<ThetaSeries> theta_;  // empty for a symmetric body, k = 0
   ThetaSeries::Complex start_;
 };
 

@@ -7,8 +7,8 @@
 #include "physics/residual.h"
 #include "physics/taylor_oracle.h"
 
-// The oracle in theta functions against the Taylor integrator at 60 digits, which knows nothing but Euler's
-// equations. Tolerances are in digits of the arithmetic, far below the 1e-16 of what the oracle is used for.
+// The oracle in theta functions is compared with the Taylor integrator of 60 digits, which uses Euler's equations
+// alone. Tolerances are near the last digits of the arithmetic, far below the 1e-16 for which the oracle serves.
 
 namespace poinsot::physics {
 namespace {
@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 Real100 widened(const Real60& x) { return Real100(x); }
 
-/// Largest difference of any entry of R or component of omega after up to 20 rad.
+/// Returns the largest difference of any entry of R or component of omega after up to 20 rad.
 double worstDifference(Draw& draw, const Vector3d& I, const Vector3d& omega0) {
   const Eigen::Quaterniond q0 = draw.attitude();
   const double t = draw.between(-20, 20) / omega0.norm();
@@ -75,7 +75,7 @@ TEST(ThetaOracle, AgreesForFaintWobblesAndSteadySpins) {
   expectResidual("nearly steady", worst, 1e-57);  // measured 7.3e-60
 }
 
-TEST(ThetaOracle, HasNoPeriodOnTheSeparatrix) {
+TEST(ThetaOracle, RejectsTheSeparatrix) {
   EXPECT_THROW(ThetaOracle({1, 2, 2.25}, {.75, .5, 1}, Eigen::Quaterniond::Identity()), std::invalid_argument);
 }
 

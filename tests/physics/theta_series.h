@@ -9,7 +9,7 @@ namespace poinsot::physics {
 using Real100 =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
 
-/// The four theta functions of Jacobi by their series in the nome, of the argument v - i w (DLMF 20.2).
+/// Jacobi's four theta functions of the argument v - i w, by their series in the nome (DLMF 20.2).
 class ThetaSeries {
  public:
   using Real = Real100;
@@ -19,7 +19,7 @@ class ThetaSeries {
 
   explicit ThetaSeries(const Real& nome) : q_(nome) {}
 
-  /// theta_1/(2 q^(1/4)) of v - i w and its derivative: sum (-1)^n q^(n(n+1)) sin((2n+1)(v - i w)).
+  /// Value and derivative of theta_1/(2 q^(1/4)) at v - i w: sum (-1)^n q^(n(n+1)) sin((2n+1)(v - i w)).
   struct WithSlope {
     Complex value, slope;
   };
@@ -29,7 +29,7 @@ class ThetaSeries {
     return summed(up, down);
   }
 
-  /// sn, cn, dn of u = 2 K v/pi (DLMF 22.2), from the ratios of the real series.
+  /// Returns sn, cn, dn of u = 2 K v/pi (DLMF 22.2), from ratios of the real series.
   std::array<Real, 3> jacobi(const Real& v) const {
     const auto at0 = realSeries(1, 0), atV = realSeries(cos(v), sin(v));
     return {at0[2] / at0[1] * atV[0] / atV[3], at0[3] / at0[1] * atV[1] / atV[3],
@@ -62,8 +62,8 @@ class ThetaSeries {
     return sum;
   }
 
-  /// theta_1 and theta_2 over 2 q^(1/4), theta_3 and theta_4, of a real argument given by its cosine and sine.
-  /// The factors 2 q^(1/4) cancel in the ratios above.
+  /// Returns theta_1 and theta_2 over 2 q^(1/4), theta_3 and theta_4 of a real argument with this cosine and sine.
+  /// The factors 2 q^(1/4) cancel in the ratios of jacobi().
   std::array<Real, 4> realSeries(const Real& c, const Real& s) const {
     const Complex step{c * c - s * s, 2 * c * s};
     Complex odd{c, s}, even = step;

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-# The same bits on every CPU, from every optimiser and from another compiler: the motion as built, with the CPU's
-# vector units hidden from the C library, and built again from its sources.
+# Tests that motions have the same bits on every CPU, at every optimisation level and from another compiler. Compares
+# this build, this build with the CPU's vector units hidden from the C library, and further builds of the sources.
 
-# What the hash runs, with what that calls; a file missing here fails to link.
+# Sources of the hashed motions, and all sources that these call. If one is missing, linking fails.
 set(hash_sources composition.cpp decaying_motion.cpp driven_motion.cpp driven_trajectory.cpp elliptic.cpp forcing.cpp
   forcing_piece.cpp free_flow.cpp free_motion.cpp free_motion_constants.cpp herpolhode.cpp inertia_tensor.cpp motion.cpp
   polhode.cpp principal_axes.cpp principal_moments.cpp scaled_start.cpp splitting.cpp step_choice.cpp step_plan.cpp
   symmetric_eigen.cpp transcendental.cpp)
 list(TRANSFORM hash_sources PREPEND ${PROJECT_SOURCE_DIR}/src/physics/)
 list(PREPEND hash_sources ${CMAKE_CURRENT_SOURCE_DIR}/trajectory_hash.cpp)
-# Each variant compiles them as one source.
+# Each variant compiles these sources as one.
 list(TRANSFORM hash_sources REPLACE "(.+)" "#include \"\\1\"\n" OUTPUT_VARIABLE hash_includes)
 list(JOIN hash_includes "" hash_includes)
 set(hash_source ${CMAKE_CURRENT_BINARY_DIR}/trajectory_hash_all.cpp)
@@ -18,7 +18,7 @@ file(CONFIGURE OUTPUT ${hash_source} CONTENT "${hash_includes}" @ONLY)
 add_executable(physics_trajectory_hash trajectory_hash.cpp)
 target_link_libraries(physics_trajectory_hash PRIVATE poinsot::physics poinsot_flags)
 
-# Without warnings: the build of the libraries gives them, and Clang 19 has one of its own -march=native on some processors.
+# No warnings: the build of the libraries gives them already, and Clang 19 warns about -march=native on some processors.
 get_target_property(physics_options poinsot_physics COMPILE_OPTIONS)
 function(hash_variant name)
   add_executable(physics_trajectory_hash_${name} ${hash_source})
@@ -36,14 +36,14 @@ add_test(NAME Physics.TrajectoryIsTheSameOnEveryCpu
   COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:physics_trajectory_hash> "-DOTHERS=${variants}"
           -P ${CMAKE_CURRENT_SOURCE_DIR}/compare_hashes.cmake)
 
-# CMake knows one compiler a build; the other one is called by hand.
+# CMake supports one compiler per build, so custom commands call the other one.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   find_program(POINSOT_OTHER_COMPILER NAMES g++)
 else()
   find_program(POINSOT_OTHER_COMPILER NAMES clang++)
 endif()
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize|--coverage")
-  set(other_compiler "")  # it cannot link the library core, which calls this compiler's own run time
+  set(other_compiler "")  # the other compiler cannot link core, which calls the runtime library of this compiler
 else()
   set(other_compiler ${POINSOT_OTHER_COMPILER})
 endif()

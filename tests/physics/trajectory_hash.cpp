@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints a hash of every bit of some trajectories and of the functions under them, for the test that neither the
-// CPU nor the compiler changes one. With --libm, a hash of the C library's functions instead: the control, which
-// does change where the library has code for the CPU's vector units.
+// Prints a hash of all bits of some trajectories and of the functions that they use. A test compares the hash
+// between CPUs and compilers. With --libm, prints a hash of the C library's functions as a control, which changes
+// if the library has code for the CPU's vector units.
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
@@ -54,12 +54,12 @@ void addMotions(Hash& hash) {
   const struct {
     Eigen::Vector3d I, omega0;
   } starts[] = {
-      {{2, 3, 4}, {.5, .25, 1}},          // about the largest
-      {{2, 3, 4}, {1, .25, .25}},         // about the smallest
+      {{2, 3, 4}, {.5, .25, 1}},          // about the largest axis
+      {{2, 3, 4}, {1, .25, .25}},         // about the smallest axis
       {{1, 2, 2.25}, {.75, .5, 1}},       // separatrix
-      {{3, 1, 2}, {.25, 1, -.5}},         // axes in an odd order
+      {{3, 1, 2}, {.25, 1, -.5}},         // axes in another order
       {{1.5, 1.5, .9}, {.5, 0, 2}},       // symmetric
-      {{1, 1 + 1e-12, 1.1}, {1, .5, 1}},  // nearly so
+      {{1, 1 + 1e-12, 1.1}, {1, .5, 1}},  // nearly symmetric
       {{1e-9, 1, 1}, {1, .5, -.25}},      // a needle
       {{1, 2, 3}, {1e-9, 1, 0}},          // about the middle axis
       {{2, 3, 4}, {0, 0, 1.3}},           // steady
@@ -73,7 +73,7 @@ void addMotions(Hash& hash) {
   addTrajectory(hash, PrincipalAxes(inertia_B), {0.6, -1.1, 0.8});
 }
 
-// Every kind of forcing, and both compositions that the integrator chooses from.
+// Covers every kind of forcing, and both compositions among which the integrator chooses.
 void addDrivenMotions(Hash& hash) {
   Forcing forcing;
   forcing.gravity_B = {0.3, 0.5, 1};

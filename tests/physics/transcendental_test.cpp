@@ -11,7 +11,7 @@
 #include "physics/random_bodies.h"
 #include "physics/residual.h"
 
-// Expected values: Boost.Multiprecision at 50 digits, of the exact argument.
+// Boost.Multiprecision computes the expected values to 50 digits from the exact argument.
 
 namespace poinsot::physics {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 using Real =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 
-/// Error in units of the last place of the expected double.
+/// Returns the error in units of the last place of the expected double.
 double ulps(double measured, const Real& expected) {
   const double rounded = std::abs(static_cast<double>(expected));
   const double ulp = std::nextafter(rounded, std::numeric_limits<double>::infinity()) - rounded;
@@ -44,7 +44,7 @@ const auto sechOf = [](double x) { return hyperbolicPair(x).sech; };
 
 Real exact(const DoubleDouble& x) { return Real(x.hi) + Real(x.lo); }
 
-TEST(Transcendental, SineAndCosine) {
+TEST(Transcendental, SineAndCosineAreWithinOneUlp) {
   const auto turns = [](Draw& draw) { return draw.between(-7, 7); };
   const auto small = [](Draw& draw) { return draw.sign() * draw.decade(-20, 0); };
   const auto sin50 = [](const Real& x) { return Real(sin(x)); };
@@ -55,7 +55,7 @@ TEST(Transcendental, SineAndCosine) {
   expectResidual("cos small, ulp", worstUlps(4, small, cosine, cos50), 1);  // measured 0.68
 }
 
-TEST(Transcendental, SineAndCosineOfADoubleDouble) {
+TEST(Transcendental, SineAndCosineOfADoubleDoubleAreWithinOneUlp) {
   Draw draw(13);
   double worst = 0;
   for (int i = 0; i < 10000; ++i) {
@@ -68,8 +68,8 @@ TEST(Transcendental, SineAndCosineOfADoubleDouble) {
   expectResidual("sin and cos to 1e9 rad, ulp", worst, 1);  // measured 0.75
 }
 
-/// The doubles nearest to multiples of pi/2, where 106 bits of pi/2 limit what is left of the angle.
-TEST(Transcendental, SineAndCosineAtTheirZeros) {
+/// At the doubles nearest to multiples of pi/2, the 106 bits of pi/2 limit the accuracy of the remaining angle.
+TEST(Transcendental, SineAndCosineAreAccurateAtTheirZeros) {
   double worst = 0;
   for (int k = 1; k < 2000000; k = 3 * k + 1) {
     const double angle = (kHalfPi * DoubleDouble(k)).hi;
@@ -81,10 +81,11 @@ TEST(Transcendental, SineAndCosineAtTheirZeros) {
   expectResidual("sin and cos at their zeros, of the angle", worst, 0x1p-103);  // measured 5.6e-33
 }
 
-TEST(Transcendental, ArcTangent) {
+TEST(Transcendental, ArcTangentIsWithinOneUlp) {
   const auto any = [](Draw& draw) { return draw.sign() * draw.decade(-20, 20); };
   const auto near1 = [](Draw& draw) { return draw.between(-3, 3); };
-  // Where a term of the table takes over from its neighbour, and where the result is just below a power of two.
+  // Arguments where one term of the table takes over from the next, and where the result is just below a power of
+  // two.
   const auto seams = [](Draw& draw) {
     const double seam = std::round(draw.between(0, 17)) / 16 * (1 + draw.between(-1, 1) * 0x1p-8);
     return draw.sign() > 0 ? seam : 1 / (seam + 0x1p-40);
@@ -99,7 +100,7 @@ TEST(Transcendental, ArcTangent) {
   EXPECT_EQ(arcTangent(0), 0);
 }
 
-TEST(Transcendental, ExponentialLessOne) {
+TEST(Transcendental, ExponentialLessOneIsWithinOneUlp) {
   const auto moderate = [](Draw& draw) { return draw.between(-60, 5); };
   const auto small = [](Draw& draw) { return draw.sign() * draw.decade(-20, 0); };
   const auto expm1_50 = [](const Real& x) { return Real(expm1(x)); };
@@ -109,7 +110,7 @@ TEST(Transcendental, ExponentialLessOne) {
   EXPECT_EQ(exponentialLessOne(-1e9), -1);
 }
 
-TEST(Transcendental, ArcTangentQuotient) {
+TEST(Transcendental, ArcTangentQuotientIsWithinTwoUlps) {
   const auto any = [](Draw& draw) { return draw.decade(-20, 20); };
   const auto seam = [](Draw& draw) { return draw.between(0.03, 0.04); };
   const auto quotient50 = [](const Real& e) { return Real(atan(Real(sqrt(e))) / sqrt(e)); };
@@ -119,7 +120,7 @@ TEST(Transcendental, ArcTangentQuotient) {
   EXPECT_EQ(arcTangentQuotient(0), 1);
 }
 
-TEST(Transcendental, Exponential) {
+TEST(Transcendental, ExponentialIsWithinOneUlp) {
   const auto range = [](Draw& draw) { return draw.between(-700, 700); };
   const auto small = [](Draw& draw) { return draw.sign() * draw.decade(-20, 0); };
   const auto moderate = [](Draw& draw) { return draw.between(-5, 5); };
@@ -133,7 +134,7 @@ TEST(Transcendental, Exponential) {
   EXPECT_EQ(exponential(-800), 0);
 }
 
-TEST(Transcendental, Logarithm) {
+TEST(Transcendental, LogarithmIsWithinOneUlp) {
   const auto any = [](Draw& draw) { return draw.decade(-300, 300); };
   const auto near1 = [](Draw& draw) { return 1 + draw.sign() * draw.decade(-15, -0.5); };
   const auto log50 = [](const Real& x) { return Real(log(x)); };
@@ -142,7 +143,7 @@ TEST(Transcendental, Logarithm) {
   EXPECT_EQ(logarithm(1), 0);
 }
 
-TEST(Transcendental, HyperbolicPair) {
+TEST(Transcendental, HyperbolicPairIsWithinOneUlp) {
   const auto range = [](Draw& draw) { return draw.between(-40, 40); };
   const auto middle = [](Draw& draw) { return draw.between(-2, 2); };
   const auto small = [](Draw& draw) { return draw.sign() * draw.decade(-20, 0.5); };
@@ -162,7 +163,7 @@ TEST(Transcendental, HyperbolicPair) {
   EXPECT_EQ(hyperbolicPair(1e4).sech, 0);
 }
 
-// A step of the integrator that is far too long has such arguments.
+// A step of the integrator that is far too long passes such arguments.
 TEST(Transcendental, NaNGivesNaN) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(std::isnan(arcTangent(nan)));

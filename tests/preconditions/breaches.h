@@ -9,12 +9,12 @@ namespace poinsot {
 
 /// A call that breaks a precondition of an installed header.
 struct Breach {
-  std::string header;            ///< "image/image.h"
+  std::string header;            ///< for example "image/image.h"
   std::string condition;         ///< part of the text after @pre
-  std::function<void()> commit;  ///< has to throw std::logic_error
+  std::function<void()> commit;  ///< breaks the precondition; must throw std::logic_error
 };
 
-std::vector<Breach> breachesOfValues();    ///< of physics, geometry, scene and image
-std::vector<Breach> breachesOfPictures();  ///< of all other layers
+std::vector<Breach> breachesOfValues();    ///< breaches in physics, geometry, scene and image
+std::vector<Breach> breachesOfPictures();  ///< breaches in all other layers
 
 }  // namespace poinsot

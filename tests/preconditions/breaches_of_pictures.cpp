@@ -108,8 +108,8 @@ std::vector<Breach> ofStage() {
        [] {
          Stage(sceneWith()).compose(-1, {96, 54}, screenSizing({96, 54}), {});
        }},
-      {"stage/picture_layout.h", "there are places", [] { PictureLayout({}); }},
-      {"stage/picture_layout.h", "no two over one cell",
+      {"stage/picture_layout.h", "`places` is not empty", [] { PictureLayout({}); }},
+      {"stage/picture_layout.h", "no two places overlap",
        [=] {
          PictureLayout({wide, second});
        }},
@@ -118,17 +118,17 @@ std::vector<Breach> ofStage() {
        [=] {
          plotOf({indexOf("omega_1"), indexOf("T")}, {});
        }},
-      {"stage/plot/plot_figure.h", "one for a phase portrait",
+      {"stage/plot/plot_figure.h", "a phase portrait has one quantity",
        [=] {
          plotOf({indexOf("omega_1"), indexOf("omega_2")}, indexOf("omega_3"));
        }},
       {"stage/plot/plot_figure.h", "quantities are of one unit", [=] { plotOf({}, {}); }},
-      {"stage/type/written_number.h", "a unit of these",
+      {"stage/type/written_number.h", "`asked` is empty or a unit",
        [] { writtenUnit(scene::QuantityUnit::kRadianPerSecond, 1, "kg"); }},
   };
 }
 
-/// A renderer draws what was not made for it.
+/// Calls `make` with a renderer and a picture of 64x48 pixels.
 template <typename Make>
 void render(Make make) {
   const auto context = gl::openContext(gl::Backend::kAuto);
@@ -175,7 +175,7 @@ std::vector<Breach> ofRender() {
   };
 }
 
-/// A segment of film that is written wrongly.
+/// Calls `write` with the picture and a writer of 64x48 pixels whose first frame is 3.
 template <typename Write>
 void film(image::AnyImage picture, Write write) {
   const ScratchFolder folder;

@@ -36,7 +36,7 @@ using physics::PrincipalMoments;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 const PrincipalMoments kMoments(1, 2, 2.5);
 
-/// Asks a motion that was moved from.
+/// Evaluates a motion that was moved from.
 template <typename Motion>
 void askMovedFrom(Motion motion) {
   const Motion taken = std::move(motion);

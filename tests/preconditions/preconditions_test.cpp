@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// docs/library.md promises that a broken @pre of an installed header throws std::logic_error: here each is broken.
+// docs/library.md promises that a broken @pre of an installed header throws std::logic_error. These tests break
+// each precondition.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ std::vector<std::string> namesIn(const std::string& text, const char* pattern) {
   return names;
 }
 
-/// The public headers and all that they include, as InstallHeaders.cmake follows them.
+/// Returns the public headers and all headers that they include, as InstallHeaders.cmake collects them.
 std::set<std::string> installedHeaders() {
   std::vector<std::string> waiting =
       namesIn(textOf(POINSOT_SOURCE_DIR "/cmake/PublicHeaders.cmake"), R"(\b(\w+/\w+\.h)\b)");
@@ -68,14 +69,14 @@ std::vector<Breach> allBreaches() {
   return all;
 }
 
-TEST(Preconditions, ThrowALogicErrorThatSaysWhichWhenBroken) {
+TEST(Preconditions, ThrowALogicErrorWhenBroken) {
   for (const Breach& breach : allBreaches()) {
     SCOPED_TRACE(breach.header + ": " + breach.condition);
     try {
       breach.commit();
       ADD_FAILURE() << "went unnoticed";
     } catch (const std::out_of_range& error) {
-      EXPECT_THAT(error.what(), HasSubstr("__n (which is "));  // of std::vector::at
+      EXPECT_THAT(error.what(), HasSubstr("__n (which is "));  // message of std::vector::at
     } catch (const std::logic_error& error) {
       EXPECT_THAT(error.what(), StartsWith("broken contract: "));
     } catch (const std::exception& error) {
@@ -84,7 +85,7 @@ TEST(Preconditions, ThrowALogicErrorThatSaysWhichWhenBroken) {
   }
 }
 
-TEST(Preconditions, OfEveryInstalledHeaderAreBrokenHere) {
+TEST(Preconditions, AreTestedForEveryInstalledHeader) {
   const std::vector<Breach> breaches = allBreaches();
   std::size_t seen = 0;
   for (const std::string& header : installedHeaders())
@@ -100,7 +101,7 @@ TEST(Preconditions, OfEveryInstalledHeaderAreBrokenHere) {
   EXPECT_GE(seen, 60u);  // 79 when this was written
 }
 
-TEST(Preconditions, NamedHereStandInAHeader) {
+TEST(Preconditions, AllTestedConditionsExistInTheHeaders) {
   for (const Breach& breach : allBreaches()) {
     const std::vector<std::string> conditions = preconditions(breach.header);
     EXPECT_TRUE(std::ranges::any_of(

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page of `poinsot preview` in a real browser: played, stepped, turned; the scene is edited, broken, mended; a film is
-rendered.
+"""Tests the page of `poinsot preview` in a real browser: plays, steps and turns the picture; edits, breaks and repairs the
+scene; renders a film.
 
     page_test.py PROGRAM SCREENSHOT
 """
@@ -40,7 +40,7 @@ class Page:
         return self.driver.find_element(By.ID, name)
 
     def shown(self):
-        """What the picture is of: frame, version, width."""
+        """Returns frame, version and width of the picture on the page."""
         return json.loads(self.driver.execute_script('return document.body.dataset.shown') or '{}')
 
     def choose(self, name, value):
@@ -50,7 +50,7 @@ class Page:
         self.driver.find_element(By.TAG_NAME, 'body').send_keys(*keys)
 
     def picture(self):
-        """A number that stands for its pixels."""
+        """Returns a checksum of the pixels."""
         return self.driver.execute_script('''
             const shown = document.getElementById("picture"), canvas = document.createElement("canvas");
             canvas.width = shown.width; canvas.height = shown.height;
@@ -124,9 +124,9 @@ def check(program, page, scene, screenshot):
     assert page.find('filmState').text == 'ready', page.find('error').text
     film = scene.parent / 'out' / 'a.mp4'
     assert film.stat().st_size > 1000
-    assert page.find('filmWith').text == 'as the file is', page.find('filmWith').text
+    assert page.find('filmWith').text == 'as in the file', page.find('filmWith').text
 
-    # What the page shows is in the film, which is the one that `render` makes with the same words.
+    # The film has the changes of the page, and equals the film that `render` makes with the same options.
     page.choose('theme', 'dark')
     page.choose('frame', 'body')
     ActionChains(page.driver).move_to_element(page.find('picture')).click_and_hold().move_by_offset(40, 10).release().perform()
@@ -152,7 +152,7 @@ def main(program, screenshot):
         scene.write_text(SCENE)
         (pathlib.Path(folder) / 'shared').mkdir()
         (pathlib.Path(folder) / 'shared' / 'own.toml').write_text('[style.colors]\nomega = "#AA2200"\n')
-        # The film, too, must be allowed what the preview is.
+        # The film, too, needs --asset-root of the preview.
         server = subprocess.Popen([program, 'preview', 'a.toml', '-D', *ALWAYS, '--asset-root', 'shared'], cwd=folder, stdout=subprocess.PIPE, text=True)
         driver = browser(1500, 900)
         try:

@@ -25,7 +25,7 @@ inline constexpr const char* kScene =
     "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0.1, 3, 0.1]\n[time]\nduration = 2\n"
     "[output]\nsize = [320, 180]\n";
 
-/// A preview of kScene that runs in this process.
+/// Preview of kScene that runs in this process.
 class Preview : public testing::Test {
  protected:
   explicit Preview(std::vector<std::string> overrides = {}) {
@@ -54,7 +54,8 @@ class Preview : public testing::Test {
     EXPECT_EQ(answer->status, 200) << answer->body;
     return answer->body;
   }
-  /// Of `poinsot still`, or another command, without the texts that a file has.
+  /// Checks that a PNG has the picture of `poinsot still`, or of another command. Texts in the files are not
+  /// compared.
   void expectSamePicture(const std::string& png, const std::string& words,
                          const std::string& command = "still") const {
     folder_.put("preview.png", png);
@@ -63,7 +64,7 @@ class Preview : public testing::Test {
     EXPECT_EQ(made.exitCode, 0) << made.out;
   }
 
-  /// At once, as editors do: nobody sees half a file, however slow the machine.
+  /// Replaces a file at once, as editors do, so that nobody sees half of a file on a slow machine.
   void save(const std::string& name, const std::string& text) const {
     std::filesystem::rename(folder_.put(name + "~", text), folder_ / name);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The preview while others want more of it than there is.
+// The preview when other clients demand more than the server has.
 #include <netinet/in.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -19,12 +19,12 @@
 namespace poinsot::preview {
 namespace {
 
-/// A connection that sends what it is told and reads nothing.
+/// Connection that sends given bytes and reads nothing.
 class Stranger {
  public:
   explicit Stranger(int port, std::string words) : words_(std::move(words)), port_(port) {}
 
-  /// Sends the next bytes; begins anew where the other side has hung up.
+  /// Sends the next bytes; reconnects if the other side has hung up.
   void send(std::size_t count) {
     if (!socket_) connect();
     const std::string_view next = std::string_view(words_).substr(std::min(sent_, words_.size()), count);
@@ -54,8 +54,9 @@ class Stranger {
 
 class PreviewUnderLoad : public Preview {
  protected:
-  /// Returns how long the slowest of four small answers takes; the least of three attempts, as other processes may
-  /// delay one. A connection that must wait for a thread, or be retried, waits for seconds in each attempt.
+  /// Returns how long the slowest of four small answers takes: the least of three attempts, because other
+  /// processes may delay one. A connection that must wait for a thread, or be retried, takes seconds in each
+  /// attempt.
   double slowestAnswer_s() const {
     double least = 1e9;
     for (int attempt = 0; attempt < 3 && least >= 1; ++attempt) {
@@ -75,13 +76,13 @@ class PreviewUnderLoad : public Preview {
   }
 };
 
-// Each kind by more connections than there are threads. That a page answers within a second is the promise.
-TEST_F(PreviewUnderLoad, AnswersWhileStrangersAreSlow) {
+// Each kind has more connections than there are threads. A page promises to answer within a second.
+TEST_F(PreviewUnderLoad, AnswersWhileOtherClientsAreSlow) {
   const std::string head = "GET / HTTP/1.1\r\nHost: localhost\r\nX-Long: ";
   const std::string kinds[] = {
       head + std::string(60000, 'a'),                                        // never ends
-      "",                                                                    // says nothing
-      head + "\r\n\r\n",                                                     // asks once, and stays
+      "",                                                                    // sends nothing
+      head + "\r\n\r\n",                                                     // one request, then stays connected
       "POST / HTTP/1.1\r\nHost: x\r\nContent-Length: 60000\r\n\r\n" + head,  // has a slow body
       "\r\n\r\n\r\n",
       std::string("\0\xff\r\n\r\n", 6)};
@@ -90,7 +91,7 @@ TEST_F(PreviewUnderLoad, AnswersWhileStrangersAreSlow) {
     for (int i = 0; i < 80; ++i) strangers.emplace_back(server_->port(), kind);
   std::atomic<bool> done = false;
   std::thread sending([&] {
-    for (Stranger& one : strangers) one.send(200);  // the head of those that have one
+    for (Stranger& one : strangers) one.send(200);  // the heads of requests
     while (!done) {
       for (Stranger& one : strangers) one.send(1);
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -115,7 +116,7 @@ TEST_F(PreviewUnderLoad, AnswersWhilePagesWaitForAChange) {
   EXPECT_EQ(get("scene?after=0")->status, 200) << "what is there already waits for nothing";
 }
 
-TEST(PendingConnections, ClosesOneThatCannotBeAdmitted) {
+TEST(PendingConnections, ClosesAConnectionIfAcceptingItFails) {
   std::promise<void> admitted;
   int count = 0;
   PendingConnections pending([&](const core::FileHandle&) {
@@ -136,7 +137,7 @@ TEST(PendingConnections, ClosesOneThatCannotBeAdmitted) {
   EXPECT_EQ(admitted.get_future().wait_for(std::chrono::seconds(60)), std::future_status::ready);
 }
 
-TEST(PreviewWithoutFiles, ReportsThatConnectionsCannotBeWatched) {
+TEST(PreviewServerTest, ReportsThatNoMoreFilesCanBeOpened) {
   const ScratchFolder folder;
   folder.put("a.toml", kScene);
   PreviewServer server(PreviewRequest{.fileName = (folder / "a.toml").string(), .overrides = {}, .allowance = {}});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The preview over HTTP: what is answered, what is refused, what is survived. Expected pictures are those that the
-// program makes of the same frames.
+// The preview over HTTP: its answers, refusals and robustness. Expected pictures are those that the program makes
+// of the same frames.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -21,7 +21,7 @@
 namespace poinsot::preview {
 namespace {
 
-/// Every byte as %XX, which RFC 3986 allows.
+/// Encodes every byte as %XX, which RFC 3986 allows.
 std::string percentEncoded(const std::string& text) {
   std::string encoded;
   for (const unsigned char byte : text) encoded += fmt::format("%{:02X}", byte);
@@ -30,13 +30,13 @@ std::string percentEncoded(const std::string& text) {
 
 using testing::HasSubstr;
 
-TEST_F(Preview, ShowsWhatTheProgramDraws) {
+TEST_F(Preview, ShowsTheSamePicturesAsTheStillCommand) {
   expectSamePicture(picture(30), "--time 1");
   expectSamePicture(picture(30, "&D=style.theme%3D%22dark%22"), "--time 1 -D style.theme=dark");
   expectSamePicture(picture(100000), "--time 1.9666666666666666");  // the last of 60
 }
 
-TEST_F(Preview, TellsTheFilmAndThePhysics) {
+TEST_F(Preview, DescribesTheFilmAndThePhysics) {
   const json told = scene(-1);
   EXPECT_EQ(told["error"], "");
   EXPECT_EQ(told["film"]["frames"], 60);
@@ -50,7 +50,7 @@ TEST_F(Preview, TellsTheFilmAndThePhysics) {
   EXPECT_NEAR(series["series"][1]["values"].back().get<double>(), (0.01 + 2 * 9 + 3 * 0.01) / 2, 1e-12);
 }
 
-TEST_F(Preview, TellsWhatMayBeASlip) {
+TEST_F(Preview, ReportsNotesAboutProbableMistakes) {
   save("a.toml", kScene + std::string("[camera]\nazimuth = 2\n"));
   const json film = scene(1)["film"];
   ASSERT_EQ(film["notes"].size(), 1u);
@@ -76,7 +76,7 @@ TEST_F(Preview, ShowsOneViewOfSeveral) {
   EXPECT_EQ(refused->status, 422);
   EXPECT_THAT(refused->body, HasSubstr("--view 3: the scene has 2 views; give 1 to 2"));
   expectSamePicture(alone, "--time 1 --view 2");
-  save("a.toml", kScene + other);  // as if there were no others
+  save("a.toml", kScene + other);  // the view alone
   expectSamePicture(alone, "--time 1");
   expectSamePicture(turned,
                     "--time 1 -D 'view[0].camera.azimuth=\"-20 deg\"' -D 'view[0].camera.elevation=\"30 deg\"' "
@@ -101,7 +101,7 @@ TEST_F(PreviewOfASweep, ShowsAllCellsAndTurnsThemTogether) {
   EXPECT_DOUBLE_EQ(json::parse(get("series?name=omega_1")->body)["series"][0]["values"][0], 0.1);
 }
 
-TEST_F(PreviewOfASweep, TellsWhatIsWrongWithACell) {
+TEST_F(PreviewOfASweep, ReportsMistakesInACell) {
   const int first = scene(-1)["version"];
   std::string looped = kScene;
   looped.replace(looped.find("duration"), 0, "loop = true\n");
@@ -111,13 +111,13 @@ TEST_F(PreviewOfASweep, TellsWhatIsWrongWithACell) {
   EXPECT_EQ(broken["film"]["frames"], 60) << "of the last good one";
 }
 
-TEST_F(Preview, FollowsTheFile) {
+TEST_F(Preview, ReloadsAChangedSceneFile) {
   const int first = scene(-1)["version"];
   std::thread editor([this] {
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     save("a.toml", std::string(kScene) + "[style]\nthem = \"dark\"\n");
   });
-  const json broken = scene(first);  // waits for it
+  const json broken = scene(first);  // waits for the edit
   editor.join();
   EXPECT_THAT(broken["error"],
               HasSubstr("a.toml:10:1: error: style.them: unknown key; did you mean style.theme?"));
@@ -127,8 +127,8 @@ TEST_F(Preview, FollowsTheFile) {
   expectSamePicture(picture(30), "--time 1");
 }
 
-// What is saved while the preview is still starting is as new as what is saved later.
-TEST_F(Preview, FollowsTheFileFromTheStart) {
+// A file that is saved while the preview is still starting counts as new, like a file saved later.
+TEST_F(Preview, ReloadsASceneFileSavedDuringTheStart) {
   for (int i = 0; i < 20; ++i) {
     save("b.toml", kScene);
     const WatchedScene scene((folder_ / "b.toml").string(), {}, {});
@@ -137,12 +137,12 @@ TEST_F(Preview, FollowsTheFileFromTheStart) {
   }
 }
 
-TEST_F(Preview, FollowsTheFilesThatTheSceneNames) {
+TEST_F(Preview, ReloadsChangedFilesThatTheSceneNames) {
   const std::string style = "[style]\nfile = \"own.toml\"\n";
   save("a.toml", kScene + style);
   json told = scene(1);
   EXPECT_THAT(told["error"], HasSubstr("own.toml"));
-  save("own.toml", "[style]\ntheme = \"dark\"\n");  // comes, is seen without the scene being touched
+  save("own.toml", "[style]\ntheme = \"dark\"\n");  // appears; the scene's file stays untouched
   told = scene(told["version"]);
   EXPECT_EQ(told["error"], "");
   const std::string dark = picture(0);
@@ -151,7 +151,7 @@ TEST_F(Preview, FollowsTheFilesThatTheSceneNames) {
   EXPECT_TRUE(picture(0) != dark);
 }
 
-TEST_F(Preview, AnswersOnlyWhoKnowsTheAddress) {
+TEST_F(Preview, AnswersOnlyAtItsSecretAddress) {
   for (const std::string& path :
        {std::string("/"), std::string("/scene"), "/" + std::string(32, '0') + "/", root_.substr(0, 8) + "/",
         root_ + "../" + root_, std::string("/../../etc/passwd")})
@@ -161,7 +161,7 @@ TEST_F(Preview, AnswersOnlyWhoKnowsTheAddress) {
     EXPECT_EQ(get(path)->status, 404) << path;
 }
 
-TEST_F(Preview, AnswersNoOtherHost) {
+TEST_F(Preview, RejectsNamesOfOtherHosts) {
   const auto as = [&](const std::string& host) { return client().Get(root_ + "film", {{"Host", host}})->status; };
   for (const char* host : {"localhost", "127.0.0.1:1", "localhost:9999", "[::1]:80"})
     EXPECT_EQ(as(host), 200) << host;
@@ -170,7 +170,7 @@ TEST_F(Preview, AnswersNoOtherHost) {
     EXPECT_EQ(as(host), 403) << host;
 }
 
-TEST_F(Preview, RefusesWhatItCannotDraw) {
+TEST_F(Preview, RejectsRequestsThatItCannotDraw) {
   for (const char* what : {"picture", "picture?frame=x&width=9&height=9",
                            "picture?frame=1&width=100000&height=100000", "picture?frame=1&width=320"})
     EXPECT_EQ(get(what)->status, 400) << what;
@@ -181,7 +181,7 @@ TEST_F(Preview, RefusesWhatItCannotDraw) {
   EXPECT_EQ(get("picture?frame=-5&width=320&height=180")->status, 200) << "the first";
 }
 
-TEST_F(Preview, SurvivesManyAtOnceAndThoseWhoLeave) {
+TEST_F(Preview, SurvivesManyRequestsAndClientsThatLeave) {
   const std::string expected = picture(7);
   std::vector<std::thread> all;
   std::atomic<int> good = 0;
@@ -200,8 +200,8 @@ TEST_F(Preview, SurvivesManyAtOnceAndThoseWhoLeave) {
   EXPECT_EQ(picture(7), expected);
 }
 
-// As `cp --preserve` and some editors over a network leave a file: written in place, with its old time.
-TEST_F(Preview, SeesASaveThatKeepsSizeAndTime) {
+// `cp --preserve` and some editors over a network write a file in place, and keep its old time.
+TEST_F(Preview, DetectsAChangeThatKeepsSizeAndTime) {
   const int first = scene(-1)["version"];
   const auto file = folder_ / "a.toml";
   std::string text = kScene;
@@ -214,9 +214,9 @@ TEST_F(Preview, SeesASaveThatKeepsSizeAndTime) {
   EXPECT_DOUBLE_EQ(json::parse(get("series?name=omega_2")->body)["series"][0]["values"][0], 5);
 }
 
-// As the command: how it is reached by ssh, as who came by it sees this machine; and what is wrong, which is no
-// reason not to begin.
-TEST(PreviewCommand, TellsHowItIsReachedAndWhatIsWrong) {
+// Runs the command. It prints how to reach it by ssh, with this machine's address as the client sees it. It also
+// prints mistakes in the scene, and starts all the same.
+TEST(PreviewCommand, PrintsSshAddressAndMistakes) {
   const ScratchFolder folder;
   folder.put("a.toml", kScene);
   const auto said = [&](const std::vector<std::string>& environment) {
@@ -233,10 +233,11 @@ TEST(PreviewCommand, TellsHowItIsReachedAndWhatIsWrong) {
   folder.put("a.toml", std::string("[boddy]\n") + kScene);
   const std::string wrong = said({});
   EXPECT_THAT(wrong, HasSubstr("a.toml:1:2: error: boddy: unknown "));
-  EXPECT_THAT(wrong, HasSubstr("poinsot: the page tells this too, and shows the scene when it is mended\n"));
+  EXPECT_THAT(wrong,
+              HasSubstr("poinsot: the page shows these errors too, and the scene as soon as they are fixed\n"));
 }
 
-/// Runs `poinsot preview` as a process, since only the program can render films.
+/// Runs `poinsot preview` as a process, because only the program can render films.
 class PreviewProcess {
  public:
   PreviewProcess(const std::filesystem::path& folder, const std::string& words) {
@@ -255,7 +256,8 @@ class PreviewProcess {
   }
   PreviewProcess(const PreviewProcess&) = delete;
 
-  /// Renders the film of the page and returns the last state. @param words  for -D
+  /// Renders the film of the page and returns its last state.
+  /// @param words  overrides for -D
   json film(const std::vector<std::string>& words, const std::string& view = "") {
     std::string asked = view.empty() ? "" : "view=" + view;
     for (const std::string& word : words) asked += "&D=" + percentEncoded(word);
@@ -301,8 +303,9 @@ class PreviewedFilm : public testing::Test {
   ScratchFolder folder_;
 };
 
-// Every control of the page that changes a picture. The expected film is that of `render` with the same words.
-TEST_F(PreviewedFilm, IsOfWhatThePageShows) {
+// Tries every control of the page that changes a picture. Expected: the film that `render` makes with the same
+// words.
+TEST_F(PreviewedFilm, ShowsTheSameAsThePreviewPage) {
   folder_.put("a.toml", scene_);
   PreviewProcess preview(folder_.path(), "a.toml -D style.text_size=1.1");
   const std::string render = "render a.toml -D style.text_size=1.1", film = "out/a.mp4";
@@ -311,19 +314,19 @@ TEST_F(PreviewedFilm, IsOfWhatThePageShows) {
   expectFilm(preview, {body, dark, "camera.azimuth=\"40 deg\"", size}, "",
              {body, dark, "camera.azimuth=\"40 deg\"", size}, render, film);
   const std::string turned = "view[1].camera.azimuth=\"40 deg\"";
-  expectFilm(preview, {turned}, "1", {turned, "view 2 alone"}, render, film);
+  expectFilm(preview, {turned}, "1", {turned, "only view 2"}, render, film);
   EXPECT_EQ(runShell(folder_.path(), "cat a.toml").out, scene_) << "the file is not written";
   EXPECT_EQ(preview.film({"--force"})["stage"], "failed") << "no option of the program";
 }
 
-TEST_F(PreviewedFilm, OfASweepHasTheChangesToo) {
+TEST_F(PreviewedFilm, AppliesChangesOfThePageToASweep) {
   folder_.put("a.toml", scene_);
   const std::string range = "a.toml -D 'motion.omega_body=[0.1..0.2:2, 3, 0]'", dark = "style.theme=\"dark\"";
   PreviewProcess preview(folder_.path(), range);
   expectFilm(preview, {dark}, "", {dark}, "sweep " + range, "out/a_sweep.mp4");
 }
 
-TEST_F(Preview, TwoCannotHaveOnePort) {
+TEST_F(Preview, RejectsAPortInUse) {
   const PreviewRequest request{.fileName = (folder_ / "a.toml").string(),
                                .overrides = {},
                                .allowance = {},
@@ -332,8 +335,8 @@ TEST_F(Preview, TwoCannotHaveOnePort) {
   EXPECT_THROW(PreviewServer second(request), core::Error);
 }
 
-// A signal may come while the server is about to begin.
-TEST(PreviewServerTest, EndsWhenItWasStoppedBeforeItRan) {
+// A signal may come while the server is about to start.
+TEST(PreviewServerTest, ExitsIfStoppedBeforeItStarts) {
   const ScratchFolder folder;
   folder.put("a.toml", kScene);
   for (int i = 0; i < 20; ++i) {

@@ -9,9 +9,10 @@
 namespace poinsot::process {
 namespace {
 
-constexpr int kUnwound = 7;  // exit status of a child that lived to unwind
+constexpr int kUnwound = 7;  // exit status of a child that survives the second signal
 
-/// Exit status of a child that raises the signals with a pause between them, then asks what was noted.
+/// Returns the exit status of a child that raises two signals with a pause between them: kUnwound if it survives
+/// and has noted the first one.
 int statusAfter(int first, int pause_us, int second) {
   const pid_t child = fork();
   if (child == 0) {
@@ -26,12 +27,12 @@ int statusAfter(int first, int pause_us, int second) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
 }
 
-TEST(Interrupt, TheSameWishTwiceIsNoImpatience) {
+TEST(Interrupt, IgnoresASecondSignalThatFollowsAtOnce) {
   EXPECT_EQ(statusAfter(SIGINT, 0, SIGINT), kUnwound);  // as `timeout -s INT` sends it
   EXPECT_EQ(statusAfter(SIGTERM, 0, SIGINT), kUnwound);
 }
 
-TEST(Interrupt, ASecondCtrlCEndsAtOnce) {
+TEST(Interrupt, ExitsAtOnceOnASecondCtrlCAfterAPause) {
   EXPECT_EQ(statusAfter(SIGINT, 600'000, SIGINT), 128 + SIGINT);
   EXPECT_EQ(statusAfter(SIGINT, 600'000, SIGTERM), kUnwound);
 }

@@ -11,7 +11,7 @@
 namespace poinsot::process {
 namespace {
 
-TEST(LineChannel, CutsLinesWhereverTheBytesBreak) {
+TEST(LineChannel, JoinsLinesAcrossPartialReads) {
   Pipe pipe;
   LineReader reader(pipe.read.get());
   ASSERT_EQ(writeText(pipe.write.get(), "one\ntwo\nth"), 0);
@@ -26,7 +26,7 @@ TEST(LineChannel, CutsLinesWhereverTheBytesBreak) {
   EXPECT_EQ(reader.wait(), std::nullopt);
 }
 
-TEST(LineChannel, WritingToNobodyIsToldNotDeadly) {
+TEST(LineChannel, ReportsAClosedReaderInsteadOfExiting) {
   std::signal(SIGPIPE, SIG_IGN);
   Pipe pipe;
   EXPECT_TRUE(writeLine(pipe.write.get(), "heard"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exact motion, written down in axes of other people's.
+// Grading of logs that hold the exact motion in axes other than poinsot's.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// The vector w of a skew matrix [w ×].
+/// Returns the vector w of a skew matrix [w ×].
 Vector3d vectorOf(const Matrix3d& skew) { return {skew(2, 1), skew(0, 2), skew(1, 0)}; }
 
 Matrix3d skewOf(const Vector3d& w) {
@@ -30,9 +30,9 @@ Matrix3d skewOf(const Vector3d& w) {
   return m;
 }
 
-/// Writes the motion with body axes and space axes that have the components body v, space v, of either hand. All
-/// of it by matrices, without the rule for axial vectors: attitude R' = space R body^-1; R'^-1 dR'/dt = [omega' ×]
-/// = body [omega ×] body^-1.
+/// Writes the motion in axes of either hand, along which a vector v has the components body v or space v. Matrices
+/// alone give the row, without the rule for axial vectors: attitude R' = space R body^-1;
+/// R'^-1 dR'/dt = [omega' ×] = body [omega ×] body^-1.
 LogWriter inAxes(const Matrix3d& body, const Matrix3d& space) {
   return [=](const RigidBodyState& s) {
     const Matrix3d R = space * s.q_WB.toRotationMatrix() * body.transpose();
@@ -46,7 +46,7 @@ Matrix3d rows(const Vector3d& x, const Vector3d& y, const Vector3d& z) {
   return m;
 }
 
-TEST(GradeAxes, NamesUsualAxesOfBothFrames) {
+TEST(GradeAxes, NamesCommonAxisConventions) {
   const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
   const auto expect = [](const Matrix3d& axes, const std::string& condition, const std::string& name) {
     for (const Holds holds : {Holds::kAttitude, Holds::kBoth}) {
@@ -66,7 +66,7 @@ TEST(GradeAxes, NamesUsualAxesOfBothFrames) {
          "axes with y up; the scene's x, y, z are the log's x, -z, y");
 }
 
-TEST(GradeAxes, FindsAllExchangesOfAxesOfEitherHand) {
+TEST(GradeAxes, FindsAllPermutationsAndSignsOfAxes) {
   std::array<int, 3> order{0, 1, 2};
   int found = 0;
   do {
@@ -74,7 +74,7 @@ TEST(GradeAxes, FindsAllExchangesOfAxesOfEitherHand) {
       Matrix3d axes = Matrix3d::Zero();
       for (int i = 0; i < 3; ++i) axes(i, order[static_cast<std::size_t>(i)]) = (signs >> i & 1) != 0 ? -1 : 1;
       if (axes.isIdentity() || (-axes).isIdentity())
-        continue;  // q and omega are the same through the origin's mirror
+        continue;  // a reflection through the origin leaves q and omega alone
       const Grade grade = gradeOfLog(logOf(inAxes(axes, axes)));
       EXPECT_LE(largestLeft(grade), 9e-15) << axes;  // measured 9.5e-16
       EXPECT_THAT(grade.notes, ElementsAre(StartsWith("fits if both frames are turned by "))) << axes;
@@ -87,10 +87,10 @@ TEST(GradeAxes, FindsAllExchangesOfAxesOfEitherHand) {
 const Matrix3d kOblique = Eigen::AngleAxisd(0.7, Vector3d(2, -1, 2) / 3).toRotationMatrix();
 const Matrix3d kQuarter = Eigen::AngleAxisd(EIGEN_PI / 2, Vector3d::UnitY()).toRotationMatrix();
 
-TEST(GradeAxes, FitsAnyTurnOfAxes) {
+TEST(GradeAxes, FitsObliqueTurnsOfBodyAndSpaceAxes) {
   const Matrix3d one = Matrix3d::Identity();
-  // The log's components are those along axes turned by the inverse; 0.7 rad = 40.11 deg. q is multiplied from the
-  // right for the body's axes, from the left for those of space.
+  // The log's axes are turned by the inverse; 0.7 rad = 40.11 deg. Turned body axes multiply q from the right,
+  // turned space axes from the left.
   expectCause(logOf(inAxes(kOblique, kOblique)),
               "both frames are turned by 40.11 deg about (-0.667, 0.333, -0.667)");
   expectCause(logOf(inAxes(kOblique, one)),
@@ -121,7 +121,7 @@ TEST(GradeAxes, DistinguishesAxesOfQFromAxesOfOmega) {
               "the body's axes of q, not of omega, are turned by 90 deg about (0, -1, 0)");
 }
 
-TEST(GradeAxes, NamesOtherAxesBesideOtherCauses) {
+TEST(GradeAxes, NamesAxesTogetherWithOtherCauses) {
   const Matrix3d down = rows(Vector3d::UnitX(), -Vector3d::UnitY(), -Vector3d::UnitZ());
   const Grade late = gradeOfLog(logOf([&](const auto& s) {
     LogRow row = inAxes(down, down)(s);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exact motion, written down in other people's conventions; and engines that are wrong, in nobody's
-// convention.
+// Grading of logs that hold the exact motion in another convention, and of wrong engines, which fit none.
 #include "reference/grade_convention.h"
 
 #include <gmock/gmock.h>
@@ -30,12 +29,12 @@ LogRow asItIs(const RigidBodyState& s) { return {s.t_s, s.q_WB, s.omega_B}; }
 
 Quaterniond conjugated(const Quaterniond& q) { return q.conjugate(); }
 
-TEST(GradeConvention, SaysNothingOfALogThatFits) {
+TEST(GradeConvention, AddsNoNoteToALogThatFits) {
   EXPECT_THAT(gradeOfLog(logOf(asItIs)).notes, IsEmpty());
   EXPECT_FALSE(gradeOfLog(logOf(asItIs)).fit);
 }
 
-TEST(GradeConvention, NamesOrderAndSenseOfQuaternions) {
+TEST(GradeConvention, NamesOrderAndConjugationOfQuaternions) {
   for (const Holds holds : {Holds::kAttitude, Holds::kBoth}) {
     const auto cause = [&](Quaterniond (*change)(const Quaterniond&), const std::string& condition) {
       expectCause(logOf(
@@ -77,7 +76,7 @@ LogWriter later(double by_s) {
   return [by_s](const RigidBodyState& s) { return LogRow{s.t_s - by_s, s.q_WB, s.omega_B}; };
 }
 
-TEST(GradeConvention, NamesAClockWithAnotherZero) {
+TEST(GradeConvention, NamesAShiftOfTime) {
   for (const Holds holds : {Holds::kAttitude, Holds::kOmega, Holds::kBoth}) {
     expectCause(logOf(later(0.5), holds), "t is 0.5 s later");
     expectCause(logOf(later(0.01), holds), "t is 0.01 s later");
@@ -87,7 +86,7 @@ TEST(GradeConvention, NamesAClockWithAnotherZero) {
   EXPECT_THAT(epoch.notes,
               ElementsAre(StartsWith("fits if t is 1700000000 s earlier (a clock's time: t - 1700000000; "
                                      "the first row is the motion at 0 s): attitude ")));
-  EXPECT_LE(largestLeft(epoch), 1.4e-7);  // half the spacing of doubles at 1.7e9, times |omega|: measured 1.1e-7
+  EXPECT_LE(largestLeft(epoch), 1.4e-7);  // half the spacing of doubles at 1.7e9, times |omega|; measured 1.1e-7
 }
 
 TEST(GradeConvention, NamesUnitsOfTime) {
@@ -105,9 +104,10 @@ TEST(GradeConvention, NamesUnitsOfTime) {
   }
 }
 
-TEST(GradeConvention, FindsAShiftInLogsOfFewDigits) {
+TEST(GradeConvention, FindsATimeShiftInLogsOfFewDigits) {
   const Grade grade = gradeOfLog(logOf(*loggedMotion(), later(0.5), Holds::kBoth, 5));
-  EXPECT_THAT(grade.notes, ElementsAre(HasSubstr("fits if t is 0.5 s later"), HasSubstr("off unit length")));
+  EXPECT_THAT(grade.notes, ElementsAre(HasSubstr("fits if t is 0.5 s later"),
+                                       HasSubstr("lengths of quaternions differ from 1")));
 }
 
 TEST(GradeConvention, NamesTwoCausesTogether) {
@@ -139,7 +139,6 @@ TEST(GradeConvention, NamesTwoCausesTogether) {
               ElementsAre(AllOf(HasSubstr("q is conjugated"), HasSubstr("omega is in deg/s"))));
 }
 
-/// A heavy top that leans.
 std::unique_ptr<const physics::Motion> top(const physics::TimeSpan& span) {
   physics::Forcing forcing;
   forcing.gravity_B = {0, 0, 5};
@@ -152,39 +151,39 @@ Grade gradeOf(const std::string& csv, const MotionMaker& maker) {
   return grade(*maker(spanOf(table)), table, maker);
 }
 
-TEST(GradeConvention, FindsTheShiftOfADrivenMotion) {
+TEST(GradeConvention, FindsTheTimeShiftOfADrivenMotion) {
   const auto motion = top({0, 31});
   const TrajectoryTable table = parseTrajectoryTable(logOf(*motion, later(0.7)), "theirs.csv");
   const Grade shifted = grade(*top(spanOf(table)), table, top);
   EXPECT_THAT(shifted.notes, ElementsAre(HasSubstr("t is 0.7 s later")));
-  EXPECT_LE(largestLeft(shifted), 1e-11);                           // two integrations to 1e-12: measured 3.2e-14
-  EXPECT_THAT(grade(*top(spanOf(table)), table).notes, IsEmpty());  // nothing makes it known elsewhere
+  EXPECT_LE(largestLeft(shifted), 1e-11);                           // two integrations to 1e-12; measured 3.2e-14
+  EXPECT_THAT(grade(*top(spanOf(table)), table).notes, IsEmpty());  // without a maker no other time span is known
 }
 
-TEST(GradeConvention, GradesAClockTooFarForADrivenMotionFromItsFirstRow) {
+TEST(GradeConvention, FitsAHugeTimeShiftFromTheFirstRow) {
   const auto motion = top({0, 31});
   const TrajectoryTable table = parseTrajectoryTable(logOf(*motion, later(-1.7e9)), "theirs.csv");
   EXPECT_THAT(fitNote(gradeFromZero(top, table)), StartsWith("fits if t is 1700000000 s earlier"));
   EXPECT_EQ(firstRowNote(gradeFromZero(top, table)), fitNote(gradeFromZero(top, table)));
 }
 
-TEST(GradeConvention, ClaimsNoFitOfAWrongLogGradedFromItsFirstRow) {
+TEST(GradeConvention, FindsNoFitForAWrongLogWithAHugeTimeShift) {
   const auto motion = top({0, 31});
   const LogWriter wrong = [](const auto& s) { return LogRow{s.t_s + 1.7e9, {0, 1, 0, 0}, -s.omega_B}; };
   const TrajectoryTable table = parseTrajectoryTable(logOf(*motion, wrong), "theirs.csv");
   EXPECT_THAT(firstRowNote(gradeFromZero(top, table)), StartsWith("graded from its first row: attitude "));
 }
 
-TEST(GradeConvention, LeavesOutRowsWithoutNumbersAtTimesWithoutAMotion) {
+TEST(GradeConvention, IgnoresInvalidRowsBeforeTheMotionStarts) {
   const MotionMaker forwards = [](const physics::TimeSpan& span) {
     if (span.from_s < 0) throw core::Error(core::ErrorKind::kLimit, "no past");
     return top(span);
   };
   std::string csv = logOf(*top({0, 31}), later(-100));
-  csv.insert(csv.find('\n'), "\n99,nan,nan,nan,nan,nan,nan,nan");  // a second before motion time 0
+  csv.insert(csv.find('\n'), "\n99,nan,nan,nan,nan,nan,nan,nan");  // one second before motion time 0
   const Grade late = gradeOf(csv, forwards);
   EXPECT_THAT(late.notes, ElementsAre(StartsWith("fits if t is 100 s earlier"), StartsWith("1 of 101 rows")));
-  EXPECT_LE(largestLeft(late), 1.6e-12);  // two integrations to 1e-12: measured 1.6e-13
+  EXPECT_LE(largestLeft(late), 1.6e-12);  // two integrations to 1e-12; measured 1.6e-13
 }
 
 TEST(GradeConvention, BlamesNoConventionForAWrongMotion) {
@@ -213,8 +212,8 @@ TEST(GradeConvention, BlamesNoConventionForNoise) {
   EXPECT_THAT(gradeOfLog(logOf(faint)).notes, IsEmpty());
 }
 
-/// A body that loses energy; the log of an engine whose omega is the rate at which its attitude turns.
-TEST(GradeConvention, GradesAConsistentEngineWithDissipationWell) {
+/// The body loses energy. The engine logs as omega the rate at which its attitude turns.
+TEST(GradeConvention, AcceptsTheTurningRateAsOmegaWithDissipation) {
   physics::Forcing forcing;
   forcing.dissipation = 0.03;
   const physics::DrivenMotion motion(physics::PrincipalMoments(kLoggedMoments), kLoggedStart.omega_B,
@@ -238,18 +237,18 @@ TEST(GradeConvention, GradesAConsistentEngineWithDissipationWell) {
   EXPECT_THAT(byName.notes, IsEmpty());
 }
 
-TEST(GradeText, NotesEndInOneStop) {
+TEST(GradeText, EndsEachNoteWithOnePunctuationMark) {
   Grade grade = gradeOfLog(logOf(asItIs));
   grade.notes = {"is it so?", "it is so"};
   EXPECT_THAT(gradeTable(grade), HasSubstr("Note: is it so?\nNote: it is so.\n"));
 }
 
-TEST(GradeText, JsonHasTheCausesAndTheGradeAfterThem) {
+TEST(GradeText, JsonContainsTheCausesAndTheFittedGrade) {
   const auto json = nlohmann::json::parse(gradeJson(gradeOfLog(logOf(later(0.5))), "theirs.csv", "s"));
   EXPECT_EQ(json.at("fits").at("causes")[0].at("if"), "t is 0.5 s later");
   const auto& fitted = json.at("fits").at("quantities");
   EXPECT_LE(fitted.at("attitude").at("largest").get<double>(), 2e-15);               // measured 2.3e-16
-  EXPECT_GT(json.at("quantities").at("attitude").at("largest").get<double>(), 0.1);  // as the columns are
+  EXPECT_GT(json.at("quantities").at("attitude").at("largest").get<double>(), 0.1);  // error before the fit
   EXPECT_TRUE(nlohmann::json::parse(gradeJson(gradeOfLog(logOf(asItIs)), "a", "s")).at("fits").is_null());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors made up with a known start and a known growth.
+// findDrift() on made-up errors whose start and growth are known.
 #include "reference/grade_drift.h"
 
 #include <gtest/gtest.h>
@@ -30,30 +30,30 @@ Drift driftOf(int rows, double step_s, const std::function<double(double)>& erro
   return findDrift(s.t_s, s.errors);
 }
 
-/// Noise of an engine that prints `size` as its last digit: between 0 and size, from a fixed seed.
+/// Returns noise between 0 and `size`, as of an engine that rounds its output, from a fixed seed.
 std::function<double()> noise(double size) {
   return [size, bits = std::mt19937(7)]() mutable { return size * static_cast<double>(bits()) * 0x1p-32; };
 }
 
-TEST(Drift, ACopyHasRoundingOnly) {
+TEST(Drift, IsOnlyRoundingForACopy) {
   const auto rounding = noise(1e-15);
   EXPECT_EQ(driftOf(1000, 0.01, [&](double) { return rounding(); }).kind, DriftKind::kRounding);
   EXPECT_EQ(driftOf(2, 1, [](double) { return 0; }).kind, DriftKind::kRounding);
 }
 
-TEST(Drift, PrintedDigitsAreALevel) {
+TEST(Drift, IsAConstantErrorLevelForRoundedOutput) {
   const auto printed = noise(1e-6);
   EXPECT_EQ(driftOf(1000, 0.01, [&](double) { return printed(); }).kind, DriftKind::kLevel);
 }
 
-TEST(Drift, ABoundedOscillationIsALevel) {
+TEST(Drift, IsAConstantErrorLevelForABoundedOscillation) {
   EXPECT_EQ(driftOf(1000, 0.1, [](double t) { return 1e-4 * std::abs(std::sin(1.7 * t)); }).kind,
             DriftKind::kLevel);
 }
 
 class DriftOfOrder : public testing::TestWithParam<int> {};
 
-TEST_P(DriftOfOrder, FromTheStart) {
+TEST_P(DriftOfOrder, IsFoundFromTheStart) {
   const Drift drift = driftOf(1001, 0.01, [](double t) { return 1e-4 * std::pow(t, GetParam()); });
   EXPECT_EQ(drift.kind, DriftKind::kDrift);
   EXPECT_EQ(drift.from_s, 0);
@@ -61,7 +61,7 @@ TEST_P(DriftOfOrder, FromTheStart) {
   EXPECT_NEAR(drift.order, GetParam(), 1e-6);
 }
 
-TEST_P(DriftOfOrder, FromAKnownTimeToTheRow) {
+TEST_P(DriftOfOrder, StartTimeIsFoundToWithinOneRow) {
   for (const double start_s : {1.0, 5.0, 9.0}) {
     const auto error = [&](double t) { return t > start_s ? 1e-4 * std::pow(t - start_s, GetParam()) : 1e-16; };
     const Drift drift = driftOf(1001, 0.01, error);
@@ -72,17 +72,17 @@ TEST_P(DriftOfOrder, FromAKnownTimeToTheRow) {
   }
 }
 
-TEST_P(DriftOfOrder, OutOfPrintedDigits) {
+TEST_P(DriftOfOrder, IsFoundAboveRoundedOutput) {
   const auto printed = noise(1e-6);
   const auto error = [&](double t) { return printed() + (t > 5 ? 1e-3 * std::pow(t - 5, GetParam()) : 0); };
   const Drift drift = driftOf(1001, 0.01, error);
   EXPECT_EQ(drift.kind, DriftKind::kDrift);
-  // It is seen when it passes twice the noise: 1e-3 (t - 5)^p = 1e-6 to 2e-6.
+  // The drift shows when it exceeds the noise, at 1e-3 (t - 5)^p = 1e-6 to 2e-6.
   EXPECT_GE(drift.from_s, 4.99);
   EXPECT_LE(drift.from_s, 5 + std::pow(2e-3, 1.0 / GetParam()) + 0.02);
 }
 
-TEST_P(DriftOfOrder, BackwardsInTime) {
+TEST_P(DriftOfOrder, IsFoundBackwardsInTime) {
   const Drift drift =
       driftOf(1001, -0.01, [](double t) { return t > 5 ? 1e-4 * std::pow(t - 5, GetParam()) : 0; });
   EXPECT_NEAR(drift.from_s, -5, 0.0101);
@@ -91,7 +91,7 @@ TEST_P(DriftOfOrder, BackwardsInTime) {
 
 INSTANTIATE_TEST_SUITE_P(Grade, DriftOfOrder, testing::Values(1, 2, 3));
 
-TEST(Drift, AStepIsWrongFromThereOn) {
+TEST(Drift, StartsAtASuddenStep) {
   const Drift drift = driftOf(1001, 0.01, [](double t) { return t > 5 ? 1e-3 : 1e-16; });
   EXPECT_EQ(drift.kind, DriftKind::kDrift);
   EXPECT_EQ(drift.from_s, 5);
@@ -99,20 +99,20 @@ TEST(Drift, AStepIsWrongFromThereOn) {
   EXPECT_NEAR(drift.order, 0, 1e-9);
 }
 
-TEST(Drift, ExponentialGrowthHasItsRate) {
+TEST(Drift, HasTheRateOfExponentialGrowth) {
   const Drift drift = driftOf(1001, 0.02, [](double t) { return 1e-9 * std::exp(0.7 * t); });
   EXPECT_EQ(drift.kind, DriftKind::kDrift);
   EXPECT_EQ(drift.growth, Growth::kExponential);
   EXPECT_NEAR(drift.rate, 0.7, 1e-6);
 }
 
-TEST(Drift, AnglesThatLevelOffStillGrewBefore) {
+TEST(Drift, HasTheGrowthBeforeErrorsLevelOff) {
   const Drift drift = driftOf(1001, 0.1, [](double t) { return std::min(3.0, t > 20 ? 0.05 * (t - 20) : 1e-16); });
   EXPECT_NEAR(drift.from_s, 20, 0.11);
   EXPECT_NEAR(drift.order, 1, 0.1);
 }
 
-TEST(Drift, LostAtOnce) {
+TEST(Drift, StartsBeforeASuddenLargeError) {
   const auto error = [](double t) { return t > 5 ? INFINITY : 1e-6; };
   EXPECT_EQ(driftOf(1001, 0.01, error).from_s, 5);
   const Drift soon = driftOf(10, 1, [](double t) { return t > 2 ? 1.0 : 0.0; });
@@ -120,11 +120,11 @@ TEST(Drift, LostAtOnce) {
   EXPECT_EQ(soon.from_s, 2);
 }
 
-TEST(Drift, FewRowsAreTooFew) {
+TEST(Drift, IsUnknownForTooFewRows) {
   EXPECT_EQ(driftOf(10, 1, [](double t) { return 1e-3 * t; }).kind, DriftKind::kTooFewRows);
 }
 
-TEST(Drift, NeedsATimePerError) {
+TEST(Drift, RejectsMoreTimesThanErrors) {
   const std::vector<double> t_s{0, 1}, errors{0};
   EXPECT_THROW(findDrift(t_s, errors), std::logic_error);
 }

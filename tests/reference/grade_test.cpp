@@ -44,19 +44,19 @@ std::string copy(const TrajectoryTimes& times) {
   return csv;
 }
 
-TEST(Grade, ACopyIsRight) {
+TEST(Grade, FindsOnlyRoundingInACopy) {
   const Grade grade = gradeOf(copy(TrajectoryTimes({100, 1}, -2, 12)));
   EXPECT_EQ(grade.rows, 1201u);
   for (const GradedQuantity& quantity : grade.quantities) {
     ASSERT_TRUE(quantity.errors) << quantity.key;
     EXPECT_LE(quantity.errors->largest, 1e-15)
-        << quantity.key;  // measured 2.2e-16: their quaternion is normalised
+        << quantity.key;  // measured 2.2e-16: the log's quaternion is normalised
     EXPECT_EQ(quantity.errors->drift.kind, DriftKind::kRounding);
   }
   EXPECT_THAT(grade.notes, IsEmpty());
 }
 
-TEST(Grade, ExplicitEulerGainsEnergyFromTheStart) {
+TEST(Grade, FindsTheEnergyGainOfExplicitEuler) {
   const Grade grade = gradeOf(engineCsv(explicitEuler, kMoments, kStart, 1e-3, 10000, 10));
   for (const char* key : {"T", "length_of_L", "omega_B", "attitude"}) {
     const ErrorSummary& errors = errorsOf(grade, key);
@@ -65,8 +65,8 @@ TEST(Grade, ExplicitEulerGainsEnergyFromTheStart) {
     EXPECT_NEAR(errors.drift.order, 1, 0.25) << key;
     EXPECT_EQ(errors.largestAt_s, 10) << key;
   }
-  // dT/dt = (h/2) sum I_i (domega_i/dt)^2 to first order in h, summed here along the true motion; its own h^2
-  // terms and the sum leave 1 %. Measured 0.16 %.
+  // dT/dt = (h/2) sum I_i (domega_i/dt)^2 to first order in h, summed here along the true motion. Terms in h^2 and
+  // the sum leave 1 %; measured 0.16 %.
   double gained = 0;
   for (int k = 0; k < 10000; ++k) {
     const Vector3d w = truth().at((k + 0.5) * 1e-3).omega_B;
@@ -78,7 +78,7 @@ TEST(Grade, ExplicitEulerGainsEnergyFromTheStart) {
   EXPECT_EQ(errorsOf(grade, "T").trend, Trend::kGains);
 }
 
-/// The motion with omega times `factor(t)`, as a log of omega alone.
+/// Returns a log of omega alone, with the true omega times `factor(t)`.
 std::string scaledOmega(const std::function<double(double)>& factor) {
   std::string csv = "t,omega_B_x,omega_B_y,omega_B_z\n";
   for (int k = 0; k <= 60; ++k) {
@@ -88,8 +88,9 @@ std::string scaledOmega(const std::function<double(double)>& factor) {
   return csv;
 }
 
-TEST(Grade, SaysWhetherEnergyIsLostOrGained) {
-  // omega falls to 0.97 of it in 30 s: |L| by 3 %, T by 1 - 0.97^2 = 5.91 %; it grows to 1.03: 3 % and 6.09 %.
+TEST(Grade, ReportsWhetherEnergyIsLostOrGained) {
+  // If omega falls to 0.97 in 30 s, |L| falls by 3 % and T by 1 - 0.97^2 = 5.91 %. If omega grows to 1.03, they
+  // grow by 3 % and 6.09 %.
   const Grade loses = gradeOf(scaledOmega([](double t) { return 1 - 1e-3 * t; }));
   EXPECT_NEAR(*errorsOf(loses, "T").signedFinal, -0.0591, 1e-14);  // measured 1e-16
   EXPECT_NEAR(*errorsOf(loses, "length_of_L").signedFinal, -0.03, 1e-14);
@@ -97,7 +98,7 @@ TEST(Grade, SaysWhetherEnergyIsLostOrGained) {
   EXPECT_NEAR(*errorsOf(gains, "T").signedFinal, 0.0609, 1e-14);
   EXPECT_NEAR(errorsOf(gains, "T").final, 0.0609, 1e-14);
   EXPECT_EQ(errorsOf(gains, "T").trend, Trend::kGains);
-  EXPECT_FALSE(errorsOf(gains, "omega_B").signedFinal);  // a length has no sign
+  EXPECT_FALSE(errorsOf(gains, "omega_B").signedFinal);  // the error is a length and has no sign
   EXPECT_THAT(gradeTable(loses), HasSubstr("T                   5.91e-02 rel          30  -5.91e-02   3.44e-02   "
                                            "from t = 0, linear (loses)\n"));
   EXPECT_THAT(gradeTable(loses), HasSubstr("|L| -3.0e-02 (loses), T -5.9e-02 (loses).\n"));
@@ -109,15 +110,15 @@ TEST(Grade, SaysWhetherEnergyIsLostOrGained) {
   EXPECT_FALSE(json.at("omega_B").contains("signed_final"));
 }
 
-TEST(Grade, CallsABoundedOscillationOfEnergyNeitherLossNorGain) {
+TEST(Grade, ReportsNoTrendForABoundedOscillationOfEnergy) {
   const Grade grade = gradeOf(scaledOmega([](double t) { return 1 + 1e-3 * std::sin(2 * t); }));
   EXPECT_EQ(errorsOf(grade, "T").trend, Trend::kNone);
   EXPECT_THAT(gradeTable(grade), Not(HasSubstr("loses")));
   EXPECT_TRUE(nlohmann::json::parse(gradeJson(grade, "a", "s")).at("quantities").at("T").at("trend").is_null());
 }
 
-TEST(Grade, ComparesEnergyWithThatOfADrivenMotion) {
-  // Drag takes e^(-0.2) of omega in 10 s; a log that keeps all of it has 1 - e^(-0.4) of T(0) too much.
+TEST(Grade, ComparesEnergyWithThatOfTheDrivenMotion) {
+  // Drag multiplies omega by e^(-0.2) in 10 s. A log without drag ends with 1 - e^(-0.4) of T(0) too much.
   physics::Forcing drag;
   drag.dragRate_P.setConstant(0.02);
   const physics::DrivenMotion motion(physics::PrincipalMoments(kMoments), kStart.omega_B, kStart.q_WB, drag,
@@ -127,7 +128,7 @@ TEST(Grade, ComparesEnergyWithThatOfADrivenMotion) {
   EXPECT_EQ(errorsOf(kept, "T").trend, Trend::kGains);
 }
 
-TEST(Grade, SemiImplicitEulerLosesItsAttitudeLinearly) {
+TEST(Grade, FindsLinearDriftOfSemiImplicitEuler) {
   const Grade grade = gradeOf(engineCsv(semiImplicitEuler, kMoments, kStart, 1e-4, 100000, 100));
   const Drift& drift = errorsOf(grade, "attitude").drift;
   EXPECT_EQ(drift.kind, DriftKind::kDrift);
@@ -135,7 +136,7 @@ TEST(Grade, SemiImplicitEulerLosesItsAttitudeLinearly) {
   EXPECT_NEAR(drift.order, 1, 0.25);
 }
 
-TEST(Grade, HalvingTheStepShowsTheOrderOfTheEngine) {
+TEST(Grade, ErrorsShrinkWithTheOrderOfTheEngine) {
   const auto final = [](const EngineStep& step, double h) {
     const Grade grade = gradeOf(engineCsv(step, kMoments, kStart, h, static_cast<int>(10 / h), 10));
     return errorsOf(grade, "attitude").final;
@@ -144,7 +145,7 @@ TEST(Grade, HalvingTheStepShowsTheOrderOfTheEngine) {
   EXPECT_NEAR(std::log2(final(rungeKutta, 1. / 32) / final(rungeKutta, 1. / 64)), 4, 0.1);   // measured 4.0
 }
 
-/// A copy that turns too far about an axis of space from t = 5 on, by 1e-3 (t - 5)^order.
+/// Returns a log that turns too far about an axis of space from t = 5 s on, by 1e-3 (t - 5)^order rad.
 std::string wrongFrom5(int order) {
   std::string csv = "t,q_w,q_x,q_y,q_z\n";
   for (int k = 0; k <= 1000; ++k) {
@@ -155,7 +156,7 @@ std::string wrongFrom5(int order) {
   return csv;
 }
 
-TEST(Grade, AnEngineThatDriftsFromAKnownTime) {
+TEST(Grade, FindsWhenAndHowAnEngineDrifts) {
   for (const int order : {1, 2}) {
     const ErrorSummary errors = errorsOf(gradeOf(wrongFrom5(order)), "attitude");
     EXPECT_EQ(errors.drift.kind, DriftKind::kDrift);
@@ -163,27 +164,27 @@ TEST(Grade, AnEngineThatDriftsFromAKnownTime) {
     EXPECT_NEAR(errors.drift.order, order, 0.1);
     EXPECT_NEAR(errors.final, 1e-3 * std::pow(5, order), 1e-14);
     EXPECT_EQ(errors.largest, errors.final);
-    // Mean of the square over 10 s, of which 5 are wrong: (1e-3)^2 5^(2p+1)/(2p+1)/10; 1001 rows sum it to 0.2 %.
+    // Mean square over 10 s, of which 5 s are wrong: (1e-3)^2 5^(2p+1)/(2p+1)/10; 1001 rows sum it to 0.2 %.
     EXPECT_NEAR(errors.rms, 1e-3 * std::sqrt(std::pow(5, 2 * order + 1) / (2 * order + 1) / 10),
                 0.002 * errors.rms);
   }
 }
 
-TEST(Grade, QuaternionsOfEitherSignAndAnyLength) {
+TEST(Grade, AcceptsQuaternionsOfEitherSignAndAnyLength) {
   const auto s = truth().at(3);
   const Eigen::Vector4d q = -2.5 * s.q_WB.coeffs();
   const Grade grade = gradeOf(fmt::format("t,q_w,q_x,q_y,q_z\n3,{},{},{},{}\n", q[3], q[0], q[1], q[2]));
   EXPECT_LE(errorsOf(grade, "attitude").largest, 1e-15);
-  EXPECT_THAT(grade.notes, ElementsAre(HasSubstr("off unit length by up to 1.5; graded as normalised")));
+  EXPECT_THAT(grade.notes, ElementsAre(HasSubstr("differ from 1 by up to 1.5; they are graded as normalised")));
 }
 
-TEST(Grade, AQuaternionOfLengthZeroIsNoAttitude) {
+TEST(Grade, ReportsAQuaternionOfLengthZero) {
   const Grade grade = gradeOf("t,q_w,q_x,q_y,q_z\n0,1,0,0,0\n2,0,0,0,0\n");
   EXPECT_EQ(errorsOf(grade, "attitude").largest, INFINITY);
   EXPECT_THAT(grade.notes, ElementsAre(HasSubstr("1 of 2 rows")));
 }
 
-TEST(Grade, WhatIsAbsentIsSaidToBe) {
+TEST(Grade, LeavesOutQuantitiesWithoutColumns) {
   const Grade onlyQ = gradeOf("t,q_w,q_x,q_y,q_z\n0,1,0,0,0\n");
   for (const char* key : {"omega_B", "omega_W", "direction_of_L", "length_of_L", "T"})
     EXPECT_FALSE(onlyQ.quantity(key).errors) << key;
@@ -192,12 +193,13 @@ TEST(Grade, WhatIsAbsentIsSaidToBe) {
   const Grade onlyOmega = gradeOf("t,omega_B_x,omega_B_y,omega_B_z\n0,0.5,0.25,1\n");
   EXPECT_FALSE(onlyOmega.quantity("attitude").errors);
   EXPECT_FALSE(onlyOmega.quantity("direction_of_L").errors);
-  EXPECT_EQ(errorsOf(onlyOmega, "T").largest, 0);  // ½ omega·I omega, all of it in exact doubles
+  EXPECT_EQ(errorsOf(onlyOmega, "T").largest, 0);  // ½ omega·I omega has only exact doubles here
   EXPECT_EQ(onlyOmega.quantity("T").from, "omega_B");
 }
 
-TEST(Grade, EnergyAndMomentumAreRelative) {
-  // T = 2.34375, L = (1, .75, 4) at every time: by hand. Stated ones are taken as stated.
+TEST(Grade, GradesEnergyAndMomentumAsRelativeErrors) {
+  // Worked by hand: T = 2.34375 and L = (1, .75, 4) at all times. Columns T and L are graded instead of computed
+  // values.
   const Grade grade = gradeOf(
       "t,omega_B_x,omega_B_y,omega_B_z,T,L_W_x,L_W_y,L_W_z\n"
       "0,0.5,0.25,1,2.578125,2,1.5,8\n");
@@ -219,14 +221,14 @@ TEST(Grade, OmegaInSpaceNeedsTheAttitudeForEnergy) {
   EXPECT_LE(errorsOf(both, "direction_of_L").largest, 1e-15);
 }
 
-TEST(Grade, RowsAreJudgedInTheOrderOfTime) {
+TEST(Grade, GradesRowsInTheOrderOfTime) {
   const Grade grade = gradeOf("t,omega_B_x,omega_B_y,omega_B_z\n-1,9,9,9\n0,0.5,0.25,1\n-0.5,0,0,0\n");
   EXPECT_EQ(grade.first_s, 0);
   EXPECT_EQ(grade.last_s, -1);
   EXPECT_GT(errorsOf(grade, "omega_B").final, 5);
 }
 
-TEST(Grade, AnEngineThatBlowsUpIsGradedAllTheSame) {
+TEST(Grade, GradesALogWithInfiniteAndMissingValues) {
   const Grade grade = gradeOf("t,omega_B_x,omega_B_y,omega_B_z\n0,0.5,0.25,1\n1,nan,inf,0\n2,1e200,0,0\n");
   EXPECT_THAT(grade.notes,
               ElementsAre(HasSubstr("1 of 3 rows have a value that is not a number, or a quaternion of "
@@ -239,7 +241,7 @@ TEST(Grade, AnEngineThatBlowsUpIsGradedAllTheSame) {
   EXPECT_TRUE(json.at("quantities").at("attitude").is_null());
 }
 
-TEST(GradeText, TableAndJsonSayTheSame) {
+TEST(GradeText, TableAndJsonContainTheSameValues) {
   const Grade grade = gradeOf(wrongFrom5(1));
   const std::string text = gradeTable(grade);
   EXPECT_THAT(text, HasSubstr("1001 rows, t = 0 to 10 s\n"));

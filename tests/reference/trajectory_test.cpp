@@ -26,8 +26,7 @@ using ::testing::StartsWith;
 TEST(TrajectoryNumber, ReadsTheNearestDouble) {
   EXPECT_EQ(core::parseNumber("-3.5"), -3.5);
   EXPECT_EQ(core::parseNumber("+1e9"), 1e9);
-  // Half way between 1 and its upper neighbour 1 + 2^-52 a tie goes to even (1); a digit more, 2^-53 away, goes
-  // up.
+  // Half way between 1 and its upper neighbour 1 + 2^-52 a tie rounds to even (1). One more digit rounds up.
   EXPECT_EQ(core::parseNumber("1.00000000000000011102230246251565404236316680908203125"), 1.0);
   EXPECT_EQ(core::parseNumber("1.000000000000000111022302462515654042363166809082031250000000000000000001"),
             1 + 0x1p-52);
@@ -39,7 +38,7 @@ TEST(TrajectoryNumber, ReadsTheNearestDouble) {
     EXPECT_FALSE(core::parseNumber(word)) << word;
 }
 
-TEST(TrajectoryNumber, WritesWhatReadsBack) {
+TEST(TrajectoryNumber, RoundTripsDoubles) {
   for (const double value : {0.1, -1.0 / 3, 1e22, 5e-324, -2.2250738585072014e-308, 1.7976931348623157e308}) {
     std::string text;
     core::appendNumber(text, value);
@@ -57,14 +56,14 @@ std::vector<double> all(const TrajectoryTimes& times) {
   return t_s;
 }
 
-TEST(TrajectoryTimes, ListedAsAsked) {
+TEST(TrajectoryTimes, KeepListedTimesInOrder) {
   const TrajectoryTimes times({2, -3.5, 2, 1e9});
   EXPECT_THAT(all(times), ElementsAre(2, -3.5, 2, 1e9));
   EXPECT_EQ(times.earliest_s(), -3.5);
   EXPECT_EQ(times.latest_s(), 1e9);
 }
 
-TEST(TrajectoryTimes, ARateReachesBothEnds) {
+TEST(TrajectoryTimes, IncludeBothEndsOfAnExactSpan) {
   EXPECT_THAT(all(TrajectoryTimes({2, 1}, 10, 1.5)), ElementsAre(10, 10.5, 11, 11.5));
   EXPECT_THAT(all(TrajectoryTimes({2, 1}, 10, 1.4)), ElementsAre(10, 10.5, 11));
   EXPECT_THAT(all(TrajectoryTimes({2, 1}, 10, -1)), ElementsAre(10, 9.5, 9));
@@ -74,15 +73,15 @@ TEST(TrajectoryTimes, ARateReachesBothEnds) {
   EXPECT_EQ(back.latest_s(), 10);
 }
 
-TEST(TrajectoryTimes, NothingAccumulates) {
+TEST(TrajectoryTimes, AccumulateNoRounding) {
   const TrajectoryTimes times({30000, 1001}, 0, 1001);
   EXPECT_EQ(times.count(), 30001);
   EXPECT_EQ(times[30000], 1001.0);
   EXPECT_EQ(times[1], 1001.0 / 30000);
 }
 
-TEST(TrajectoryTimes, ARoundedSpanKeepsItsEnd) {
-  // 0.7 * 0.1 rounds to 0.06999999999999999, and 0.07 s at 100 Hz are eight rows.
+TEST(TrajectoryTimes, IncludeTheEndOfARoundedSpan) {
+  // 0.7 * 0.1 rounds to 0.06999999999999999; 0.07 s at 100 Hz must still give eight rows.
   EXPECT_EQ(TrajectoryTimes({100, 1}, 0, 0.7 * 0.1).count(), 8);
 }
 
@@ -96,7 +95,7 @@ core::ErrorKind kindOf(const std::function<void()>& call) {
   return core::ErrorKind::kIo;
 }
 
-TEST(TrajectoryTimes, RefusesWhatIsNoTime) {
+TEST(TrajectoryTimes, RejectEmptyInfiniteAndTooManyTimes) {
   EXPECT_EQ(kindOf([] { TrajectoryTimes({}); }), core::ErrorKind::kUsage);
   EXPECT_EQ(kindOf([] { TrajectoryTimes({0, NAN}); }), core::ErrorKind::kUsage);
   EXPECT_EQ(kindOf([] { TrajectoryTimes({HUGE_VAL}); }), core::ErrorKind::kUsage);
@@ -117,7 +116,7 @@ std::string csv(const TrajectoryTimes& times, std::size_t* pieces = nullptr, std
   return text;
 }
 
-TEST(TrajectoryText, RowsReadBackAsTheSameDoubles) {
+TEST(TrajectoryText, RoundTripsDoubles) {
   std::istringstream lines(csv(TrajectoryTimes({-3.5, 1e6})));
   std::string line, field;
   std::getline(lines, line);
@@ -140,8 +139,8 @@ TEST(TrajectoryText, RowsReadBackAsTheSameDoubles) {
   EXPECT_FALSE(std::getline(lines, line));
 }
 
-/// A body that loses energy, and the same integrated here: m' = m x r, q' = q r/2, r = omega + alpha m x omega, by
-/// Runge and Kutta's step of fourth order.
+/// A body that loses energy, and an independent integration with Runge-Kutta steps of order 4: m' = m x r,
+/// q' = q r/2, r = omega + alpha m x omega.
 struct Dissipating {
   Eigen::Vector3d I{2, 3, 4}, omega0{.5, .25, 1};
   double alpha = 0.03;
@@ -187,7 +186,7 @@ std::vector<std::vector<std::string>> fieldsOf(const std::string& text) {
   return rows;
 }
 
-TEST(TrajectoryText, AppendsTheRateOfTurningWhereDissipationActs) {
+TEST(TrajectoryText, AppendsTheRateOfTurningWithDissipation) {
   const Dissipating body;
   std::string text;
   writeTrajectory(body.motion(5), TrajectoryTimes({5}), TrajectoryFormat::kCsv, "s",
@@ -206,10 +205,10 @@ TEST(TrajectoryText, AppendsTheRateOfTurningWhereDissipationActs) {
     EXPECT_NEAR(std::stod(row[15 + i]), rate_B[at], 1e-12);  // measured 1.5e-14
     EXPECT_NEAR(std::stod(row[18 + i]), rate_W[at], 1e-12);
   }
-  EXPECT_GT(std::abs(std::stod(row[15]) - std::stod(row[5])), 1e-3);  // not omega
+  EXPECT_GT(std::abs(std::stod(row[15]) - std::stod(row[5])), 1e-3);  // rate and omega differ
 }
 
-TEST(TrajectoryText, JsonNamesTheRateOfTurningToo) {
+TEST(TrajectoryText, JsonIncludesTheRateOfTurningWithDissipation) {
   std::string text;
   writeTrajectory(Dissipating().motion(1), TrajectoryTimes({0, 1}), TrajectoryFormat::kJson, "s",
                   [&](std::string_view piece) { text += piece; });
@@ -220,7 +219,7 @@ TEST(TrajectoryText, JsonNamesTheRateOfTurningToo) {
   EXPECT_EQ(json.at("rows")[1].size(), 21u);
 }
 
-TEST(TrajectoryText, ComesInPiecesOfBoundedSize) {
+TEST(TrajectoryText, IsWrittenInPiecesOfBoundedSize) {
   std::size_t pieces = 0, longest = 0;
   const std::string text = csv(TrajectoryTimes({5000, 1}, 0, 1), &pieces, &longest);
   EXPECT_GT(text.size(), 1u << 20);
@@ -228,11 +227,11 @@ TEST(TrajectoryText, ComesInPiecesOfBoundedSize) {
   EXPECT_LT(longest, 70000u);
 }
 
-TEST(TrajectoryText, ATimeWithoutAPhaseIsRefused) {
+TEST(TrajectoryText, RejectsTimesTooLargeForAPhase) {
   EXPECT_EQ(kindOf([] { csv(TrajectoryTimes({1e308})); }), core::ErrorKind::kLimit);
 }
 
-TEST(TrajectoryTarget, IsReadOffTheName) {
+TEST(TrajectoryTarget, TakesItsFormatFromTheFileName) {
   EXPECT_TRUE(parseTrajectoryTarget("-").isStream());
   EXPECT_EQ(parseTrajectoryTarget("-").format, TrajectoryFormat::kCsv);
   EXPECT_EQ(parseTrajectoryTarget("a/b.csv").path, "a/b.csv");

@@ -52,7 +52,7 @@ TEST(BackEnds, OsMesaAndEglGiveTheSameBytes) {
   EXPECT_EQ(pictureOf(gl::Backend::kOsMesa), pictureOf(gl::Backend::kEgl));
 }
 
-TEST(BackEnds, TheSameListGivesTheSameBytesAgain) {
+TEST(BackEnds, DrawTheSameBytesIfADrawListIsRepeated) {
   gl::pinEnvironment(true);
   const auto context = gl::openContext(gl::Backend::kAuto);
   const image::PixelSize size{320, 240};
@@ -64,7 +64,6 @@ TEST(BackEnds, TheSameListGivesTheSameBytesAgain) {
   EXPECT_EQ(renderer.render(busyList(size), size), first);
 }
 
-/// A context with a renderer, and the picture that it draws.
 struct Drawing {
   explicit Drawing(gl::Backend backend) : context(gl::openContext(backend)), renderer(new Renderer(*context)) {}
   image::Image picture() const { return renderer->render(busyList(kSize), kSize); }
@@ -87,8 +86,8 @@ TEST(Renderer, RefusesToDrawUnlessItsContextIsCurrent) {
   }
 }
 
-// Two renderers give the same names to their things.
-TEST(Renderer, LeavesTheNamesOfAnotherContextAlone) {
+// Two contexts give their objects the same names (numbers).
+TEST(Renderer, DeletesOnlyObjectsOfItsOwnContext) {
   Drawing outer(gl::Backend::kAuto);
   outer.picture();
   const Drawing inner(gl::Backend::kAuto);
@@ -99,7 +98,7 @@ TEST(Renderer, LeavesTheNamesOfAnotherContextAlone) {
   EXPECT_EQ(inner.picture(), first);
 }
 
-TEST(Renderer, RefusesAListComposedForAnotherSize) {
+TEST(Renderer, RejectsADrawListForAnotherSize) {
   const auto context = gl::openContext(gl::Backend::kAuto);
   EXPECT_THROW(Renderer(*context).render(busyList({320, 240}), {100, 100}), std::logic_error);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a renderer keeps from one picture to the next must show in the time alone: whatever came before, the bytes
-// are those of a renderer that has drawn nothing yet.
+// Checks that a renderer's caches affect its speed alone: after any earlier picture, the bytes equal those of a
+// new renderer.
 #include <functional>
 
 #include "core/error.h"
@@ -14,7 +14,7 @@ namespace {
 using draw::Color;
 using draw::Picture;
 
-constexpr glm::ivec2 kWide(520, 390);  // some tiles whole, some cut
+constexpr glm::ivec2 kWide(520, 390);  // some tiles are whole, some cut
 
 draw::DrawList standing() {
   draw::DrawList list = glassOverPlane(kWide, 0.3f);
@@ -51,7 +51,7 @@ struct Request {
 
 class CachedPanelTest : public PictureTest {
  protected:
-  /// As a renderer makes it that has nothing to go by.
+  /// Returns the picture that a new renderer, whose caches are empty, draws.
   image::AnyImage fresh(const Request& r) {
     return Renderer(*context_).frame(r.picture, r.bits, r.options).picture;
   }
@@ -64,7 +64,7 @@ class CachedPanelTest : public PictureTest {
     return frame.picture;
   }
 
-  /// Beside what it says became different, a frame shows what the one before showed.
+  /// Checks that a frame equals the previous one outside the parts that it reports as changed.
   void expectSameBeside(const image::Frame& frame) {
     if (frame.picture.index() != before_.index()) return;
     std::visit(
@@ -82,10 +82,10 @@ class CachedPanelTest : public PictureTest {
 
   std::uint64_t number_ = 0;
   image::AnyImage before_;
-  int told_ = 0;  // frames that said what became different
+  int told_ = 0;  // number of frames that reported what changed
 };
 
-/// Everything that may become different between two pictures.
+/// Changes of every kind that are possible between two pictures.
 const std::vector<std::function<void(Request&)>> kChanges{
     [](Request&) {},
     [](Request& r) { r.list().frustums[0].to_V.x += 0.2f; },
@@ -123,7 +123,7 @@ const std::vector<std::function<void(Request&)>> kChanges{
       r.picture.panels[1].list.planes.clear();
     }};
 
-TEST_F(CachedPanelTest, IsTheSameWhateverCameBefore) {
+TEST_F(CachedPanelTest, DrawsTheSameBytesAfterAnyOtherPicture) {
   const image::AnyImage first = fresh({});
   for (std::size_t i = 0; i < kChanges.size(); ++i) {
     Request changed;
@@ -134,12 +134,12 @@ TEST_F(CachedPanelTest, IsTheSameWhateverCameBefore) {
   EXPECT_EQ(next({}), first);
 }
 
-TEST_F(CachedPanelTest, IsTheSameInAnyOrder) {
+TEST_F(CachedPanelTest, DrawsTheSameBytesAfterRandomChanges) {
   Random random;
   const auto some = [&] {
     Request r;
     for (int i = 0; i < 2; ++i) {
-      const auto& change = kChanges[static_cast<std::size_t>(random.in(0, 22))];  // of one panel
+      const auto& change = kChanges[static_cast<std::size_t>(random.in(0, 22))];  // changes of one panel
       const draw::DrawList& list = r.list();
       if (list.planes.empty() || list.glassEllipsoids.empty() || list.texts.empty() || list.frustums.empty())
         break;
@@ -156,7 +156,7 @@ TEST_F(CachedPanelTest, IsTheSameInAnyOrder) {
   EXPECT_GT(told_, 30);
 }
 
-TEST_F(CachedPanelTest, IsTheSameAfterOneThatFailed) {
+TEST_F(CachedPanelTest, DrawsTheSameBytesAfterAPictureThatFailed) {
   Request broken;
   broken.list().texts.push_back({"$\\omgea$", {200, 200}, 20, Color(0), 1, std::nullopt, 0});
   broken.list().frustums.clear();
@@ -165,8 +165,8 @@ TEST_F(CachedPanelTest, IsTheSameAfterOneThatFailed) {
   EXPECT_EQ(next({}), fresh({}));
 }
 
-/// Rods that leave the picture on the right and below, one pixel more of them from row to row, within glass; and
-/// where asked for one far away from them, above on the left.
+/// Returns rods within glass that leave the picture on the right and below, by one pixel more from row to row. If
+/// `another` is set, adds a rod far away from them, at the top left.
 Request leaving(glm::ivec2 size_px, bool another) {
   draw::DrawList list;
   list.camera = draw::lookAt({10, 0, 0}, {0, 0, 0}, {0, 0, 1}, 1.0f, size_px);
@@ -185,8 +185,8 @@ Request leaving(glm::ivec2 size_px, bool another) {
   return r;
 }
 
-// The layers of the solids end with the picture in the one case, and reach beyond it in the other.
-TEST_F(CachedPanelTest, IsTheSameAtTheBorderAfterLargerLayers) {
+// The layers of the solids end with the picture at one size, and reach beyond it at the other.
+TEST_F(CachedPanelTest, DrawsTheSameBytesAtTheBorderAfterAnotherSize) {
   for (const glm::ivec2 size : {glm::ivec2(640, 384), glm::ivec2(639, 383)}) {
     const Request wanted = leaving(size, false);
     const image::AnyImage alone = fresh(wanted);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Translucent sheets compose in the right order from every side: expected colours are worked out here by hand,
-// with the "over" operator in linear light.
+// Checks that translucent sheets compose in the right order from every side. Expected colours are worked out by
+// hand, with the "over" operator in linear light.
 #include <cmath>
 
 #include "picture_test.h"
@@ -14,7 +14,7 @@ using glm::vec3;
 
 const Color kRed(0.6f, 0.02f, 0.02f), kBlue(0.05f, 0.1f, 0.7f), kGreen(0.02f, 0.5f, 0.1f);
 
-// The two sheets of a glass body differ, so that a mix-up shows.
+// The two sheets of a glass body differ in opacity, so that a mix-up shows.
 constexpr float kNear = 0.5f, kFar = 1.2f;
 
 class CompositeTest : public PictureTest {
@@ -30,7 +30,7 @@ class CompositeTest : public PictureTest {
     return g;
   }
 
-  // A plane facing the eye, without lines.
+  // Returns a plane that faces the eye, without grid lines.
   static draw::GridPlane facing(float x, Color color, float opacity) {
     draw::GridPlane p;
     p.centre_V = {x, 0, 0};
@@ -51,7 +51,7 @@ class CompositeTest : public PictureTest {
   }
 };
 
-TEST_F(CompositeTest, EmptyListIsPaper) {
+TEST_F(CompositeTest, EmptyDrawListGivesTheBackgroundColour) {
   DrawList list = emptyList();
   list.background = draw::fromSrgb(0x14171C);
   const image::Image picture = render(list);
@@ -62,7 +62,7 @@ TEST_F(CompositeTest, EmptyListIsPaper) {
   }
 }
 
-TEST_F(CompositeTest, PlanesComposeByDepthNotByOrderInTheList) {
+TEST_F(CompositeTest, PlanesAreBlendedInOrderOfDepth) {
   for (const bool swapped : {false, true}) {
     DrawList list = emptyList();
     list.planes = {facing(1, kRed, 0.4f), facing(-1, kBlue, 0.5f)};
@@ -71,21 +71,20 @@ TEST_F(CompositeTest, PlanesComposeByDepthNotByOrderInTheList) {
   }
 }
 
-TEST_F(CompositeTest, ASolidInsideGlassIsSeenThroughTheNearSheetOnly) {
+TEST_F(CompositeTest, ASolidInsideGlassIsCoveredByTheNearSheetOnly) {
   DrawList list = emptyList();
   list.glassEllipsoids = {glass(vec3(0), 0.8f, kRed, 0.3f)};
-  list.planes = {facing(0, kBlue, 1.0f)};  // as good as a solid
+  list.planes = {facing(0, kBlue, 1.0f)};  // opaque, so as good as a solid
   expectPixel(list, 100, 80, over(kRed, kNear * 0.3f, kBlue));
 }
 
-TEST_F(CompositeTest, EmptyGlassShowsBothItsSheets) {
+TEST_F(CompositeTest, EmptyGlassShowsItsNearAndFarSheet) {
   DrawList list = emptyList();
   list.glassEllipsoids = {glass(vec3(0), 0.8f, kRed, 0.3f)};
   expectPixel(list, 100, 80, over(kRed, kNear * 0.3f, over(kRed, kFar * 0.3f, Color(1))));
 }
 
-// Two glass balls that cut each other: in the middle the sheets alternate.
-TEST_F(CompositeTest, IntersectingGlassAlternates) {
+TEST_F(CompositeTest, AlternatesSheetsOfIntersectingGlass) {
   for (const float side : {1.0f, -1.0f}) {
     DrawList list = emptyList();
     list.glassEllipsoids = {glass({0.4f * side, 0, 0}, 0.8f, kRed, 0.3f),
@@ -106,7 +105,7 @@ TEST_F(CompositeTest, SolidsHideWhatIsBehindThem) {
   expectPixel(list, 100, 80, Color(0));
 }
 
-// Half a pixel of a black edge in front of glass shows half the glass: the edge is blended over what is behind it.
+// A black edge that covers half a pixel shows half of the plane behind it: the edge blends over what is behind.
 TEST_F(CompositeTest, EdgesBlendOverTheSheetsBehindThem) {
   DrawList list = emptyList();
   list.planes = {facing(-1, kRed, 1.0f)};
@@ -131,8 +130,7 @@ TEST_F(CompositeTest, TransparentBackgroundCarriesTheCoverageAsAlpha) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.at(100, 80)[c], draw::srgb8FromLinear(kRed[c]), 1);
 }
 
-// Grid lines run through the centre and at every spacing from it.
-TEST_F(CompositeTest, GridLinesAreWhereTheSpacingSays) {
+TEST_F(CompositeTest, PlacesGridLinesAtMultiplesOfTheSpacing) {
   DrawList list = emptyList();
   draw::GridPlane plane = facing(0, Color(1), 1.0f);
   plane.lineColor = Color(0);

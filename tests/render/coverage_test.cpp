@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edges are analytic: the black area of a picture is the area of the solid's outline, whatever the pixel grid.
+// Checks that edges are analytic: the black area of a picture is the area of the solid's outline, independent of
+// the pixel grid.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -18,7 +19,7 @@ using glm::vec3;
 
 class CoverageTest : public PictureTest {};
 
-// A sphere's outline is a circle of radius f r / sqrt(d² - r²) when it is in the middle of the picture.
+// A sphere in the middle of the picture has a circle of radius f r / sqrt(d² - r²) as its outline.
 TEST_F(CoverageTest, SphereHasTheAreaOfItsOutline) {
   for (const float r : {0.5f, 0.2f, 0.05f, 0.02f}) {
     DrawList list = emptyList();
@@ -87,7 +88,6 @@ TEST_F(CoverageTest, LinesOfAnyWidthHaveTheirArea) {
   }
 }
 
-// Sampled finely, a circle of joined pieces must not show its joints.
 TEST_F(CoverageTest, JointsOfACurveDoNotShow) {
   DrawList list = emptyList();
   draw::Curve curve;
@@ -121,7 +121,7 @@ TEST_F(CoverageTest, JointsOfACurveDoNotShow) {
   EXPECT_LT(most, 1.07);
 }
 
-// A box, a cone, an ellipsoid and glass that cut each other, against 16 x 16 hard samples a pixel.
+// Compares a box, a cone, an ellipsoid and glass that cut each other with 16 x 16 hard samples a pixel.
 class ReferenceTest : public CoverageTest {
  protected:
   static DrawList solids() {
@@ -141,14 +141,14 @@ class ReferenceTest : public CoverageTest {
   }
 };
 
-TEST_F(ReferenceTest, EdgesOfSolidsAgree) {
+TEST_F(ReferenceTest, EdgesOfSolidsMatchFineSampling) {
   const Difference d = fromReference(solids());
   ASSERT_GT(d.count, 500);
   RecordProperty("mean", std::to_string(d.mean));
   EXPECT_LT(d.mean, 2.0);  // of 255, over the values that differ at all; measured 1.5
 }
 
-TEST_F(ReferenceTest, EdgesAndSeamsInGlassAgree) {
+TEST_F(ReferenceTest, EdgesAndSeamsInGlassMatchFineSampling) {
   DrawList list = solids();
   draw::GlassEllipsoid glass;
   glass.semiAxes_V = glm::mat3(0.9f, 0, 0, 0, 0.7f, 0.2f, 0, -0.1f, 0.6f);
@@ -157,7 +157,7 @@ TEST_F(ReferenceTest, EdgesAndSeamsInGlassAgree) {
   const Difference d = fromReference(list);
   ASSERT_GT(d.count, 500);
   RecordProperty("mean", std::to_string(d.mean));
-  EXPECT_LT(d.mean, 2.4);  // measured 2.08; 3.6 when glass is wholly before or behind a solid in each pixel
+  EXPECT_LT(d.mean, 2.4);  // measured 2.08; 3.6 if glass is wholly before or behind a solid in each pixel
 }
 
 }  // namespace

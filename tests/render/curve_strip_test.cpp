@@ -13,14 +13,14 @@ namespace {
 
 draw::Camera camera() { return draw::lookAt({10, 0, 0}, {0, 0, 0}, {0, 0, 1}, 0.3f, {400, 300}); }
 
-TEST(CurveStrip, OfFewerThanTwoPointsIsEmpty) {
+TEST(CurveStrip, IsEmptyForFewerThanTwoPoints) {
   draw::Curve curve;
   EXPECT_TRUE(makeCurveStrip(camera(), curve).triangles.empty());
   curve.points_V = {{0, 0, 0}};
   EXPECT_TRUE(makeCurveStrip(camera(), curve).triangles.empty());
 }
 
-TEST(CurveStrip, ATubesWidthFollowsItsDistance) {
+TEST(CurveStrip, ScalesTheWidthOfATubeWithDistance) {
   draw::Curve curve;
   curve.points_V = {{0, -1, 0}, {0, 1, 0}};
   curve.radius_V = 0.1f;
@@ -37,8 +37,8 @@ TEST(CurveStrip, PartsBehindTheEyeAreLeftOut) {
   }
 }
 
-// A hairpin seen flat folds back: no mitre may shoot out of it.
-TEST(CurveStrip, AFoldHasNoSpike) {
+// A hairpin seen flat folds back on itself; no mitre may stick out of the fold.
+TEST(CurveStrip, HasNoSpikeWhereACurveFoldsBack) {
   draw::Curve curve;
   curve.points_V = {{0, -1, 0}, {0, 1, 0.001f}, {0, -1, 0.002f}};
   curve.width_px = 4;
@@ -56,7 +56,7 @@ TEST(CurveStrip, AClosedCurveHasNoEnds) {
   for (const StripVertex& v : makeCurveStrip(camera(), curve).triangles) EXPECT_GT(v.across.z, 1000);
 }
 
-/// The point of a strip's middle that is nearest to a point of the picture.
+/// Point of a strip's centre line that is nearest to a point of the picture.
 struct Nearest {
   float distance_px = 1e9f, halfWidth_px = 0;
 };
@@ -92,9 +92,9 @@ float farthest(const CurveStrip& strip, const draw::Curve& curve) {
   return far;
 }
 
-// Expected: a chord's height over an arc, c^2 / 8R, of 0.02 px at R of about 99 px is a chord of 4.0 px, so that a
-// turn of 624 px needs 156 pieces; the points lie 0.3 px apart. Measured: 167 pieces and two ends, 0.0177 px.
-TEST(CurveStrip, PointsOnAStraightWayAreLeftOut) {
+// Expected: the height of a chord over an arc, c^2 / 8R, is 0.02 px for a chord of 4.0 px at R = 99 px. A turn of
+// 624 px then needs 156 pieces; the points lie 0.3 px apart. Measured: 167 pieces and two ends, 0.0177 px.
+TEST(CurveStrip, DropsPointsThatAreAlmostOnAStraightLine) {
   const draw::Curve curve = circle();
   const CurveStrip strip = makeCurveStrip(camera(), curve);
   EXPECT_GE(pieces(strip), 156u);
@@ -102,7 +102,7 @@ TEST(CurveStrip, PointsOnAStraightWayAreLeftOut) {
   EXPECT_LE(farthest(strip, curve), 0.0205f);
 }
 
-TEST(CurveStrip, AClosedCurveOfFewerPiecesIsStillClosed) {
+TEST(CurveStrip, StaysClosedWhenPointsAreDropped) {
   draw::Curve curve = circle();
   curve.closed = true;
   const CurveStrip strip = makeCurveStrip(camera(), curve);
@@ -112,13 +112,13 @@ TEST(CurveStrip, AClosedCurveOfFewerPiecesIsStillClosed) {
   EXPECT_LE(farthest(strip, curve), 0.0205f);
 }
 
-TEST(CurveStrip, NoMoreThanSixteenPiecesBecomeOne) {
+TEST(CurveStrip, MergesAtMostSixteenPiecesIntoOne) {
   draw::Curve curve;
   for (int i = 0; i <= 99; ++i) curve.points_V.emplace_back(0, -1 + 0.02f * static_cast<float>(i), 0);
-  EXPECT_EQ(pieces(makeCurveStrip(camera(), curve)), 7u + 2u);  // of 99, and the ends
+  EXPECT_EQ(pieces(makeCurveStrip(camera(), curve)), 7u + 2u);  // 99 pieces merge into 7; two ends
 }
 
-TEST(CurveStrip, AFoldIsNotLeftOut) {
+TEST(CurveStrip, KeepsThePointWhereACurveFoldsBack) {
   draw::Curve curve;
   for (int i = 0; i <= 200; ++i)
     curve.points_V.emplace_back(0, 1 - 0.01f * static_cast<float>(std::abs(i - 100)), 0);
@@ -126,8 +126,8 @@ TEST(CurveStrip, AFoldIsNotLeftOut) {
   EXPECT_LE(farthest(strip, curve), 0.0205f);
 }
 
-// Towards the eye a tube widens as 1 / distance does, not evenly.
-TEST(CurveStrip, WidthsAreKept) {
+// Towards the eye a tube widens as 1 / distance does, not linearly.
+TEST(CurveStrip, KeepsTheWidthOfATubeThatPointsAtTheEye) {
   draw::Curve curve;
   curve.radius_V = 0.2f;
   for (int i = 0; i <= 300; ++i) curve.points_V.emplace_back(0.02f * static_cast<float>(i), 0.5f, 0.3f);
@@ -141,8 +141,7 @@ TEST(CurveStrip, WidthsAreKept) {
   EXPECT_LE(most, 0.0205f);
 }
 
-// What waves along the view alone keeps its waves.
-TEST(CurveStrip, PointsAlongTheViewAreKept) {
+TEST(CurveStrip, KeepsTheDepthOfWavesTowardsTheEye) {
   draw::Curve curve;
   for (int i = 0; i <= 200; ++i) {
     const float y = 0.01f * static_cast<float>(i - 100);

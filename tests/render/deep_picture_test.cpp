@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of 16 bits a sample: as exact as that from one end to the other, and else those of 8.
+// Pictures of 16 bits a sample: exact to 16 bits from black to white, and otherwise equal to pictures of 8 bits.
 #include <set>
 
 #include "picture_test.h"
@@ -11,7 +11,7 @@ namespace {
 using draw::Color;
 using draw::Picture;
 
-/// IEC 61966-2-1 of 16 bits, written out.
+/// Returns the sRGB value of IEC 61966-2-1 in 16 bits, from the formula.
 double encoded16(double light) {
   return 65535 * (light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
 }
@@ -34,7 +34,8 @@ class DeepPictureTest : public PictureTest {
     return list;
   }
 
-  /// Something of every kind: solids that cut each other, glass, a plane with a shadow, areas, strokes, type.
+  /// Returns one thing of every kind: solids that cut each other, glass, a plane with a shadow, areas, strokes,
+  /// type.
   static Picture everything() {
     draw::DrawList list = emptyList();
     list.background = draw::fromSrgb(0xF4F6F8);
@@ -69,9 +70,9 @@ class DeepPictureTest : public PictureTest {
   }
 };
 
-// Measured: no sample is off by more than 1 level, and by 1 are 0.03 % of them, where rounding twice goes another
+// Measured: no sample differs by more than 1 level. 0.03 % of them differ by 1, where rounding twice goes another
 // way.
-TEST_F(DeepPictureTest, RoundedToEightBitsItIsThePictureOfEight) {
+TEST_F(DeepPictureTest, EqualsTheEightBitPictureWhenRounded) {
   const image::Image eight = renderer_.render(everything());
   const image::DeepImage deep = renderer_.renderDeep(everything());
   ASSERT_EQ(deep.channels, 3);
@@ -82,15 +83,15 @@ TEST_F(DeepPictureTest, RoundedToEightBitsItIsThePictureOfEight) {
     ASSERT_LE(step, 1) << i;
     differing += step;
   }
-  // Buffers of both kinds are kept; neither picture takes the other's.
+  // The renderer keeps buffers of both kinds; neither picture takes the other's.
   EXPECT_EQ(renderer_.render(everything()), eight);
   EXPECT_EQ(renderer_.renderDeep(everything()), deep);
   EXPECT_LE(differing, 0.002 * static_cast<double>(deep.pixels.size()));
 }
 
-// Without paper 8 bits are coarse where little of a colour is there, so the two are compared on paper. Measured:
-// off by 1.03 of 255 at most.
-TEST_F(DeepPictureTest, SoItIsWithoutPaper) {
+// Without paper, 8 bits are coarse where a colour has little alpha, so the test compares the pictures on paper.
+// Measured: off by 1.03 of 255 at most.
+TEST_F(DeepPictureTest, EqualsTheEightBitPictureIfTransparent) {
   const RenderOptions clear{.transparent = true};
   const image::Image eight = renderer_.render(everything(), clear);
   const image::DeepImage deep = renderer_.renderDeep(everything(), clear);
@@ -114,8 +115,8 @@ TEST_F(DeepPictureTest, SoItIsWithoutPaper) {
   EXPECT_GT(between, 1000) << "alpha has 16 bits, too";
 }
 
-// A widened byte is a multiple of 257. Measured: 7904 levels of red, 99.6 % of the samples no multiple.
-TEST_F(DeepPictureTest, AShadedBallHasMoreLevelsThanBytesHave) {
+// A widened byte is a multiple of 257. Measured: 7904 levels of red; 99.6 % of the samples are not multiples.
+TEST_F(DeepPictureTest, HasMoreThanEightBitsOfLevelsOnAShadedBall) {
   const image::DeepImage deep = renderer_.renderDeep(pictureOf(ball()));
   std::set<int> levels;
   int between = 0, count = 0;
@@ -125,11 +126,11 @@ TEST_F(DeepPictureTest, AShadedBallHasMoreLevelsThanBytesHave) {
       between += deep.at(x, y)[0] % 257 != 0;
     }
   EXPECT_GT(levels.size(), 4000u);
-  EXPECT_GT(between, 0.98 * count);  // of random ones 256 / 257
+  EXPECT_GT(between, 0.98 * count);  // random samples: 256 / 257
 }
 
-// What is flat is exact: paper, a line that no light changes, an area.
-TEST_F(DeepPictureTest, AnEightBitColourIsItself) {
+// Flat parts are exact: paper, a line that no light changes, an area.
+TEST_F(DeepPictureTest, ShowsEightBitColoursExactly) {
   for (const std::uint32_t srgb : {0x000000u, 0x010203u, 0x0A0B0Cu, 0x2B2F36u, 0x0072B2u, 0xC75000u, 0xFEFDFFu}) {
     draw::DrawList list = emptyList();
     list.background = draw::fromSrgb(0xFFFFFF - srgb);
@@ -147,9 +148,9 @@ TEST_F(DeepPictureTest, AnEightBitColourIsItself) {
   }
 }
 
-// Near black a step of 16 bits of light is 13 of sRGB: kept as such, colours there would be off by 6. Measured: by
-// 0.47, which is rounding.
-TEST_F(DeepPictureTest, DarkLightIsKeptAsFloats) {
+// Near black, a step of linear light in 16 bits is 13 steps of sRGB; light kept in 16 bits would put colours off
+// by 6. Measured: off by 0.47, which is rounding.
+TEST_F(DeepPictureTest, ShowsDarkColoursWithinRounding) {
   for (const float light : {2e-5f, 1.3e-4f, 7.1e-4f, 2.9e-3f, 0.0117f, 0.05f, 0.3f, 0.77f}) {
     draw::DrawList list = emptyList();
     draw::Curve curve;
@@ -162,9 +163,9 @@ TEST_F(DeepPictureTest, DarkLightIsKeptAsFloats) {
   }
 }
 
-// The "over" operator in linear light: of a sheet in the shader, of an area and of half a pixel of one on the CPU.
-// Measured: off by 0.61, rounding and a little of float.
-TEST_F(DeepPictureTest, MixturesAreExact) {
+// The "over" operator in linear light, for a sheet in the shader, and for an area and half a pixel of it on the
+// CPU. Measured: off by 0.61, from rounding and a little from float.
+TEST_F(DeepPictureTest, BlendsSheetsAndAreasExactly) {
   draw::DrawList list = emptyList();
   list.background = Color(0.8f, 0.31f, 0.017f);
   draw::GridPlane sheet;
@@ -178,7 +179,7 @@ TEST_F(DeepPictureTest, MixturesAreExact) {
   Picture picture = pictureOf(list);
   picture.areas = {{{{10, 10.5f}, {40, 10.5f}, {40, 40}, {10, 40}}, sheet.color, 0.37f}};
   const image::DeepImage deep = renderer_.renderDeep(picture);
-  const double half = 0.37 * 128 / 255;  // coverage of flat things is a byte
+  const double half = 0.37 * 128 / 255;  // coverage of flat parts has 8 bits
   for (int c = 0; c < 3; ++c) {
     const auto mixed = [&](double share) {
       return encoded16(share * static_cast<double>(sheet.color[c]) +
@@ -190,7 +191,7 @@ TEST_F(DeepPictureTest, MixturesAreExact) {
   }
 }
 
-TEST_F(DeepPictureTest, EveryPanelIsDeep) {
+TEST_F(DeepPictureTest, DrawsAMovedPanelWithTheSameValues) {
   const Picture one = pictureOf(ball());
   Picture beside = one;
   beside.size_px.x += 7;
@@ -200,7 +201,7 @@ TEST_F(DeepPictureTest, EveryPanelIsDeep) {
     ASSERT_TRUE(std::equal(alone.at(0, y), alone.at(0, y) + alone.rowSamples(), placed.at(7, y))) << y;
 }
 
-TEST_F(DeepPictureTest, OsMesaAndEglGiveTheSame) {
+TEST_F(DeepPictureTest, OsMesaAndEglDrawTheSameValues) {
   POINSOT_NEEDS_OSMESA();
   const image::DeepImage here = renderer_.renderDeep(everything());
   const auto egl = gl::openContext(gl::Backend::kEgl);

@@ -7,15 +7,15 @@
 
 namespace poinsot::render {
 
-/// How far a picture's edges are from what they should be: of the pixels that an edge runs through, and of their
-/// three channels, the absolute differences in sRGB, in 1/255.
+/// Error of a picture's edges: absolute differences in sRGB, in 1/255, over the three channels of all pixels that
+/// an edge runs through.
 struct EdgeError {
   double mean = 0;
-  int worst = 0, count = 0;  ///< count: of edge pixels
+  int worst = 0, count = 0;  ///< count: number of edge pixels
 };
 
-/// Says what it finds under `name`. With EDGE_PICTURES=FOLDER in the environment the picture is written there, as
-/// it is, as it should be, and eight times their difference.
+/// Compares the edge pixels of `picture` with `fine` and prints the result under `name`. If EDGE_PICTURES=FOLDER
+/// is set in the environment, also writes the picture, the expected one and eight times their difference there.
 EdgeError edgeError(const image::Image& picture, const FinePicture& fine, const std::string& name);
 
 }  // namespace poinsot::render

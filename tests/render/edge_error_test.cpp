@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How good edges are: each kind alone, and whole pictures, against 16 x 16 samples a pixel (fine_picture.h). The
-// measure is edge_error.h's; at most 2 is asked for. The scenes of the gallery: gallery_edges_test.cpp.
+// Checks the error of edges (edge_error.h) of each kind alone and in whole pictures, against 16 x 16 samples a
+// pixel (fine_picture.h). A mean of at most 2 is allowed. For scenes of the gallery see gallery_edges_test.cpp.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -24,7 +24,7 @@ const draw::Color kBlue = draw::fromSrgb(0x0072B2), kVermilion = draw::fromSrgb(
                   kOrange = draw::fromSrgb(0xE69F00), kGreen = draw::fromSrgb(0x009E73),
                   kInk = draw::fromSrgb(0x2B2F36);
 
-// The axes of a body that is not lined up with anything.
+// Returns the axes of a body that is not lined up with anything.
 mat3 turned() {
   const vec3 u = glm::normalize(vec3(0.7f, 0.5f, 0.3f)), v = glm::normalize(glm::cross(u, vec3(-0.2f, 0.3f, 1)));
   return {u, v, glm::cross(u, v)};
@@ -82,14 +82,13 @@ draw::GlassEllipsoid glassOf(mat3 semiAxes, bool graticule) {
   return glass;
 }
 
-// The axes of a body, leaving it on either side.
+// Adds arrows along the axes of a body, which leave the body on either side.
 void addAxes(DrawList& list, mat3 semiAxes) {
   for (int k = 0; k < 3; ++k) addArrow(list, -1.5f * semiAxes[k], 1.8f * semiAxes[k], 0.02f, kInk);
 }
 
 class EdgeErrorTest : public PictureTest {
  protected:
-  /// As emptyList(), from a little above.
   static DrawList fromAbove() {
     DrawList list = emptyList();
     list.camera = draw::lookAt({9.2f, 1.4f, 3.6f}, vec3(0), {0, 0, 1}, 1.0f, {kSize.width, kSize.height});
@@ -106,8 +105,8 @@ class EdgeErrorTest : public PictureTest {
   }
 };
 
-// The means measured stand beside (OSMesa, Mesa 22.3).
-TEST_F(EdgeErrorTest, Solids) {
+// Comments after the calls give the means measured with OSMesa of Mesa 22.3.
+TEST_F(EdgeErrorTest, IsSmallForSolids) {
   DrawList list = fromAbove();
   list.ellipsoids.push_back({vec3(0), turned(0.8f, 0.5f, 0.3f), {kGreen, 0.3f}});
   expectGood(list, "ellipsoid");  // 0.27
@@ -139,7 +138,7 @@ TEST_F(EdgeErrorTest, Solids) {
   expectGood(list, "arrows");  // 1.78
 }
 
-TEST_F(EdgeErrorTest, Lines) {
+TEST_F(EdgeErrorTest, IsSmallForLines) {
   DrawList list = fromAbove();
   const mat3 axes = turned(0.9f, 0.8f, 0.8f);
   for (int i = 0; i < 4; ++i)
@@ -163,7 +162,7 @@ TEST_F(EdgeErrorTest, Lines) {
   expectGood(list, "grid");  // 0.85
 }
 
-TEST_F(EdgeErrorTest, Glass) {
+TEST_F(EdgeErrorTest, IsSmallForGlass) {
   DrawList list = fromAbove();
   list.glassEllipsoids = {glassOf(turned(0.9f, 0.6f, 0.4f), false)};
   expectGood(list, "glass ellipsoid");  // 0.83
@@ -193,7 +192,7 @@ TEST_F(EdgeErrorTest, Glass) {
   expectGood(list, "polygon");  // 0.10
 }
 
-TEST_F(EdgeErrorTest, Seams) {
+TEST_F(EdgeErrorTest, IsSmallForSeams) {
   DrawList list = fromAbove();
   const mat3 axes = turned(0.7f, 0.5f, 0.3f);
   list.ellipsoids.push_back({vec3(0), axes, {kGreen, 0.3f}});
@@ -217,8 +216,8 @@ TEST_F(EdgeErrorTest, Seams) {
   expectGood(list, "ellipsoid cuts a box");  // 0.53
 }
 
-// As a film shows it: plane, glass, body, vectors, polhode and herpolhode.
-TEST_F(EdgeErrorTest, PoinsotsConstruction) {
+// The picture of a film: plane, glass, body, vectors, polhode and herpolhode.
+TEST_F(EdgeErrorTest, IsSmallForPoinsotsConstruction) {
   DrawList list = fromAbove();
   const mat3 glass = turned(0.8f, 0.55f, 0.4f);
   list.planes = {gridAt(-0.5f, 0.95f)};

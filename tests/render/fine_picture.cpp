@@ -8,8 +8,8 @@
 namespace poinsot::render {
 namespace {
 
-constexpr int kStep = 2;        // of 255, between neighbouring samples, that makes an edge
-constexpr int kPart_px = 2048;  // side of a part: its buffers take 250 MB
+constexpr int kStep = 2;        // of 255; neighbouring samples that differ by more make an edge
+constexpr int kPart_px = 2048;  // side of a part, whose buffers take 250 MB
 
 image::PixelSize sizeOf(const draw::DrawList& list) {
   return {static_cast<int>(list.camera.size_px.x), static_cast<int>(list.camera.size_px.y)};
@@ -19,7 +19,7 @@ bool differ(const std::uint8_t* a, const std::uint8_t* b) {
   return std::abs(a[0] - b[0]) > kStep || std::abs(a[1] - b[1]) > kStep || std::abs(a[2] - b[2]) > kStep;
 }
 
-// Samples from (left, top) on are one pixel.
+// Returns whether an edge runs through the pixel whose samples begin at (left, top).
 bool holdsEdge(const image::Image& samples, int left, int top, int n) {
   for (int y = top; y < top + n; ++y)
     for (int x = left; x < left + n; ++x) {
@@ -38,7 +38,7 @@ glm::dvec3 meanLight(const image::Image& samples, int left, int top, int n) {
   return sum / static_cast<double>(n * n);
 }
 
-/// Draws the part of the large picture that begins at a corner.
+/// Draws a part of the large picture, from the corner `from_px` on.
 using DrawPart = std::function<image::Image(glm::ivec2 from_px, image::PixelSize part)>;
 
 void addPart(const image::Image& samples, glm::ivec2 from_px, int n, FinePicture& fine) {
@@ -53,7 +53,6 @@ void addPart(const image::Image& samples, glm::ivec2 from_px, int n, FinePicture
 
 FinePicture ofParts(image::PixelSize size, int n, const DrawPart& draw) {
   FinePicture fine{image::Image(size, 3), std::vector<bool>(static_cast<std::size_t>(size.width * size.height))};
-  // A part is a whole number of pixels.
   const int side = kPart_px / n * n;
   for (int top = 0; top < n * size.height; top += side)
     for (int left = 0; left < n * size.width; left += side) {
@@ -74,7 +73,7 @@ draw::DrawList magnified(const draw::DrawList& list, int n, glm::ivec2 from_px, 
   draw::DrawList large = list;
   large.texts.clear();
   draw::Camera& camera = large.camera;
-  // The focal length in pixels goes with the height of the picture, which is that of a part here.
+  // The focal length in pixels follows the height of the picture, which is the height of a part here.
   const float part = static_cast<float>(size.height) / (factor * list.camera.size_px.y);
   camera.tanHalfFovY *= part;
   camera.halfHeight_V *= part;

@@ -6,30 +6,29 @@
 
 #include "render/renderer.h"
 
-/// A picture as it should be: drawn many times as large, and each block averaged.
+/// Reference pictures, drawn many times as large and averaged over blocks.
 namespace poinsot::render {
 
-/// What n x n samples a pixel say of a view without its type.
+/// Reference of a view without its type, from n x n samples a pixel.
 struct FinePicture {
-  image::Image mean;  ///< of each pixel's samples in linear light, in sRGB
-  /// For each pixel row by row whether an edge runs through it: two neighbouring samples of its own differ by more
-  /// than 2/255 in some channel. Smooth shading does not: it would have to change by 2/255 * n from pixel to
-  /// pixel.
+  image::Image mean;  ///< mean of each pixel's samples in linear light, stored as sRGB
+  /// Whether an edge runs through each pixel, row by row: two neighbouring samples of the pixel differ by more
+  /// than 2/255 in some channel. Smooth shading would have to change by 2/255 * n from pixel to pixel for that.
   std::vector<bool> edge;
 };
 
-/// The same view n times as large in every way, lines included, without its type. Only the part `size` large from
-/// the corner `from_px` of the large picture is to be seen.
+/// Returns the same view n times as large in every way, lines included, without its type. Shows only the part that
+/// is `size` large from the corner `from_px` of the large picture.
 draw::DrawList magnified(const draw::DrawList& list, int n, glm::ivec2 from_px, image::PixelSize size);
 
-/// Drawn by `renderer` in parts, so that no buffer gets too large.
+/// Draws the reference of a view in parts, so that no buffer gets too large.
 FinePicture finePicture(Renderer& renderer, const draw::DrawList& list, int n);
 
-/// The areas and strokes of a picture n times as large, on its paper: neither panels nor type. Of that, the part
-/// `size` large from the corner `from_px`.
+/// Returns the areas and strokes of a picture on its paper, n times as large, without panels and type. Shows only
+/// the part that is `size` large from the corner `from_px`.
 draw::Picture magnifiedFlat(const draw::Picture& picture, int n, glm::ivec2 from_px, image::PixelSize size);
 
-/// As finePicture(), of what magnifiedFlat() keeps.
+/// Draws the reference of the areas and strokes of a picture, see magnifiedFlat().
 FinePicture fineFlatPicture(Renderer& renderer, const draw::Picture& picture, int n);
 
 }  // namespace poinsot::render

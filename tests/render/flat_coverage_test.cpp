@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Areas of strokes and polygons are worked out here by hand: rectangles, discs and what they share.
+// Checks areas of strokes and polygons that are worked out by hand: rectangles, discs and their overlaps.
 #include "render/flat_coverage.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ double area(const text::CoverageMap& map) {
 }
 double area(const draw::Stroke& stroke) { return area(strokeCoverage(stroke, kPicture)); }
 
-// At any angle and width: a rectangle and two half discs.
+// The area is a rectangle and two half discs, at any angle and width.
 TEST(StrokeCoverage, ALineHasItsAreaAndRoundEnds) {
   double worst = 0;
   for (const float width : {0.1f, 0.5f, 1.0f, 2.0f, 7.3f, 30.0f}) {
@@ -51,14 +51,14 @@ TEST(StrokeCoverage, ALineHasItsAreaAndRoundEnds) {
   RecordProperty("worst_per_pixel_of_outline", std::to_string(worst));  // measured 0.0023
 }
 
-TEST(StrokeCoverage, APixelInTheMiddleOfAThinLineIsDarkAsItsWidth) {
+TEST(StrokeCoverage, CoverageOfAThinLineIsProportionalToItsWidth) {
   const auto map = strokeCoverage(strokeOf({{10, 50.5f}, {90, 50.5f}}, 0.25f), kPicture);
   for (int x = 12; x < 88; ++x) EXPECT_EQ(map.at(x, 50), 64) << x;  // 0.25 * 255 = 63.75
   EXPECT_EQ(map.at(50, 49), 0);
   EXPECT_EQ(map.at(50, 51), 0);
 }
 
-// A right angle: two rectangles less the square that they share, a quarter disc outside, two half discs.
+// A right angle covers two rectangles less the square that they share, a quarter disc outside, and two half discs.
 TEST(StrokeCoverage, JoinsAreRoundOutsideAndSharpInside) {
   const float width = 12;
   const double r = 6, expected = 2 * 60 * 12 - r * r + pi * r * r / 4 + pi * r * r;
@@ -69,8 +69,7 @@ TEST(StrokeCoverage, JoinsAreRoundOutsideAndSharpInside) {
   EXPECT_EQ(map.at(94, 105), 0);  // the outer corner is rounded off: 8.1 pixels from the joint
 }
 
-// A closed circle of many points is a ring, its start as any other place of it.
-TEST(StrokeCoverage, AClosedCurveIsARing) {
+TEST(StrokeCoverage, AClosedCircleHasTheAreaOfARing) {
   for (const int points : {12, 90, 5000}) {
     std::vector<vec2> circle;
     for (int i = 0; i < points; ++i) {
@@ -86,7 +85,7 @@ TEST(StrokeCoverage, AClosedCurveIsARing) {
 }
 
 // Laps on one another are one line: the largest coverage counts, not the sum.
-TEST(StrokeCoverage, AnOrbitTracedTenTimesIsAnOrbitTracedOnce) {
+TEST(StrokeCoverage, CountsRepeatedLapsOnce) {
   std::vector<vec2> once, ten;
   for (int i = 0; i <= 4000; ++i) {
     const double s = 2 * pi * i / 400;
@@ -97,8 +96,7 @@ TEST(StrokeCoverage, AnOrbitTracedTenTimesIsAnOrbitTracedOnce) {
   EXPECT_NEAR(area(strokeOf(ten, 2)), area(strokeOf(once, 2, 0, true)), 0.5);
 }
 
-// Joined from 640 pieces, and from one: the joints do not show.
-TEST(StrokeCoverage, PointsAlongALineChangeNothing) {
+TEST(StrokeCoverage, ExtraPointsOnALineDoNotChangeCoverage) {
   std::vector<vec2> fine;
   for (int i = 0; i <= 640; ++i) fine.push_back(vec2(20, 30) + vec2(0.4f, 0.2f) * static_cast<float>(i));
   const auto many = strokeCoverage(strokeOf(fine, 3), kPicture);
@@ -124,8 +122,8 @@ TEST(StrokeCoverage, DashesAreMeasuredFromTheStart) {
   EXPECT_EQ(map.at(93, 60), 255);  // 83 along
 }
 
-// The dashes of what is seen do not depend on what is not.
-TEST(StrokeCoverage, DashesOfALineThatComesFromOutside) {
+// The dashes inside the picture do not depend on the part outside.
+TEST(StrokeCoverage, KeepsDashesOfALineThatBeginsOutsideThePicture) {
   const auto all = strokeCoverage(strokeOf({{-997.25f, 50}, {250, 50}}, 3, 10), {1300, 200});
   const auto map = strokeCoverage(strokeOf({{-997.25f, 50}, {250, 50}}, 3, 10), kPicture);
   for (int x = 0; x < 250; ++x) {
@@ -140,21 +138,21 @@ TEST(StrokeCoverage, DashesOfALineThatComesFromOutside) {
   }
 }
 
-TEST(StrokeCoverage, OnlyWhatIsInThePictureCostsAnything) {
+TEST(StrokeCoverage, ClipsLinesToThePicture) {
   const PixelBounds picture{0, 0, 300, 200};
   EXPECT_TRUE(strokePieces(strokeOf({{-1e6f, -50}, {1e6f, -50}}, 3), picture).empty());
   EXPECT_LT(strokePieces(strokeOf({{-1e6f, 50}, {1e6f, 50}}, 3, 10), picture).size(), 20u);
   EXPECT_NEAR(area(strokeOf({{-1e6f, 50.5f}, {1e6f, 50.5f}}, 3)), 3 * 300, 1e-9);
 }
 
-TEST(StrokeCoverage, APointIsADotAndNothingIsNothing) {
+TEST(StrokeCoverage, DrawsADotForAPointAndNothingForNoPoints) {
   EXPECT_NEAR(area(strokeOf({{100.2f, 80.9f}}, 9)), pi * 4.5 * 4.5, 0.1);
   EXPECT_NEAR(area(strokeOf({{100.2f, 80.9f}, {100.2f, 80.9f}}, 9, 0, true)), pi * 4.5 * 4.5, 0.1);
   EXPECT_EQ(area(strokeOf({}, 9)), 0);
   EXPECT_EQ(area(strokeOf({{10, 10}, {50, 50}}, 0)), 0);
 }
 
-TEST(StrokeCoverage, RefusesPointsThatAreNoNumbers) {
+TEST(StrokeCoverage, RejectsPointsThatAreNotFinite) {
   EXPECT_THROW(area(strokeOf({{0, 0}, {NAN, 1}}, 2)), std::logic_error);
   EXPECT_THROW(areaCoverage({{{0, 0}, {INFINITY, 1}, {3, 3}}, {}, 1}, kPicture), std::logic_error);
 }
@@ -167,11 +165,10 @@ TEST(AreaCoverage, PolygonsHaveTheirArea) {
   EXPECT_NEAR(area(areaCoverage({{triangle.rbegin(), triangle.rend()}, {}, 1}, kPicture)), expected, 0.3);
 }
 
-// Cut by every side of the picture: what is left is the area of the intersection.
-TEST(AreaCoverage, WhatLeavesThePictureIsCut) {
+TEST(AreaCoverage, ClipsPolygonsAtThePicture) {
   // A square on its corner about the middle, half diagonal 180: |x - 150| + |y - 100| <= 180.
   const std::vector<vec2> square{{330, 100}, {150, 280}, {-30, 100}, {150, -80}};
-  // Of the picture's 300 x 200, four corners with legs of 70 are missing (150 + 100 - 180).
+  // Four corners with legs of 70 (150 + 100 - 180) are missing from the picture's 300 x 200.
   EXPECT_NEAR(area(areaCoverage({square, {}, 1}, kPicture)), 300 * 200 - 2 * 70 * 70,
               0.6);  // 280 times half a byte
   EXPECT_EQ(area(areaCoverage({{{-50, -50}, {-10, -50}, {-10, -10}}, {}, 1}, kPicture)), 0);

@@ -9,22 +9,22 @@
 
 namespace poinsot::render {
 
-/// The edges of a scene of the gallery, as the stage composes it, against 16 x 16 samples a pixel. Every view is
-/// judged alone, and so are the flat things of plots, all together: the many good edges of one cannot make up for
-/// those of another. Type is left out of either picture, and is no edge: glyphs are exact areas already
-/// (text_painter_test.cpp), and would water the mean down.
+/// Compares the edges of a gallery scene, as the stage composes it, with 16 x 16 samples a pixel. Judges each view
+/// alone, and the flat parts of all plots together, so that many good edges of one view cannot make up for bad
+/// edges of another. Both pictures leave out type: glyphs are exact areas already (text_painter_test.cpp) and
+/// would lower the mean.
 class GalleryEdges {
  public:
   GalleryEdges(std::string scene, glm::ivec2 size);
 
-  /// Film times: that of the gallery's picture, and one late in the film, when paths are long.
+  /// Film times of the gallery's picture, and of a picture late in the film, when paths are long.
   double still_s() const { return stage_.scene().time.stillTime_s(); }
   double late_s() const { return 0.7 * stage_.scene().time.duration_s; }
 
-  /// The largest mean of the errors (edge_error.h) at an instant.
+  /// Returns the largest mean error (edge_error.h) of a view, or of the flat parts, at a film time.
   double worstMean(double filmTime_s);
 
-  /// What is asked for.
+  /// Largest allowed mean error, in 1/255.
   static constexpr double kMost = 2;
 
  private:

@@ -6,7 +6,7 @@
 
 namespace poinsot::render {
 
-/// A ball of glass above a plane, seen from 10 away.
+/// Returns a ball of glass above a plane, seen from 10 away.
 inline draw::DrawList glassOverPlane(glm::ivec2 size_px, float radius) {
   draw::DrawList list;
   list.camera = draw::lookAt({9, 2, 4}, glm::vec3(0), {0, 0, 1}, 1.0f, size_px);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cones and polygons of glass: the areas of their outlines, their sheets in the right order from every side
-// (worked out by hand with the "over" operator in linear light), and the picture of many samples.
+// Cones and polygons of glass: the areas of their outlines, the order of their sheets from every side, and a
+// comparison with many samples a pixel. Expected colours are worked out by hand, with the "over" operator in
+// linear light.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -46,7 +47,6 @@ class GlassTest : public PictureTest {
     return polygon;
   }
 
-  // A square facing the eye.
   static draw::GlassPolygon facing(float x, Color color, float opacity) {
     return polygonOf({{x, -0.5f, -0.5f}, {x, 0.5f, -0.5f}, {x, 0.5f, 0.5f}, {x, -0.5f, 0.5f}}, color, opacity);
   }
@@ -59,13 +59,13 @@ class GlassTest : public PictureTest {
       EXPECT_NEAR(picture.at(x, y)[c], draw::srgb8FromLinear(expected[c]), 1) << x << " " << y << " channel " << c;
   }
 
-  // Opacity of a sheet whose normal makes the angle with the line of sight.
+  // Returns the opacity of a sheet whose normal is at an angle of that cosine to the line of sight.
   static float grazingOpacity(float flatOn, float rim, float cosine) {
     return flatOn + (rim - flatOn) * std::pow(1 - cosine, 3.0f);
   }
 };
 
-// Seen from the side the axis is behind the outside of the one wall and before the inside of the other.
+// Seen from the side, the near wall shows its outside and the far wall its inside.
 TEST_F(GlassTest, AConeFromTheSideShowsBothWalls) {
   DrawList list = emptyList();
   const float half = 0.4f;
@@ -75,16 +75,17 @@ TEST_F(GlassTest, AConeFromTheSideShowsBothWalls) {
   expectPixel(list, 100, 80, over(kRed, near, over(kRed, far, Color(1))));
 }
 
-// Into the base only the inside is seen, onto the apex only the outside; at the same angle to the walls.
+// A view into the base shows only the inside, a view onto the apex only the outside, at the same angle to the
+// walls.
 TEST_F(GlassTest, AConeFromItsEndsShowsOneWall) {
   const float half = 0.3f;
   for (const float side : {1.0f, -1.0f}) {
     DrawList list = emptyList();
     list.glassCones = {coneOf({-0.5f * side, 0, 0}, {side, 0, 0}, half, 1)};
     const image::Image picture = render(list);
-    // 0.2 beside the axis, 0.65 from the apex: a line of sight nearly along the axis.
+    // The point is 0.2 beside the axis and 0.65 from the apex, where the line of sight is nearly along the axis.
     const vec2 p = project(list.camera, {side * (0.2f / std::tan(half) - 0.5f), 0.2f, 0});
-    const float cosine = std::sin(half);  // give or take the 0.02 of perspective
+    const float cosine = std::sin(half);  // perspective changes this by up to 0.02
     const float flatOn = side > 0 ? 0.5f : 0.3f;
     const Color expected = over(kRed, grazingOpacity(flatOn, 0.9f, cosine), Color(1));
     const std::uint8_t* pixel = picture.at(static_cast<int>(p.x), static_cast<int>(p.y));
@@ -92,8 +93,7 @@ TEST_F(GlassTest, AConeFromItsEndsShowsOneWall) {
   }
 }
 
-// One of two cones around the same axis stands in the other: the walls alternate.
-TEST_F(GlassTest, ConesInOneAnotherCompose) {
+TEST_F(GlassTest, NestedConesComposeInOrderOfDepth) {
   DrawList list = emptyList();
   const float wide = 0.6f, narrow = 0.3f;
   list.glassCones = {coneOf({0, 0, -0.5f}, {0, 0, 1}, narrow, 0.9f), coneOf({0, 0, -0.5f}, {0, 0, 1}, wide, 0.9f)};
@@ -106,7 +106,7 @@ TEST_F(GlassTest, ConesInOneAnotherCompose) {
   expectPixel(list, 100, 80, expected);
 }
 
-// As dark as can be, a cone has the area of the hull of its apex and its base.
+// An opaque black cone has the area of the hull of its apex and its base.
 TEST_F(GlassTest, AConeHasTheAreaOfItsHull) {
   Random random;
   double worst = 0;
@@ -131,7 +131,7 @@ TEST_F(GlassTest, AConeHasTheAreaOfItsHull) {
   RecordProperty("worst_relative_error", std::to_string(worst));
 }
 
-// The line around the base is as long as that: a circle seen from above is 2 pi r long.
+// The line around the base, a circle seen from above, is 2 pi r long.
 TEST_F(GlassTest, TheLineAroundTheBaseHasItsWidth) {
   for (const float side : {1.0f, -1.0f}) {
     DrawList list = emptyList();
@@ -145,8 +145,7 @@ TEST_F(GlassTest, TheLineAroundTheBaseHasItsWidth) {
   }
 }
 
-// The rim's near half lies before a body inside the cone, its far half behind.
-TEST_F(GlassTest, TheLineAroundTheBaseIsBeforeAndBehindABodyInside) {
+TEST_F(GlassTest, TheBaseLineIsHiddenOnlyBehindABodyInside) {
   DrawList list = emptyList();
   list.camera = draw::lookAt({8, 0, 6}, {0, 0, 0}, {0, 0, 1}, 0.2f, {kSize.width, kSize.height});
   list.camera.near = 5;
@@ -166,7 +165,7 @@ TEST_F(GlassTest, TheLineAroundTheBaseIsBeforeAndBehindABodyInside) {
 TEST_F(GlassTest, ADegenerateConeDrawsNothingAndAnObtuseOneIsRefused) {
   DrawList list = emptyList();
   list.glassCones = {coneOf(vec3(0), {0, 0, 1}, 0, 1), coneOf(vec3(0), {0, 0, 1}, 0.5f, 0),
-                     coneOf({6, 0, 0}, {1, 0, 0}, 0.5f, 1)};  // the last: not before the camera
+                     coneOf({6, 0, 0}, {1, 0, 0}, 0.5f, 1)};  // the last is nearer than the near distance
   EXPECT_EQ(render(list), render(emptyList()));
   list.glassCones = {coneOf(vec3(0), {0, 0, 1}, 1.6f, 1)};
   EXPECT_THROW(render(list), std::logic_error);
@@ -181,8 +180,7 @@ TEST_F(GlassTest, PolygonsComposeByDepth) {
   }
 }
 
-// Two squares that cross: each is before the other on one side of the cut.
-TEST_F(GlassTest, CrossingPolygonsChangePlaces) {
+TEST_F(GlassTest, CrossingPolygonsSwapOrderAtTheCut) {
   DrawList list = emptyList();
   list.glassPolygons = {
       polygonOf({{-0.4f, -0.4f, -0.5f}, {0.4f, 0.4f, -0.5f}, {0.4f, 0.4f, 0.5f}, {-0.4f, -0.4f, 0.5f}}, kRed,
@@ -193,7 +191,7 @@ TEST_F(GlassTest, CrossingPolygonsChangePlaces) {
   expectPixel(list, 84, 80, over(kGreen, 0.5f, over(kRed, 0.4f, Color(1))));
 }
 
-// Of 3 to 16 corners, at any tilt, also seen almost edge-on.
+// Polygons of 3 to 16 corners at any tilt, some of them seen almost edge-on.
 TEST_F(GlassTest, PolygonsHaveTheirArea) {
   Random random;
   double worst = 0;
@@ -217,7 +215,7 @@ TEST_F(GlassTest, PolygonsHaveTheirArea) {
   RecordProperty("worst_error", std::to_string(worst));
 }
 
-TEST_F(GlassTest, ABorderLiesJustInside) {
+TEST_F(GlassTest, ABorderLiesJustInsideThePolygon) {
   DrawList list = emptyList();
   draw::GlassPolygon square = facing(0, Color(1), 1);  // 80 pixels wide
   square.lineOpacity = 1;
@@ -234,8 +232,8 @@ TEST_F(GlassTest, RefusesPolygonsOfTooFewOrTooManyCorners) {
   }
 }
 
-// A prolate top's cones about each other, the plane of L, omega and k, an ellipsoid and a plane that all cut.
-TEST_F(GlassTest, EverythingThroughEverythingAgreesWithTheReferencePicture) {
+// A prolate top's two cones, the plane of L, omega and k, an ellipsoid and a plane, all of which cut each other.
+TEST_F(GlassTest, IntersectingShapesMatchFineSampling) {
   for (const float side : {1.0f, -1.0f}) {
     DrawList list = emptyList();
     const vec3 k(0.5f * side, 0.5f, 0.7f);

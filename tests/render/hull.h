@@ -6,8 +6,8 @@
 
 namespace poinsot::render {
 
-/// Area of the convex hull of points (Andrew's monotone chain): the outline of a convex solid, from its points
-/// alone.
+/// Returns the area of the convex hull of points, by Andrew's monotone chain. The outline of a convex solid
+/// follows from its points alone.
 double hullArea(std::vector<glm::vec2> points);
 
 }  // namespace poinsot::render

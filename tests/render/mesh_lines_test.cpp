@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines along the sharp edges of meshes.
 #include "mesh_sample.h"
 #include "picture_test.h"
 
@@ -13,10 +12,10 @@ using glm::vec3;
 
 class MeshLinesTest : public PictureTest {};
 
-TEST_F(MeshLinesTest, SharpEdgesBearLinesWhereTheyAreSeen) {
+TEST_F(MeshLinesTest, DrawsLinesOnVisibleSharpEdges) {
   DrawList list = emptyList();
   draw::Mesh mesh = meshOf(cube(), mat3(0.25f), {Color(0.8f), 0});
-  mesh.origin_V = {-0.25f, 0, 0};  // near face from 80 to 120
+  mesh.origin_V = {-0.25f, 0, 0};  // the near face spans columns 80 to 120
   mesh.edge_px = 3;
   mesh.edgeColor = Color(0.7f, 0, 0);
   list.meshes.push_back(mesh);
@@ -31,8 +30,8 @@ TEST_F(MeshLinesTest, SharpEdgesBearLinesWhereTheyAreSeen) {
     EXPECT_GT(picture.at(p.x, p.y)[1], 100);
 }
 
-// Whole lines, however steep the faces beside them: those of the cube's edges that belong to a face seen. Edges
-// within a few pixels are left out: at their ends a pixel is covered by half.
+// All edges of the faces that are seen have unbroken lines, even beside steep faces. Edges shorter than 8 pixels
+// are left out, because a line covers only half of the pixel at its end.
 TEST_F(MeshLinesTest, LinesAreUnbroken) {
   Random random;
   int probes = 0, broken = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the CPU works out of a mesh's pixels: marks, areas, what hides what.
+// Tests what the CPU computes for a mesh's pixels: marks, areas of fragments, and which fragments hide others.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ double areaOf(const Triangle& t) {
   return ((t[1].y - t[0].y) * (t[2].x - t[0].x) - (t[1].x - t[0].x) * (t[2].y - t[0].y)) / 2;
 }
 
-// Looks at the eye.
+// Returns a triangle that faces the eye.
 Triangle randomTriangle(Random& random, float size_px) {
   Triangle t;
   for (dvec3& v : t) v = {random.in(0, size_px), random.in(0, size_px), random.in(8, 12)};
@@ -28,7 +28,7 @@ Triangle randomTriangle(Random& random, float size_px) {
   return t;
 }
 
-TEST(PixelFragment, ThePartsOfATriangleAddUpToIt) {
+TEST(PixelFragment, PartsOfATriangleAddUpToItsArea) {
   Random random;
   double worst = 0;
   for (int trial = 0; trial < 200; ++trial) {
@@ -46,11 +46,11 @@ TEST(PixelFragment, ThePartsOfATriangleAddUpToIt) {
     EXPECT_NEAR(area, areaOf(t), 1e-6);
     EXPECT_LT(glm::distance(moment, areaOf(t) * dvec2(middle)), 1e-5);
   }
-  RecordProperty("worst_area", std::to_string(worst));  // measured 1.5e-7, parts below 1e-7 being left out
+  RecordProperty("worst_area", std::to_string(worst));  // measured 1.5e-7; parts below 1e-7 are left out
 }
 
-// In perspective 1 / depth is linear in the picture: weights and depth must give back a plane in space.
-TEST(PixelFragment, WeightsAndDepthAreRightForPerspective) {
+// In perspective, 1 / depth is linear in the picture; weights and depth must give back a plane in space.
+TEST(PixelFragment, WeightsAndDepthAreCorrectInPerspective) {
   Random random;
   const auto inSpace = [](dvec3 p) {
     return dvec3(p.x * p.z, p.y * p.z, p.z);
@@ -71,7 +71,7 @@ TEST(PixelFragment, WeightsAndDepthAreRightForPerspective) {
   }
 }
 
-// Half a pixel left of `x`, at a depth; looks at the eye and is far larger than the pixel.
+// Returns the fragment left of `x` of a surface at a depth, which faces the eye and is far larger than the pixel.
 PixelFragment leftOf(double x, double depth) {
   return *pixelFragment({dvec3(x, -50, depth), dvec3(-100, 0, depth), dvec3(x, 50, depth)}, {0, 0});
 }
@@ -79,21 +79,21 @@ PixelFragment rightOf(double x, double depth) {
   return *pixelFragment({dvec3(x, 50, depth), dvec3(100, 0, depth), dvec3(x, -50, depth)}, {0, 0});
 }
 
-TEST(VisibleAreas, AreExactSideBySide) {
+TEST(VisibleAreas, AreExactForFragmentsThatDoNotOverlap) {
   const std::array fragments{leftOf(0.3137, 10), rightOf(0.3137, 10)};
   const auto areas = visibleAreas(fragments);
   EXPECT_NEAR(areas[0], 0.3137, 1e-12);
   EXPECT_NEAR(areas[1], 0.6863, 1e-12);
 }
 
-TEST(VisibleAreas, ANearSurfaceKeepsItsAreaAndTheFarOneTheRest) {
+TEST(VisibleAreas, GiveTheFarFragmentTheRestOfThePixel) {
   const std::array fragments{rightOf(-1, 12), leftOf(0.3137, 10)};  // the first fills the pixel
   const auto areas = visibleAreas(fragments);
   EXPECT_NEAR(areas[1], 0.3137, 1e-12);
   EXPECT_NEAR(areas[0], 0.6863, 1e-12);
 }
 
-TEST(VisibleAreas, WhatIsWhollyHiddenIsNotSeen) {
+TEST(VisibleAreas, AreZeroForWhollyHiddenFragments) {
   const std::array fragments{leftOf(0.2, 12), leftOf(0.5, 10), leftOf(1e-4, 11)};
   const auto areas = visibleAreas(fragments);
   EXPECT_EQ(areas[0], 0);
@@ -101,8 +101,8 @@ TEST(VisibleAreas, WhatIsWhollyHiddenIsNotSeen) {
   EXPECT_EQ(areas[2], 0);  // too small for any sample
 }
 
-// Half hidden, and open paper beside it: the hidden share is an estimate by 64 samples.
-TEST(VisibleAreas, PartlyHiddenBesideNothing) {
+// With open paper beside both fragments, the hidden share is an estimate by 64 samples.
+TEST(VisibleAreas, AreEstimatedForAPartlyHiddenFragment) {
   for (double edge = 0.05; edge < 0.6; edge += 0.05) {
     const std::array fragments{leftOf(0.7, 12), leftOf(edge, 10)};
     const auto areas = visibleAreas(fragments);
@@ -111,8 +111,8 @@ TEST(VisibleAreas, PartlyHiddenBesideNothing) {
   }
 }
 
-// Every pixel that the segment crosses, found by walking along it in small steps.
-TEST(PixelMarks, HoldEveryPixelOfASegmentAndFewOthers) {
+// Expected: every pixel found by walking along the segment in small steps.
+TEST(PixelMarks, IncludeEveryPixelOfASegmentAndFewOthers) {
   Random random;
   for (int trial = 0; trial < 300; ++trial) {
     PixelMarks marks;
@@ -152,12 +152,12 @@ TEST(PixelMarks, AreNumberedRowByRow) {
   EXPECT_EQ(marks.columns()[3], 6);
 }
 
-TEST(PixelMarks, KeepToTheirPart) {
+TEST(PixelMarks, StayWithinTheGivenPart) {
   PixelMarks marks;
   marks.reset({8, 6}, {0, 0, 8, 6});
   marks.mark({0, 0, 8, 6});
   marks.reset({8, 6}, {2.5, 1, 5, 4});  // columns 2 to 4
-  EXPECT_EQ(marks.bytes()[0], 0);       // nothing of the marks before
+  EXPECT_EQ(marks.bytes()[0], 0);       // earlier marks are gone
   marks.markSegment({-9, 2.5}, {20, 2.5});
   marks.mark({3, 3, 4, 9});
   marks.finish();

@@ -10,7 +10,7 @@
 
 namespace poinsot::render {
 
-/// Right-handed.
+/// Returns three random axes at right angles, each `size` long, right-handed.
 inline glm::mat3 randomAxes(Random& random, float size) {
   const glm::vec3 a = random.direction(), b = random.across(a);
   return size * glm::mat3(a, b, glm::cross(a, b));

@@ -6,28 +6,27 @@
 
 #include "draw/draw_list.h"
 
-/// Closed meshes of known shape, counter-clockwise from outside.
+/// Closed meshes of known shape, whose triangles are counter-clockwise from outside.
 namespace poinsot::render {
 
 using MeshPointer = std::shared_ptr<const draw::TriangleMesh>;
 
-/// Corners at (±1, ±1, ±1).
+/// Returns a cube with corners at (±1, ±1, ±1).
 MeshPointer cube();
-/// Four of the cube's corners.
+/// Returns a tetrahedron of four of the cube's corners.
 MeshPointer tetrahedron();
-/// Corners on the unit sphere; `subdivisions` times each triangle is cut in four, the new corners put on the
-/// sphere.
+/// Returns a mesh with corners on the unit sphere, whose triangles are cut in four `subdivisions` times.
 MeshPointer icosphere(int subdivisions);
-/// An icosphere whose corners are up to `depth` nearer the centre, by chance.
+/// Returns an icosphere whose corners are moved towards the centre by random lengths of at most `depth`.
 MeshPointer roughSphere(int subdivisions, float depth);
-/// Axis z; the tube's middle has radius 1.
+/// Returns a torus about z; the tube's centre line has radius 1.
 MeshPointer torus(float tubeRadius, int around, int along);
-/// An L of thickness 1 in z with arms 2 long and 1 wide; its hollow edge is at the origin.
+/// Returns an L of thickness 1 in z with arms 2 long and 1 wide; its concave edge is at the origin.
 MeshPointer lPrism();
-/// Two cubes with edges of 1 that share the edge along z, so that four faces meet at it. The triangles of the two
+/// Returns two cubes with edges of 1 that share an edge along z, where four faces meet. The cubes' triangles
 /// alternate.
 MeshPointer cubesAtAnEdge();
-/// The half z >= 0 of the unit sphere, closed by a disc.
+/// Returns the half z >= 0 of the unit sphere, closed by a disc.
 MeshPointer hemisphere(int around, int along);
 
 }  // namespace poinsot::render

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes: exact areas, edges as in the picture of many samples, and one picture with the other solids.
+// Meshes: exact areas, edges compared with many samples a pixel, and meshes together with other solids.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -23,7 +23,7 @@ const Color kGreen = draw::fromSrgb(0x009E73), kBlue = draw::fromSrgb(0x0072B2);
 
 class MeshTest : public PictureTest {
  protected:
-  /// A tilted view of a body, its axes the same in every test.
+  /// Returns the tilted axes of a body, the same in every test.
   static mat3 tilted(float size) {
     Random random;
     return randomAxes(random, size);
@@ -40,7 +40,7 @@ class MeshTest : public PictureTest {
   }
 };
 
-// A convex body's picture is the hull of its corners' pictures.
+// The outline of a convex body is the hull of its corners in the picture.
 TEST_F(MeshTest, CubesAndTetrahedraHaveTheAreaOfTheirHull) {
   Random random;
   double worst = 0;
@@ -55,7 +55,7 @@ TEST_F(MeshTest, CubesAndTetrahedraHaveTheAreaOfTheirHull) {
     list.meshes.push_back(mesh);
     const double area = hullArea(corners), error = std::abs(blackArea(render(list)) - area);
     worst = std::max(worst, error / std::sqrt(area));
-    // What is left are 8-bit values along an edge as long as the root of the area.
+    // The remaining error comes from 8-bit values along an edge as long as the root of the area.
     EXPECT_LT(error, 0.005 * std::sqrt(area) + 0.01) << "trial " << trial << " of " << area << " pixels";
   }
   RecordProperty("worst_error_per_edge_pixel", std::to_string(worst));  // measured 0.0023
@@ -92,14 +92,13 @@ TEST_F(MeshTest, EdgesAgreeWithTheReferencePicture) {
   }
 }
 
-// Bodies before each other, and one that bears lines: no order in the list matters.
 TEST_F(MeshTest, ManyMeshesAgreeWithTheReferencePicture) {
   DrawList list = emptyList();
   Random random;
   for (const Body& body : bodies()) {
     draw::Mesh mesh = meshOf(body.mesh, randomAxes(random, 0.6f * body.size), {kBlue, 0.3f});
     mesh.material.color = 0.2f + 0.4f * (random.direction() + 1.0f);
-    // One behind the other: where two cut each other nothing is resolved.
+    // Bodies stand behind one another, because the renderer does not resolve meshes that cut each other.
     const float x = 0.9f * static_cast<float>(list.meshes.size()) - 3;
     mesh.origin_V = {x, random.in(-0.7f, 0.7f), random.in(-0.5f, 0.5f)};
     list.meshes.push_back(mesh);
@@ -114,8 +113,8 @@ TEST_F(MeshTest, ManyMeshesAgreeWithTheReferencePicture) {
   EXPECT_LE(difference(render(list), picture).worst, 1);
 }
 
-// Each made its own way, and the box's axes left-handed too.
-TEST_F(MeshTest, ABoxIsTheMeshOfACube) {
+// Boxes and meshes are made by different code; a box may also have left-handed axes.
+TEST_F(MeshTest, ABoxLooksLikeTheMeshOfACube) {
   mat3 axes = tilted(0.4f);
   axes[1] *= 0.6f;
   DrawList mesh = emptyList();
@@ -134,7 +133,8 @@ TEST_F(MeshTest, ABoxWithoutVolumeDrawsNothing) {
   EXPECT_EQ(blackArea(render(list)), 0);
 }
 
-// The mesh's corners are on the ellipsoid: its outline lies inside by the sagitta, at most 0.01 pixel here.
+// The mesh's corners are on the ellipsoid, so that its outline lies inside by the sagitta, at most 0.01 pixel
+// here.
 TEST_F(MeshTest, AFineEllipsoidLooksLikeTheEllipsoidOfTheDrawList) {
   mat3 axes = tilted(0.6f);
   axes[1] *= 0.5f;
@@ -151,7 +151,7 @@ TEST_F(MeshTest, AFineEllipsoidLooksLikeTheEllipsoidOfTheDrawList) {
 
 TEST_F(MeshTest, PaperShowsThroughTheHoleOfATorus) {
   DrawList list = emptyList();
-  // M's z towards the eye.
+  // The mesh's z axis points towards the eye.
   list.meshes.push_back(
       meshOf(torus(0.3f, 64, 32), 0.7f * mat3(vec3(0, 1, 0), vec3(0, 0, 1), vec3(1, 0, 0)), black()));
   const image::Image picture = render(list);
@@ -161,8 +161,8 @@ TEST_F(MeshTest, PaperShowsThroughTheHoleOfATorus) {
   EXPECT_EQ(*picture.at(100 + 76, 80), 255);  // 0.7 * 1.3 * 80 = 73 is the outer edge
 }
 
-// A plane through the middle of a cube: the near half is before it, the far half shows through.
-TEST_F(MeshTest, ASheetCutsAMesh) {
+// A plane runs through the middle of a cube: the near half hides the plane, the far half shows through it.
+TEST_F(MeshTest, AGlassSheetCanCutThroughAMesh) {
   DrawList list = emptyList();
   list.meshes.push_back(meshOf(cube(), mat3(0.3f), black()));
   draw::GridPlane plane;
@@ -179,7 +179,7 @@ TEST_F(MeshTest, ASheetCutsAMesh) {
   EXPECT_NE(greenAt(100, 74) > 0, greenAt(100, 86) > 0);  // before on one side of the cut, behind on the other
 }
 
-// Half a pixel of a black edge before a sheet shows half the sheet, as with every solid.
+// An edge that covers a part of a pixel shows the sheet behind in the rest, as with every solid.
 TEST_F(MeshTest, EdgesBlendOverTheSheetsBehindThem) {
   DrawList list = emptyList();
   draw::Mesh mesh = meshOf(cube(), mat3(0.25f), black());
@@ -196,12 +196,11 @@ TEST_F(MeshTest, EdgesBlendOverTheSheetsBehindThem) {
   list.camera.centre_px.x += 0.25f;
   const image::Image picture = render(list);
   for (int c = 0; c < 3; ++c) {
-    EXPECT_NEAR(picture.at(80, 80)[c], draw::srgb8FromLinear(0.25f * plane.color[c]), 1);  // 0.25 of it is sheet
+    EXPECT_NEAR(picture.at(80, 80)[c], draw::srgb8FromLinear(0.25f * plane.color[c]), 1);  // a quarter is sheet
     EXPECT_NEAR(picture.at(120, 80)[c], draw::srgb8FromLinear(0.75f * plane.color[c]), 1);
   }
 }
 
-// A sheet between a near mesh and a far one, at the near one's edge.
 TEST_F(MeshTest, ASheetBetweenTwoMeshesStaysBetweenThemAtTheEdge) {
   DrawList list = emptyList();
   list.camera.centre_px.x += 0.5f;
@@ -226,11 +225,12 @@ TEST_F(MeshTest, ASheetBetweenTwoMeshesStaysBetweenThemAtTheEdge) {
   }
 }
 
-// The light comes from the upper left, before the body.
+// The light comes from the upper left, in front of the body.
 TEST_F(MeshTest, FacesTowardsTheLightAreBrighter) {
   DrawList list = emptyList();
   const float c = std::sqrt(0.5f);
-  // A cube's edge upright towards the eye, tipped a little: top, left and right faces seen.
+  // An upright edge of the cube points at the eye and is tipped a little, so that top, left and right faces are
+  // seen.
   const mat3 turned(vec3(c, c, 0), vec3(-c, c, 0), vec3(0, 0, 1));
   const mat3 tip(vec3(0.9f, 0, -0.4359f), vec3(0, 1, 0), vec3(0.4359f, 0, 0.9f));
   list.meshes.push_back(meshOf(cube(), 0.4f * tip * turned, {Color(0.5f), 0}));
@@ -240,7 +240,7 @@ TEST_F(MeshTest, FacesTowardsTheLightAreBrighter) {
   EXPECT_GT(left, right + 10);
 }
 
-TEST_F(MeshTest, CreasesAreFlatAndTheRestIsSmooth) {
+TEST_F(MeshTest, FacesAreFlatOnlyBeyondTheCreaseAngle) {
   const auto colors = [&](float crease) {
     DrawList list = listOf(icosphere(0), 0.6f, {kGreen, 0});
     list.meshes[0].crease_rad = crease;
@@ -266,8 +266,7 @@ TEST_F(MeshTest, RefusesMirroredAxes) {
   EXPECT_THROW(render(list), std::logic_error);
 }
 
-// What stands out of the picture changes nothing in it.
-TEST_F(MeshTest, APictureIsAWindowOfALargerOne) {
+TEST_F(MeshTest, ASmallPictureEqualsThePartOfALargerOne) {
   DrawList list = listOf(torus(0.4f, 48, 24), 0.9f);
   list.meshes[0].origin_V = {0, 0.7f, -0.5f};
   const image::Image small = render(list);
@@ -283,10 +282,9 @@ TEST_F(MeshTest, APictureIsAWindowOfALargerOne) {
       for (int c = 0; c < 3; ++c)
         worst = std::max(worst, std::abs(small.at(x, y)[c] - window.at(x + 80, y + 80)[c]));
   RecordProperty("worst", worst);
-  EXPECT_LE(worst, 1);  // other sums of floats; measured 1
+  EXPECT_LE(worst, 1);  // sums of floats differ; measured 1
 }
 
-// As with every solid: one that is not wholly in front of the camera is left out.
 TEST_F(MeshTest, AMeshThatReachesTheNearDistanceIsLeftOut) {
   DrawList list = listOf(cube(), 0.3f);
   list.meshes[0].origin_V = {4.9f, 0, 0};  // 5.1 from the eye, the near distance is 5
@@ -295,7 +293,8 @@ TEST_F(MeshTest, AMeshThatReachesTheNearDistanceIsLeftOut) {
   EXPECT_GT(blackArea(render(list)), 1000);
 }
 
-// Films: a mesh is kept from picture to picture, and a new one at the same address is not mistaken for it.
+// For films, the renderer keeps a mesh from picture to picture. A new mesh at the same address must not be
+// mistaken for the old one.
 TEST_F(MeshTest, TheSameListGivesTheSameBytesAgain) {
   const DrawList list = listOf(torus(0.4f, 48, 24), 0.5f);
   const image::Image first = render(list);
@@ -307,7 +306,8 @@ TEST_F(MeshTest, TheSameListGivesTheSameBytesAgain) {
   for (int i = 0; i < 20; ++i) EXPECT_EQ(render(listOf(cube(), 0.3f)), other);
 }
 
-// Many triangles to a pixel: a body that moves by fractions of a pixel keeps its light, as no sample can miss it.
+// Many triangles share a pixel. A body that moves by fractions of a pixel keeps its area, because areas are exact
+// and no sample can miss a triangle.
 TEST_F(MeshTest, TinyTrianglesDoNotSparkle) {
   double least = 1e9, most = 0;
   for (int i = 0; i < 16; ++i) {

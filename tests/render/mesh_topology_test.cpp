@@ -20,7 +20,7 @@ TEST(MeshTopology, ACubeHasTwelveCreasesAndThreeNormalsToACorner) {
   const MeshTopology topology = meshTopology(*cube(), 0.6f);
   EXPECT_EQ(topology.edges.size(), 18);  // 8 - 18 + 12 = 2: twelve edges and six diagonals
   EXPECT_EQ(sharpEdges(topology), 12);
-  EXPECT_EQ(topology.chains.size(), 12);  // three meet at every corner: nothing goes on
+  EXPECT_EQ(topology.chains.size(), 12);  // three meet at every corner, so that no chain goes on
   EXPECT_EQ(topology.corners.size(), 24);
   for (const MeshCorner& c : topology.corners) {
     const glm::vec3 n = glm::abs(c.normal_M);
@@ -51,7 +51,7 @@ TEST(MeshTopology, TheRimOfAHemisphereIsOneLoop) {
   EXPECT_EQ(topology.chains[0].vertices.front(), topology.chains[0].vertices.back());
 }
 
-TEST(MeshTopology, AnOpenBorderIsSharpAndHasNoFaceBeyond) {
+TEST(MeshTopology, AnOpenBorderHasSharpEdgesWithOneFace) {
   const MeshTopology topology = meshTopology({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, 0.6f);
   ASSERT_EQ(topology.edges.size(), 3);
   for (const MeshEdge& e : topology.edges) {
@@ -60,7 +60,7 @@ TEST(MeshTopology, AnOpenBorderIsSharpAndHasNoFaceBeyond) {
   }
 }
 
-TEST(MeshTopology, ADegenerateFaceBendsNothing) {
+TEST(MeshTopology, IgnoresDegenerateFacesInCreasesAndNormals) {
   draw::TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5f, 0.5f, 0}}, {}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 4}, {0, 4, 3}, {4, 2, 3}};  // the second has no area
   const MeshTopology topology = meshTopology(mesh, 0.6f);
@@ -68,14 +68,14 @@ TEST(MeshTopology, ADegenerateFaceBendsNothing) {
   for (const MeshCorner& c : topology.corners) EXPECT_EQ(c.normal_M, glm::vec3(0, 0, 1));
 }
 
-/// Whether a face of cubesAtAnEdge() belongs to the cube at x, y > 0, not to the one at x, y < 0.
+/// Returns whether a face of cubesAtAnEdge() belongs to the cube at x, y > 0, not to the cube at x, y < 0.
 bool isOfTheSecond(const draw::TriangleMesh& mesh, std::uint32_t face) {
   glm::vec3 sum(0);
   for (const std::uint32_t i : mesh.triangles[face]) sum += mesh.vertices_M[i];
   return sum.x + sum.y > 0;
 }
 
-// The shared edge is there once for each cube.
+// Each cube has its own copy of the shared edge.
 TEST(MeshTopology, PairsOppositeSidesWhereFourFacesMeet) {
   const MeshPointer mesh = cubesAtAnEdge();
   const MeshTopology topology = meshTopology(*mesh, 0.6f);

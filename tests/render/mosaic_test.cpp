@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The picture cut into rectangles by what is there: held to what a pixel would be asked for itself, at sizes that
-// tiles and cells do not fit into.
+// Cuts a picture into rectangles of equal content, and compares them with the content of each single pixel. The
+// sizes are not multiples of the sizes of tiles and cells.
 #include "render/mosaic.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ SolidCells someSolids() {
   return cells;
 }
 
-/// The content of each pixel, and how often it is covered.
+/// Content of each pixel, and the number of rectangles that cover the pixel.
 struct Unfolded {
   std::vector<int> times = std::vector<int>(kWidth * kHeight);
   std::vector<const Content*> contents = std::vector<const Content*>(kWidth * kHeight);
@@ -54,14 +54,14 @@ TileCache blankMemory() {
   return tiles;
 }
 
-/// How often each pixel is in one of the rectangles.
+/// Returns how many of the rectangles cover each pixel.
 std::vector<int> timesIn(const std::vector<PixelBounds>& rectangles) {
   Mosaic one;
   one.parts[{}] = rectangles;
   return Unfolded(one).times;
 }
 
-TEST(Mosaic, CoversAllOnce) {
+TEST(Mosaic, CoversEachPixelOnce) {
   const draw::DrawList list = ellipsoidOverPlane();
   TileCache tiles = blankMemory();
   const Mosaic mosaic = cutIntoMosaic(list.camera.size_px, Sheets(list), someSolids(), tiles);
@@ -76,8 +76,9 @@ TEST(Mosaic, CoversAllOnce) {
   EXPECT_GT(blank, 1000);
 }
 
-// What a pixel's own square may show is drawn there; where no outline is drawn, each sheet fills it.
-TEST(Mosaic, LeavesOutNothingThatAPixelShows) {
+// Each pixel's rectangle draws all that the pixel's own square may show. Where no outline is drawn, each sheet
+// fills the pixel.
+TEST(Mosaic, DrawsEverySolidAndSheetThatAPixelShows) {
   const draw::DrawList list = ellipsoidOverPlane();
   const Sheets sheets(list);
   const SolidCells solids = someSolids();
@@ -103,7 +104,7 @@ TEST(Mosaic, LeavesOutNothingThatAPixelShows) {
   EXPECT_GT(filled, 1000);
 }
 
-TEST(Mosaic, OfNothingIsPaper) {
+TEST(Mosaic, HasOnlyBackgroundTilesForAnEmptyPicture) {
   draw::DrawList list = ellipsoidOverPlane();
   list.glassEllipsoids.clear();
   list.planes.clear();
@@ -115,7 +116,8 @@ TEST(Mosaic, OfNothingIsPaper) {
   EXPECT_EQ(std::ranges::count(times, 1), kWidth * kHeight);
 }
 
-// Of a second picture only the tiles with solids, those of a sheet that is another now, and what was painted over.
+// A second picture consists only of tiles with solids, tiles of a sheet that changed, and tiles that were painted
+// over.
 class SecondMosaic : public testing::Test {
  protected:
   SecondMosaic() { cut(list_); }
@@ -136,7 +138,7 @@ class SecondMosaic : public testing::Test {
   TileCache tiles_;
 };
 
-TEST_F(SecondMosaic, HoldsTheTilesWithSolids) {
+TEST_F(SecondMosaic, RedrawsOnlyTilesWithSolidsIfNothingChanged) {
   const Mosaic mosaic = cut(list_);
   EXPECT_TRUE(mosaic.paper.empty());
   const auto drawn = timesIn(mosaic.drawn);
@@ -148,7 +150,7 @@ TEST_F(SecondMosaic, HoldsTheTilesWithSolids) {
   });
 }
 
-TEST_F(SecondMosaic, HoldsThoseOfAnEllipsoidThatTurned) {
+TEST_F(SecondMosaic, RedrawsTilesOfAnEllipsoidThatTurned) {
   list_.glassEllipsoids[0].semiAxes_V[0] *= 1.001f;
   const Mosaic mosaic = cut(list_);
   const glm::ivec2 centre(kWidth / 2, kHeight / 2);
@@ -156,7 +158,7 @@ TEST_F(SecondMosaic, HoldsThoseOfAnEllipsoidThatTurned) {
   EXPECT_FALSE(covers(mosaic.drawn, 2, centre.y));
 }
 
-TEST_F(SecondMosaic, HoldsWhatWasPaintedOver) {
+TEST_F(SecondMosaic, RedrawsTilesThatWereOverwritten) {
   tiles_.forget({-20, 2, 3, 5});
   const Mosaic mosaic = cut(list_);
   EXPECT_EQ(mosaic.paper.size(), 1u);
@@ -164,13 +166,13 @@ TEST_F(SecondMosaic, HoldsWhatWasPaintedOver) {
   EXPECT_FALSE(covers(mosaic.paper, 64, 63));
 }
 
-TEST_F(SecondMosaic, HoldsAllWhenTheLightIsAnother) {
+TEST_F(SecondMosaic, RedrawsAllTilesIfTheLightChanges) {
   const Mosaic mosaic = cut(list_, {glm::vec4(1)});
   EXPECT_TRUE(covers(mosaic.paper, 0, 0));
   EXPECT_TRUE(covers(mosaic.drawn, kWidth / 2, kHeight - 20));
 }
 
-TEST_F(SecondMosaic, HoldsAllAfterAPictureThatWasNotEnded) {
+TEST_F(SecondMosaic, RedrawsAllTilesAfterAnUnfinishedPicture) {
   tiles_.beginPicture({kWidth, kHeight}, {});
   EXPECT_TRUE(covers(cut(list_).paper, 0, 0));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parallel rays: every drawn thing as a perspective camera sees it from very far away, and the known sizes.
+// Parallel rays: each drawn thing looks as a perspective camera sees it from very far away, and known sizes hold.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -18,14 +18,16 @@ const draw::Color kGreen = draw::fromSrgb(0x009E73), kBlue = draw::fromSrgb(0x00
 
 class OrthographicTest : public PictureTest {
  protected:
-  /// 80 pixels to the unit, as in the middle of the perspective one.
+  /// Returns an empty list with a parallel camera, with 80 pixels to the unit as in the middle of the perspective
+  /// one.
   static DrawList parallelList() {
     DrawList list = emptyList();
     list.camera = draw::orthographic(list.camera, vec3(0));
     return list;
   }
 
-  /// The same picture from 3000 away: what is 1 nearer is larger by a three thousandth.
+  /// Returns the same picture in perspective from 3000 away, where a thing that is 1 nearer looks larger by
+  /// 1/3000.
   static DrawList fromFarAway(DrawList list) {
     constexpr float kDistance = 3000;
     list.camera.orthographic = false;
@@ -36,7 +38,7 @@ class OrthographicTest : public PictureTest {
     return list;
   }
 
-  /// @param mostValues  that may differ by more than worstLight
+  /// @param mostValues  number of values that may differ by more than worstLight
   void expectAsFromFarAway(const DrawList& list, const char* what, float worstLight, int mostValues = 0) {
     const image::Image parallel = render(list);
     ASSERT_GT(difference(parallel, render(emptyList())).count, 200) << what;
@@ -59,7 +61,7 @@ TEST_F(OrthographicTest, ASphereIsACircleOfItsRadiusWhereverItIs) {
   }
 }
 
-TEST_F(OrthographicTest, SolidsAreAsFromFarAway) {
+TEST_F(OrthographicTest, DrawsSolidsAsSeenFromFarAway) {
   DrawList ellipsoid = parallelList();
   ellipsoid.ellipsoids.push_back(
       {{0.5f, 0.2f, -0.1f}, glm::mat3(0.5f, 0.1f, 0, -0.1f, 0.6f, 0.2f, 0, -0.1f, 0.3f), {kBlue, 0.3f}});
@@ -81,7 +83,7 @@ TEST_F(OrthographicTest, SolidsAreAsFromFarAway) {
   }
 }
 
-TEST_F(OrthographicTest, CurvesAreAsFromFarAway) {
+TEST_F(OrthographicTest, DrawsCurvesAsSeenFromFarAway) {
   for (const float radius : {0.0f, 0.06f}) {
     DrawList list = parallelList();
     draw::Curve curve;
@@ -96,13 +98,13 @@ TEST_F(OrthographicTest, CurvesAreAsFromFarAway) {
   }
 }
 
-TEST_F(OrthographicTest, SheetsAreAsFromFarAway) {
+TEST_F(OrthographicTest, DrawsSheetsAsSeenFromFarAway) {
   DrawList list = parallelList();
   draw::GlassEllipsoid glass;
   glass.semiAxes_V = glm::mat3(0.9f, 0, 0, 0, 0.7f, 0.2f, 0, -0.1f, 0.6f);
   glass.centre_V = {0.6f, 0.2f, 0.1f};
   glass.color = kBlue;
-  // Without graticule: from far away single precision is too coarse for its lines at the rim.
+  // The glass has no graticule: from far away, single precision is too coarse for its lines at the rim.
   list.glassEllipsoids = {glass};
   expectAsFromFarAway(list, "glass", 0.03f);  // measured 0.018
   list.glassEllipsoids.clear();
@@ -136,7 +138,7 @@ DrawList withEverything(DrawList list) {
   return list;
 }
 
-// Depths too: what hides what, against many hard-edged samples.
+// Checks depths too, that is, what hides what, against many hard-edged samples.
 TEST_F(OrthographicTest, AgreesWithTheReferencePicture) {
   const DrawList list = withEverything(parallelList());
   const Difference d = difference(render(list), renderReference(renderer_, list, kSize, 16));
@@ -145,7 +147,7 @@ TEST_F(OrthographicTest, AgreesWithTheReferencePicture) {
   EXPECT_LT(d.mean, 2);  // measured 1.56
 }
 
-TEST_F(OrthographicTest, WhatIsNearerHidesWhatIsFarther) {
+TEST_F(OrthographicTest, NearObjectsHideFarObjects) {
   DrawList list = parallelList();
   list.boxes = {{{-2, 0, 0}, glm::mat3(0.5f), {draw::Color(1), 0}}, {{2, 0, 0}, glm::mat3(0.3f), black()}};
   std::vector<vec3> square{{1, -0.4f, -0.4f}, {1, 0.4f, -0.4f}, {1, 0.4f, 0.4f}, {1, -0.4f, 0.4f}};

@@ -21,8 +21,8 @@ double rho(const ScreenEllipse& e, vec2 p) {
   return std::sqrt(double(e.form.x) * q.x * q.x + 2 * double(e.form.y) * q.x * q.y + double(e.form.z) * q.y * q.y);
 }
 
-// The outline touches, and holds, the picture of every point of the surface.
-TEST(EllipseOutline, HoldsThePictureOfEveryPoint) {
+// The outline encloses the picture of every point of the surface, and touches the outermost.
+TEST(EllipseOutline, EnclosesTheProjectionOfTheEllipsoid) {
   const draw::Camera c = camera();
   const vec3 centre(0.5f, -0.4f, 0.3f);
   const glm::mat3 axes_V(0.8f, 0.2f, 0, -0.1f, 0.4f, 0.1f, 0, -0.15f, 0.6f);
@@ -46,13 +46,13 @@ TEST(EllipseOutline, ADiscSeenEdgeOnIsALine) {
   EXPECT_GT(outline.bounds.right - outline.bounds.left, 150);
 }
 
-TEST(FrustumOutline, KnowsWhichCapLooksAtTheEye) {
+TEST(FrustumOutline, FindsTheCapThatFacesTheEye) {
   const draw::Camera c = camera();
   const draw::Frustum towards{{0, 0, 0}, {1, 0, 0}, 0.3f, 0.3f, {}};
   const draw::Frustum away{{1, 0, 0}, {0, 0, 0}, 0.3f, 0.3f, {}};
   EXPECT_EQ(frustumOutline(c, towards).visibleCap, 2);
   EXPECT_EQ(frustumOutline(c, away).visibleCap, 1);
-  // The eye is far out along x; a cone's point cannot be a cap.
+  // A cone's apex is not a cap, although the eye is far out along x.
   EXPECT_EQ(frustumOutline(c, {{0, 0, 0}, {1, 0, 0}, 0.3f, 0, {}}).visibleCap, 0);
 }
 
@@ -60,7 +60,7 @@ TEST(FrustumOutline, IsEmptyBehindTheCamera) {
   EXPECT_TRUE(frustumOutline(camera(), {{20, 0, 0}, {21, 0, 0}, 0.3f, 0.3f, {}}).bounds.empty());
 }
 
-TEST(Cells, CoverTheBoundsOnceAndTellInsideFromEdge) {
+TEST(Cells, CoverTheBoundsOnceAndSeparateInsideFromEdge) {
   const PixelBounds bounds{1, 2, 198, 117};
   const auto inside = [](vec2 p) { return std::hypot(p.x - 100, p.y - 60) < 55; };
   const Cells cells = cutIntoCells(bounds, inside);
@@ -85,7 +85,7 @@ TEST(Cells, CoverTheBoundsOnceAndTellInsideFromEdge) {
   }
 }
 
-// OpenGL leaves out a point whose centre is outside the picture.
+// OpenGL discards a point whose centre is outside the picture.
 TEST(Squares, CoverARectangleOnceAndHaveTheirCentresInIt) {
   for (const PixelBounds& r :
        {PixelBounds{0, 0, 199, 121}, {64, 128, 192, 192}, {16, 48, 33, 49}, {7, 9, 8, 100}}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of several panels, and flat things over them.
+// Pictures of several panels, with areas, strokes and type over them.
 #include "picture_test.h"
 #include "support/back_ends.h"
 
@@ -44,7 +44,7 @@ class PanelsTest : public PictureTest {
 
 const Color kRed(0.6f, 0.02f, 0.02f), kBlue(0.05f, 0.1f, 0.7f);
 
-TEST_F(PanelsTest, TwoPanelsAreTheTwoPicturesBesideEachOther) {
+TEST_F(PanelsTest, TwoPanelsEqualTwoSinglePicturesSideBySide) {
   const image::PixelSize left{120, 160}, right{80, 100};
   const auto a = viewOf(left, kRed), b = viewOf(right, kBlue);
   for (const bool transparent : {false, true}) {
@@ -67,14 +67,13 @@ TEST_F(PanelsTest, TwoPanelsAreTheTwoPicturesBesideEachOther) {
   }
 }
 
-TEST_F(PanelsTest, OnePanelThatFillsThePictureIsTheList) {
+TEST_F(PanelsTest, APanelThatFillsThePictureEqualsItsDrawList) {
   Picture picture = paper();
   picture.panels = {{{0, 0}, viewOf(kSize, kRed)}};
   EXPECT_EQ(renderer_.render(picture), render(viewOf(kSize, kRed)));
 }
 
-// More sizes than buffers are kept for, again and again: the same bytes.
-TEST_F(PanelsTest, ManySizesShareTheBuffers) {
+TEST_F(PanelsTest, PanelsOfManySizesGiveTheSameBytesAgain) {
   Picture picture = paper();
   for (int i = 0; i < 6; ++i) picture.panels.push_back({{30 * i, 5 * i}, viewOf({30, 40 + 10 * i}, kRed)});
   const image::Image first = renderer_.render(picture);
@@ -105,7 +104,7 @@ TEST_F(PanelsTest, RefusesAPanelThatLeavesThePicture) {
   }
 }
 
-TEST_F(PanelsTest, FlatThingsLieOverOneAnotherInOrder) {
+TEST_F(PanelsTest, FlatShapesAreDrawnInOrder) {
   Picture picture = paper();
   picture.areas = {square(20, 20, 60, kRed), square(50, 50, 60, kBlue)};
   draw::Stroke line;
@@ -124,14 +123,14 @@ TEST_F(PanelsTest, FlatThingsLieOverOneAnotherInOrder) {
   expectColor(flat, 150, 150, Color(1));
 }
 
-TEST_F(PanelsTest, FlatThingsLieOverPanels) {
+TEST_F(PanelsTest, FlatShapesAreDrawnOverPanels) {
   Picture picture = paper();
   picture.panels = {{{0, 0}, viewOf(kSize, kRed)}};
   picture.areas = {square(90, 70, 20, kBlue)};
   expectColor(renderer_.render(picture), 100, 80, kBlue);
 }
 
-// The "over" operator in linear light, worked out by hand.
+// Expected by hand, with the "over" operator in linear light.
 TEST_F(PanelsTest, OpacityBlendsInLinearLight) {
   Picture picture = paper();
   picture.areas = {square(20, 20, 60, kRed, 0.25f)};
@@ -150,7 +149,7 @@ TEST_F(PanelsTest, OnTransparentPaperTheCoverageIsAlpha) {
   expectColor(flat, 40, 20, kRed);
 }
 
-TEST_F(PanelsTest, UnchangedFlatThingsGiveTheSameBytesAgain) {
+TEST_F(PanelsTest, UnchangedFlatShapesGiveTheSameBytesAgain) {
   Picture picture = paper();
   picture.areas = {square(20.3f, 20.5f, 60, kRed, 0.5f)};
   draw::Stroke line;
@@ -161,7 +160,7 @@ TEST_F(PanelsTest, UnchangedFlatThingsGiveTheSameBytesAgain) {
   EXPECT_EQ(renderer_.render(picture), first);
   EXPECT_NE(renderer_.render(paper()), first);
   EXPECT_EQ(renderer_.render(picture), first);
-  picture.strokes[1].dash_px = 9;  // another line, not the kept one
+  picture.strokes[1].dash_px = 9;  // a new line, not the cached one
   EXPECT_NE(renderer_.render(picture), first);
 }
 

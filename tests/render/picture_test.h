@@ -11,14 +11,13 @@
 
 namespace poinsot::render {
 
-/// A renderer and a few measures of its pictures.
 class PictureTest : public testing::Test {
  protected:
   static void SetUpTestSuite() { gl::pinEnvironment(true); }
 
   static constexpr image::PixelSize kSize{200, 160};
 
-  /// Looks along -x at the origin from 10 away; 1 unit there is 80 pixels.
+  /// Returns an empty list whose camera looks along -x at the origin from 10 away; 1 unit there is 80 pixels.
   static draw::DrawList emptyList() {
     draw::DrawList list;
     list.camera = draw::lookAt({10, 0, 0}, {0, 0, 0}, {0, 0, 1}, 1.0f, {kSize.width, kSize.height});
@@ -30,7 +29,8 @@ class PictureTest : public testing::Test {
 
   image::Image render(const draw::DrawList& list) { return renderer_.render(list, kSize); }
 
-  /// Pixels' worth of darkness on white paper: the area of what is black, as blending is in linear light.
+  /// Returns the area of black on white paper, in pixels. Sums darkness in linear light, because blending is
+  /// linear.
   static double blackArea(const image::Image& picture) {
     double area = 0;
     for (std::size_t i = 0; i < picture.pixels.size(); i += 3)
@@ -38,12 +38,12 @@ class PictureTest : public testing::Test {
     return area;
   }
 
-  /// How two pictures differ, in steps of 255 over all channels.
+  /// Difference of two pictures, in steps of 1/255 over all channels.
   struct Difference {
     int count = 0;    ///< values that differ at all
-    double mean = 0;  ///< over those
+    double mean = 0;  ///< over the values that differ
     int worst = 0;
-    float worstLight = 0;  ///< the largest, in linear light
+    float worstLight = 0;  ///< largest difference in linear light
     int beyond = 0;        ///< values that differ by more than a bound, in linear light
   };
   static Difference difference(const image::Image& a, const image::Image& b, float bound = 0) {
@@ -62,7 +62,7 @@ class PictureTest : public testing::Test {
     return d;
   }
 
-  /// A material that no light brightens.
+  /// Returns a black material that no light brightens.
   static draw::Material black() { return {draw::Color(0), 0.0f}; }
 
   std::unique_ptr<gl::OffscreenContext> context_ = gl::openContext(gl::Backend::kAuto);

@@ -7,8 +7,9 @@
 
 namespace poinsot::render {
 
-/// Numbers that are the same everywhere: mt19937_64 is, the distributions of the library are not. Draw several in
-/// braces or statements: the order in which a function's arguments are evaluated is the compiler's.
+/// Random numbers that are the same on all machines: mt19937_64 is portable, the library's distributions are not.
+/// Draw several in braces or statements, because compilers differ in the order in which they evaluate a function's
+/// arguments.
 class Random {
  public:
   float in(float low, float high) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where solids are, where they may cut each other, and where edges may be behind one another: cells 16 pixels
-// wide.
+// Cells of 16 pixels, which record where solids are, where they may cut each other, and where edges may be behind
+// one another.
 #include "render/solid_cells.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ PixelBounds cell(int column, int row) {
 
 SolidReach reachOf(const SolidCells& cells, int column, int row) { return cells.reach(cell(column, row))[1]; }
 
-TEST(SolidCellsTest, ACellIsSharedByTwoSolidsNotByOneTwice) {
+TEST(SolidCellsTest, ACellIsSharedOnlyByDifferentSolids) {
   SolidCells cells({100, 60});
   cells.nextSolid();
   cells.markSolid(PixelBounds{0, 0, 40, 20}, kNear);
@@ -33,8 +33,8 @@ TEST(SolidCellsTest, ACellIsSharedByTwoSolidsNotByOneTwice) {
   EXPECT_EQ(part.asVec4(), cell(2, 1).asVec4());
 }
 
-// One behind the other has no seam with it, until either of them reaches farther.
-TEST(SolidCellsTest, ACellIsSharedWhereDepthsMeet) {
+// A solid behind another has no seam with it, unless either of them reaches farther.
+TEST(SolidCellsTest, ACellIsSharedOnlyIfDepthRangesOverlap) {
   SolidCells cells({100, 60});
   cells.nextSolid();
   cells.markSolid(cell(0, 0), kNear);
@@ -52,12 +52,11 @@ TEST(SolidCellsTest, ACellIsSharedWhereDepthsMeet) {
   }
   EXPECT_FALSE(cells.anyShared());
   cells.nextSolid();
-  cells.markSolid(cell(0, 0), depths[3]);  // more than are told apart
+  cells.markSolid(cell(0, 0), depths[3]);  // more depths than a cell keeps apart
   EXPECT_TRUE(cells.anyShared());
 }
 
-// Along a diagonal the cells beside it stay free.
-TEST(SolidCellsTest, ATriangleTouchesWhatItCrossesOnly) {
+TEST(SolidCellsTest, ATriangleMarksOnlyTheCellsItCrosses) {
   SolidCells cells({160, 160});
   cells.nextSolid();
   cells.markSolid(PixelBounds{0, 0, 160, 160}, kNear);
@@ -68,7 +67,7 @@ TEST(SolidCellsTest, ATriangleTouchesWhatItCrossesOnly) {
   EXPECT_FALSE(cells.shared(cell(1, 8)));
 }
 
-TEST(SolidCellsTest, WhatIsOutsideThePictureIsNotMarked) {
+TEST(SolidCellsTest, IgnoresShapesOutsideThePicture) {
   SolidCells cells({100, 60});
   for (int i = 0; i < 2; ++i) {
     cells.nextSolid();
@@ -80,7 +79,7 @@ TEST(SolidCellsTest, WhatIsOutsideThePictureIsNotMarked) {
   EXPECT_FALSE(cells.anyShared());
 }
 
-TEST(SolidCellsTest, NumbersDifferAndAreNotThatOfALine) {
+TEST(SolidCellsTest, GivesSolidsDistinctNumbersAboveThatOfLines) {
   SolidCells cells({100, 60});
   const float first = cells.nextSolid(), second = cells.nextSolid();
   EXPECT_NE(first, second);
@@ -88,8 +87,8 @@ TEST(SolidCellsTest, NumbersDifferAndAreNotThatOfALine) {
   EXPECT_GT(SolidCells::noSolid(), 0);
 }
 
-// Inside a solid there is no edge; two strands may be in one pixel, and so may an edge and a seam.
-TEST(SolidCellsTest, TellInsidesFromEdgesAndTheseFromTwo) {
+// A solid has no edge inside. Two strands may be in one pixel, and so may an edge and a seam.
+TEST(SolidCellsTest, TilesHaveAnInteriorOneEdgeOrTwoEdges) {
   SolidCells cells({160, 160});
   cells.nextSolid();
   cells.markSolid(PixelBounds{0, 0, 160, 90}, kNear);
@@ -116,7 +115,7 @@ TEST(SolidCellsTest, TellInsidesFromEdgesAndTheseFromTwo) {
   EXPECT_EQ(range[1], SolidReach::kTwoEdges);
 }
 
-TEST(SolidCellsTest, ThePartEnclosesWhatIsThereAndWhatIsBeside) {
+TEST(SolidCellsTest, ThePartEnclosesAllMarkedCellsWithAMargin) {
   SolidCells cells({500, 300});
   EXPECT_TRUE(cells.part().empty());
   cells.nextSolid();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // llvmpipe compiles shaders anew for textures with a side of 2^n (lp_sampler_static_texture_state of Mesa 22.3 has
-// pot_width and pot_height), so that layers have none, of whatever part of whatever picture.
+// pot_width and pot_height). Layers therefore have no such side, for any part of any picture.
 #include "render/solid_layers.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ class SolidLayersTest : public testing::Test {
  protected:
   static void SetUpTestSuite() { gl::pinEnvironment(true); }
 
-  /// What they have become for such a part.
+  /// Returns the size of the layers after they were fitted to a part of a picture.
   glm::ivec2 fit(SolidLayers& layers, glm::ivec2 size, glm::ivec2 picture) {
     layers.fit(part(size), picture, GL_RGBA8);
     return layers[SolidLayer::kFull].size();
@@ -47,11 +47,11 @@ TEST_F(SolidLayersTest, AreLargeEnoughAndHaveNoSideThatIsAPowerOfTwo) {
     }
 }
 
-TEST_F(SolidLayersTest, NorWhenTheyGrowOrThePictureShrinks) {
+TEST_F(SolidLayersTest, AvoidPowersOfTwoWhenTheyGrowOrThePictureShrinks) {
   SolidLayers layers;
   for (int side = 100; side <= 1000; side += 100)
     EXPECT_FALSE(hasPowerOfTwo(fit(layers, {side, 50}, {1920, 1080})));
-  EXPECT_EQ(fit(layers, {100, 50}, {1920, 1080}).x, 1025);  // they are kept
+  EXPECT_EQ(fit(layers, {100, 50}, {1920, 1080}).x, 1025);  // layers keep their size
   EXPECT_FALSE(hasPowerOfTwo(fit(layers, {300, 500}, {1023, 511})));
 }
 

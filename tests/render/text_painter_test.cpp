@@ -21,7 +21,7 @@ int darkPixels(const image::Image& picture) {
   return count;
 }
 
-TEST(TextPainter, PaintsInTheColourAsked) {
+TEST(TextPainter, PaintsInTheGivenColour) {
   image::Image picture = paper(3);
   TextPainter painter;
   painter.paint({{"$\\mathbf{L}$", {20, 50}, 50, draw::fromSrgb(0x0072B2), 1, std::nullopt, 0}}, picture);
@@ -33,14 +33,14 @@ TEST(TextPainter, PaintsInTheColourAsked) {
   EXPECT_EQ(*picture.at(100, 30), 255);  // nothing far from it
 }
 
-TEST(TextPainter, AHaloKeepsWhatIsAroundTheGlyphsClear) {
+TEST(TextPainter, PaintsAHaloAroundTheGlyphs) {
   image::Image busy({120, 60}, 3);  // black all over
   TextPainter painter;
   painter.paint({{"L", {20, 50}, 50, draw::Color(0), 1, draw::Color(1), 4}}, busy);
   EXPECT_LT(darkPixels(busy), 120 * 60 - 300);
 }
 
-TEST(TextPainter, TransparentPictureGainsAlpha) {
+TEST(TextPainter, PaintsOpaqueGlyphsIntoATransparentPicture) {
   image::Image picture = paper(4);
   TextPainter painter;
   painter.paint({{"L", {20, 50}, 50, draw::Color(0), 1, std::nullopt, 0}}, picture);
@@ -49,8 +49,8 @@ TEST(TextPainter, TransparentPictureGainsAlpha) {
   EXPECT_GT(opaque, 50);
 }
 
-// Black all over, and opaque: where the halo is, the paper shows; where the ink is, it is as opaque as ever.
-TEST(TextPainter, WithoutPaperAHaloIsAHole) {
+// The picture is black and opaque. The paper shows where the halo is, and the ink stays opaque.
+TEST(TextPainter, ClearsTheHaloInATransparentPicture) {
   image::Image busy({120, 60}, 4);
   for (std::size_t i = 3; i < busy.pixels.size(); i += 4) busy.pixels[i] = 255;
   TextPainter painter;
@@ -68,7 +68,7 @@ TEST(TextPainter, WithoutPaperAHaloIsAHole) {
   EXPECT_EQ(white, 0);
 }
 
-TEST(TextPainter, TextThatLeavesThePictureIsCut) {
+TEST(TextPainter, ClipsTextAtTheEdgeOfThePicture) {
   image::Image picture = paper(3);
   TextPainter painter;
   EXPECT_NO_THROW(painter.paint({{"Long title", {-30, 20}, 50, draw::Color(0), 1, draw::Color(1), 3}}, picture));

@@ -14,8 +14,8 @@ output::FilmFormat chosen(const std::string& file, const scene::Output& asked = 
   return filmFormat({OutputKind::kFilm, file}, asked, form);
 }
 
-// What a scene may say is a codec of the output layer, of that name and no other.
-TEST(FilmChoice, KnowsEachCodecThatASceneCanName) {
+// Each codec name of a scene is the name of a codec of the output layer.
+TEST(FilmChoice, AcceptsEveryCodecThatASceneCanName) {
   for (const std::string_view word : scene::codecWords()) {
     scene::Output asked;
     asked.codec = word;
@@ -23,7 +23,7 @@ TEST(FilmChoice, KnowsEachCodecThatASceneCanName) {
   }
 }
 
-TEST(FilmChoice, TakesWhatAKindOfFileUsuallyHolds) {
+TEST(FilmChoice, DefaultsToTheUsualCodecOfTheFileType) {
   EXPECT_EQ(chosen("a.mp4").codec, output::FilmCodec::kH264);
   EXPECT_EQ(chosen("a.webm").codec, output::FilmCodec::kVp9);
   EXPECT_EQ(chosen("a.mov").codec, output::FilmCodec::kProRes);
@@ -31,7 +31,7 @@ TEST(FilmChoice, TakesWhatAKindOfFileUsuallyHolds) {
   EXPECT_EQ(chosen("a.apng", {}, true).transparent, true);
 }
 
-TEST(FilmChoice, TakesWhatTheSceneAsksFor) {
+TEST(FilmChoice, UsesCrfChromaAndEffortOfTheScene) {
   scene::Output asked;
   asked.crf = 7;
   EXPECT_EQ(chosen("a.mp4", asked).crf, 7);

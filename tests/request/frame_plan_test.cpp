@@ -31,7 +31,7 @@ TEST(FramePlan, ReadsRanges) {
   EXPECT_EQ(refusalOf("9-3"), "--frames '9-3': the first frame, 9, comes after the last, 3");
 }
 
-TEST(FramePlan, SelectsAllOrWhatWasAsked) {
+TEST(FramePlan, SelectsAllFramesOrTheRequestedRange) {
   EXPECT_EQ(selectFrames(300, std::nullopt), (FrameRange{0, 299}));
   EXPECT_EQ(selectFrames(300, FrameRange{299, 299}), (FrameRange{299, 299}));
   try {
@@ -43,7 +43,7 @@ TEST(FramePlan, SelectsAllOrWhatWasAsked) {
   }
 }
 
-TEST(FramePlan, CutsAtAbsoluteNumbers) {
+TEST(FramePlan, CutsSegmentsAtMultiplesOf30) {
   EXPECT_EQ(segmentsOf({0, 74}), (std::vector<FrameRange>{{0, 29}, {30, 59}, {60, 74}}));
   EXPECT_EQ(segmentsOf({0, 29}), (std::vector<FrameRange>{{0, 29}}));
   EXPECT_EQ(segmentsOf({60, 60}), (std::vector<FrameRange>{{60, 60}}));

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kMib = 1 << 20;
 
-/// A machine as its kernel describes it.
+/// Scratch root folder with the /proc and /sys files in which a kernel reports memory.
 class FreeMemoryTest : public testing::Test {
  protected:
   void say(const std::string& file, const std::string& text) const {
@@ -31,17 +31,17 @@ class FreeMemoryTest : public testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(FreeMemoryTest, IsWhatTheKernelCallsAvailableWithSwap) {
+TEST_F(FreeMemoryTest, IsTheAvailableMemoryPlusFreeSwap) {
   sayMachine();
   EXPECT_EQ(machine_MiB(), 4);
-  EXPECT_GT(freeMemory().machine_bytes, kMib);  // of this machine
+  EXPECT_GT(freeMemory().machine_bytes, kMib);  // memory of this machine
   EXPECT_TRUE(std::isfinite(freeMemory().machine_bytes));
 }
 
-TEST_F(FreeMemoryTest, IsUnboundedWhereNothingIsSaid) { EXPECT_TRUE(std::isinf(machine_MiB())); }
+TEST_F(FreeMemoryTest, IsUnboundedIfTheKernelReportsNothing) { EXPECT_TRUE(std::isinf(machine_MiB())); }
 
-// Of 2 MiB, 1.5 are used, of which 1 is cached files; half of it belongs to a tmpfs and stays.
-TEST_F(FreeMemoryTest, IsNoMoreThanItsControlGroupsHave) {
+// The group uses 1.5 of its 2 MiB. Cached files take 1 MiB, half of which belongs to a tmpfs and cannot be freed.
+TEST_F(FreeMemoryTest, IsLimitedByControlGroups) {
   sayMachine();
   say("proc/self/cgroup", "3:cpu:/other\n0::/slurm/job_7\n");
   say("sys/fs/cgroup/slurm/memory.max", "2097152\n");
@@ -51,12 +51,12 @@ TEST_F(FreeMemoryTest, IsNoMoreThanItsControlGroupsHave) {
   EXPECT_EQ(machine_MiB(), 1);
   say("sys/fs/cgroup/slurm/job_7/memory.max", "262144\n");
   EXPECT_EQ(machine_MiB(), 0.25);
-  say("sys/fs/cgroup/memory.max", "131072\n");  // as in a container
+  say("sys/fs/cgroup/memory.max", "131072\n");  // a limit at the root, as in a container
   EXPECT_EQ(machine_MiB(), 0.125);
 }
 
-TEST_F(FreeMemoryTest, IsBoundedForEachProcess) {
-  constexpr rlim_t kLimit_bytes = rlim_t{1} << 46;  // more than AddressSanitizer takes for itself
+TEST_F(FreeMemoryTest, IsLimitedByTheAddressSpaceOfAProcess) {
+  constexpr rlim_t kLimit_bytes = rlim_t{1} << 46;  // more than AddressSanitizer reserves
   const pid_t child = ::fork();
   if (child == 0) {
     const rlimit limit{kLimit_bytes, kLimit_bytes};
@@ -68,7 +68,7 @@ TEST_F(FreeMemoryTest, IsBoundedForEachProcess) {
   EXPECT_EQ(status, 0);
 }
 
-TEST(WorkersThatFit, AreAsManyAsTheMemoryHolds) {
+TEST(WorkersThatFit, AreLimitedByTheFreeMemory) {
   const double unbounded = INFINITY;
   EXPECT_EQ(workersThatFit(4, 100, {400, unbounded}), 4);
   EXPECT_EQ(workersThatFit(4, 100, {399, unbounded}), 3);
@@ -84,7 +84,7 @@ TEST(WorkerMemory, GrowsWithThePictureAndTheEncoder) {
   output::FilmFormat fine;
   fine.chroma = output::Chroma::k444;
   EXPECT_LT(workerMemory_bytes(small, {}), workerMemory_bytes(small, output::FilmFormat()));
-  // Measured of 16 bits at 3840x2160: 768 MiB; 858 where solids come to fill the picture.
+  // Measured with 16 bits at 3840x2160: 768 MiB, or 858 MiB if solids fill the picture.
   EXPECT_NEAR(workerMemory_bytes(large, {}, 16), 768 * kMib, 30 * kMib);
   const OutputTarget sequence{OutputKind::kSequence, "{frame:05}.png"};
   scene::Output asked;
@@ -92,11 +92,11 @@ TEST(WorkerMemory, GrowsWithThePictureAndTheEncoder) {
   asked.height = large.height;
   EXPECT_EQ(workerMemory_bytes(sequence, asked, {std::nullopt, true, 16}), workerMemory_bytes(large, {}, 16));
   EXPECT_LT(workerMemory_bytes(small, output::FilmFormat()), workerMemory_bytes(small, fine));
-  EXPECT_LT(workerMemory_bytes(large, output::FilmFormat()), 1024 * kMib);  // the promise for 4K
+  EXPECT_LT(workerMemory_bytes(large, output::FilmFormat()), 1024 * kMib);  // promised limit for 4K
 }
 
-// Each cell of a sweep reads its scene's meshes for itself.
-TEST(WorkerMemory, OfASweepHasTheMeshesOfAllCells) {
+// Each cell of a sweep loads its own copy of the scene's meshes.
+TEST(WorkerMemory, IncludesTheMeshesOfAllSweepCells) {
   auto mesh = std::make_shared<geometry::Mesh>();
   mesh->triangles.resize(1000);
   scene::Scene scene;

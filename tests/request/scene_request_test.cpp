@@ -28,7 +28,7 @@ core::ErrorKind kindOf(const std::string& fileName) {
   return core::ErrorKind::kUsage;
 }
 
-TEST(SceneRequest, IsReadOnce) {
+TEST(SceneRequest, ReadsTheFileOnce) {
   const ScratchFolder folder;
   const auto file = folder.put("a.toml", kScene);
   const auto request = readSceneRequest(file.string(), {"time.duration=6"});
@@ -38,7 +38,7 @@ TEST(SceneRequest, IsReadOnce) {
   EXPECT_EQ(scene.time.duration_s, 6.0);
 }
 
-TEST(SceneRequest, TexThatCannotBeSetIsAProblemOfTheScene) {
+TEST(SceneRequest, ReportsInvalidTexAsASceneError) {
   const ScratchFolder folder;
   const auto file = folder.put("a.toml", fmt::format("{}[show]\ntitle = '$\\omgea$'\nsubtitle = '$x'\n", kScene));
   try {
@@ -53,7 +53,7 @@ TEST(SceneRequest, TexThatCannotBeSetIsAProblemOfTheScene) {
   }
 }
 
-TEST(SceneRequest, SizeReplacesTheScenesAndMayBeOdd) {
+TEST(SceneRequest, SizeOverridesTheSceneAndMayBeOdd) {
   const ScratchFolder folder;
   auto request = readSceneRequest(folder.put("a.toml", kScene).string(), {});
   request.size = image::PixelSize{161, 91};
@@ -61,7 +61,7 @@ TEST(SceneRequest, SizeReplacesTheScenesAndMayBeOdd) {
   EXPECT_EQ(loadRequested(request).output.height, 91);
 }
 
-TEST(SceneRequest, ViewIsShownAlone) {
+TEST(SceneRequest, ShowsOnlyTheRequestedView) {
   const ScratchFolder folder;
   const std::string text =
       std::string(kScene) +
@@ -77,7 +77,7 @@ TEST(SceneRequest, ViewIsShownAlone) {
   EXPECT_THROW(loadRequested(request), core::Error);
 }
 
-TEST(SceneRequest, OnlyRegularFiles) {
+TEST(SceneRequest, ReadsOnlyRegularFiles) {
   const ScratchFolder folder;
   EXPECT_EQ(kindOf((folder / "missing.toml").string()), core::ErrorKind::kScene);
   EXPECT_EQ(kindOf(folder.path().string()), core::ErrorKind::kScene);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Captions as files: the text of both formats, written out by hand after their specifications.
+// Captions as subtitle files. The expected texts of both formats are written by hand from their specifications.
 #include "request/subtitles.h"
 
 #include <gmock/gmock.h>
@@ -28,7 +28,7 @@ scene::Scene scene() {
 
 constexpr FrameRange kAll{0, 3599};
 
-TEST(Subtitles, AreTheCaptionsInPlainWords) {
+TEST(Subtitles, ContainTheCaptionsAsPlainText) {
   const auto subtitles = subtitlesOf(scene(), kAll);
   ASSERT_EQ(subtitles.size(), 2u);
   EXPECT_EQ(subtitles[0].from_ms, 1500);
@@ -38,7 +38,7 @@ TEST(Subtitles, AreTheCaptionsInPlainWords) {
   EXPECT_NE(subtitles[0].text.find("₁"), std::string::npos);
 }
 
-TEST(Subtitles, BeginAndEndWithTheFilm) {
+TEST(Subtitles, AreClippedToTheFrameRange) {
   const auto subtitles = subtitlesOf(scene(), {2800, 3526});
   ASSERT_EQ(subtitles.size(), 2u);
   EXPECT_EQ(subtitles[0].from_ms, 0);
@@ -48,13 +48,13 @@ TEST(Subtitles, BeginAndEndWithTheFilm) {
   EXPECT_TRUE(subtitlesOf(scene(), {0, 0}).empty());
 }
 
-TEST(Subtitles, AsSubRip) {
+TEST(Subtitles, AreWrittenAsSubRip) {
   EXPECT_EQ(srtText({{1500, 3725250, "A < B"}, {3725250, 3729001, "ω"}}),
             "1\n00:00:01,500 --> 01:02:05,250\nA < B\n\n2\n01:02:05,250 --> 01:02:09,001\nω\n\n");
 }
 
-// Comments are blocks that begin with NOTE (WebVTT, section 4.1). The digest is of sha256sum.
-TEST(Subtitles, AsWebVtt) {
+// Comments are blocks that begin with NOTE (WebVTT, section 4.1). sha256sum computed the digest.
+TEST(Subtitles, AreWrittenAsWebVtt) {
   EXPECT_THAT(vttText({{1500, 3725250, "A < B & C > D"}}),
               MatchesRegex("WEBVTT\n\nNOTE poinsot [0-9.]+ [0-9a-f]{16}\n\nNOTE sha256 of the .srt: "
                            "67766e54c4e8ffeb9c204d08cf6161539da2c7e51f3321a8d55fbf6e937ee2a9\n\n"
@@ -71,14 +71,14 @@ class SubtitleFiles : public testing::Test {
  protected:
   std::filesystem::path in(const std::string& name) const { return folder_ / name; }
   void write(const std::string& name, const std::string& text) const { folder_.put(name, text); }
-  /// Makes a film of another program's and its subtitles.
+  /// Writes a film that is not poinsot's, and its subtitles.
   void make(const std::string& film, const std::vector<Subtitle>& subtitles) const {
     core::FileBatch batch;
     batch.write(in(film), std::string_view("film"));
     addSubtitles(batch, subtitles, in(film), {});
     batch.commit();
   }
-  /// The message for a film whose caption is "B"; empty where its files may be written.
+  /// Returns the error for a film whose caption is "B"; empty if its files may be written.
   std::string refusal(bool force = false) const try {
     output::RunFiles files(force);
     enterSubtitles(files, {{0, 1000, "B"}}, in("a.mp4"));
@@ -91,13 +91,13 @@ class SubtitleFiles : public testing::Test {
   const ScratchFolder folder_;
 };
 
-TEST_F(SubtitleFiles, AreWrittenBesideTheFilm) {
+TEST_F(SubtitleFiles, AreWrittenNextToTheFilm) {
   make("a.film.mp4", {{0, 1000, "A"}});
   EXPECT_EQ(textOf(in("a.film.srt")), srtText({{0, 1000, "A"}}));
   EXPECT_EQ(textOf(in("a.film.vtt")), vttText({{0, 1000, "A"}}));
 }
 
-TEST_F(SubtitleFiles, AreReplacedWhereThisProgramWroteThem) {
+TEST_F(SubtitleFiles, AreReplacedIfPoinsotWroteThem) {
   EXPECT_EQ(refusal(), "");
   make("a.gif", {{0, 1000, "A"}});
   EXPECT_EQ(refusal(), "");
@@ -105,7 +105,7 @@ TEST_F(SubtitleFiles, AreReplacedWhereThisProgramWroteThem) {
   EXPECT_EQ(refusal(), "");
 }
 
-TEST_F(SubtitleFiles, AreKeptWhereOthersWroteOrChangedThem) {
+TEST_F(SubtitleFiles, AreProtectedIfOthersWroteOrChangedThem) {
   write("a.vtt", "WEBVTT\n\nmine");
   EXPECT_THAT(refusal(), HasSubstr("a.vtt: exists and was not written by poinsot as captions"));
   EXPECT_EQ(refusal(true), "");
@@ -117,8 +117,8 @@ TEST_F(SubtitleFiles, AreKeptWhereOthersWroteOrChangedThem) {
   EXPECT_NE(refusal(), "");
 }
 
-// A run that is killed between the two leaves the .vtt, by which the next one knows the place of the .srt.
-TEST_F(SubtitleFiles, AreReplacedWhereOneIsOfARunThatWasKilled) {
+// A run that is killed between writing the two files leaves only the .vtt. The next run may still write its .srt.
+TEST_F(SubtitleFiles, AreReplacedIfAKilledRunLeftOnlyOne) {
   make("a.mp4", {{0, 1000, "A"}});
   std::filesystem::remove(in("a.srt"));
   EXPECT_EQ(refusal(), "");
@@ -126,14 +126,14 @@ TEST_F(SubtitleFiles, AreReplacedWhereOneIsOfARunThatWasKilled) {
   EXPECT_EQ(refusal(), "");
 }
 
-TEST_F(SubtitleFiles, GoWithTheCaptionsOfTheScene) {
+TEST_F(SubtitleFiles, AreRemovedIfTheSceneHasNoCaptions) {
   make("a.mp4", {{0, 1000, "A"}});
   make("a.mp4", {});
   EXPECT_FALSE(exists("a.srt"));
   EXPECT_FALSE(exists("a.vtt"));
 }
 
-TEST_F(SubtitleFiles, StayWithoutCaptionsWhereOthersWroteOrChangedThem) {
+TEST_F(SubtitleFiles, AreNotRemovedIfOthersWroteOrChangedThem) {
   make("a.mp4", {{0, 1000, "A"}});
   write("a.srt", "mine");
   make("a.mp4", {});

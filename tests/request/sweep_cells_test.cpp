@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a sweep asks for: its cells, what they have in common, and what bounds them.
+// Cells of a sweep: their order, the settings which they share, and their limits.
 #include "request/sweep_cells.h"
 
 #include <gmock/gmock.h>
@@ -41,20 +41,20 @@ core::Error refusal(const SceneRequest& request) {
   return {core::ErrorKind::kIo, "none"};
 }
 
-TEST(SweepCells, RunRowByRowTheFirstRangeAlongTheRows) {
+TEST(SweepCells, VaryTheFirstRangeAlongEachRow) {
   const auto cells = cellsOf(asked({kOne, "time.duration=6", kSpeeds}));
   ASSERT_EQ(cells.size(), 6u);
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_NEAR(cells[i].motion.omega_B.x(), 0.1 * static_cast<double>(i % 3 + 1), 1e-15) << i;
     EXPECT_EQ(cells[i].time.speed, i < 3 ? 1.0 : 2.0) << i;
-    EXPECT_EQ(cells[i].time.duration_s, 6);  // the word between the ranges holds for all
+    EXPECT_EQ(cells[i].time.duration_s, 6);  // an override without a range holds for all cells
   }
   const auto first = loadRequested(asked({kOne, kSpeeds}));
   EXPECT_EQ(first.motion.omega_B, cells[0].motion.omega_B);
 }
 
-// Each by itself would choose a speed for its own omega; on one clock no spin is faster than any would choose.
-TEST(SweepCells, HaveOneSpeed) {
+// Alone, each cell would choose a speed for its own omega. In a sweep all cells use the slowest of these speeds.
+TEST(SweepCells, PlayAtTheSlowestSpeedOfAllCells) {
   const auto request = asked({"motion.omega_body=[0.1, 2..20:3, 0]"});
   const SweepGrid grid(request);
   const auto cells = cellsOf(request);
@@ -68,25 +68,25 @@ TEST(SweepCells, HaveOneSpeed) {
   for (const scene::Scene& cell : cells) EXPECT_EQ(cell.time.speed, least);
 }
 
-TEST(SweepCells, AreOneFilm) {
+TEST(SweepCells, MustHaveEqualFilmSettings) {
   for (const char* word : {"time.duration=1..2:2", "output.crf=10..20:2"}) {
     const core::Error error = refusal(asked({word}));
     EXPECT_EQ(error.kind(), core::ErrorKind::kUsage) << word;
-    EXPECT_THAT(error.what(), HasSubstr("its cells would differ in length, rate, size or paper")) << word;
+    EXPECT_THAT(error.what(), HasSubstr("they must agree in length, rate, size and paper")) << word;
   }
-  EXPECT_THAT(refusal(asked({kOne, "time.loop=true"})).what(), HasSubstr("a sweep does not repeat"));
+  EXPECT_THAT(refusal(asked({kOne, "time.loop=true"})).what(), HasSubstr("a sweep cannot repeat"));
 }
 
-TEST(SweepCells, AreAsManyAsAPictureCanShow) {
+TEST(SweepCells, RejectTooManyCellsOrRanges) {
   EXPECT_EQ(cellsOf(asked({"motion.omega_body=[0..1:10, 2, 0]", "time.speed=1..2:10"})).size(), 100u);
   EXPECT_THAT(refusal(asked({kOne, "time.speed=1..2:34"})).what(), HasSubstr("3 x 34 are 102 cells"));
   EXPECT_THAT(refusal(asked({})).what(), HasSubstr("one range or two"));
   EXPECT_THAT(refusal(asked({kOne, kSpeeds, "time.start=0..1:2"})).what(), HasSubstr("one range or two, got 3"));
-  EXPECT_THAT(refusal(asked({kOne}, {.map = true})).what(), HasSubstr("--map is of one body"));
+  EXPECT_THAT(refusal(asked({kOne}, {.map = true})).what(), HasSubstr("--map shows one body"));
 }
 
-// The last word for a key wins, so that a range before it would be drawn as so many equal cells.
-TEST(SweepCells, ARangeIsTheOnlyWordForItsKey) {
+// The last override of a key wins, so that a range before it would give equal cells.
+TEST(SweepCells, RejectASecondOverrideOfAKeyWithARange) {
   for (const char* other : {"time.speed=3", " time.speed =3", "time.speed=3..4:2"}) {
     EXPECT_THAT(refusal(asked({kSpeeds, other})).what(), HasSubstr("-D time.speed: given more than once"));
     EXPECT_THAT(refusal(asked({other, kSpeeds})).what(), HasSubstr("-D time.speed: given more than once"));
@@ -94,17 +94,17 @@ TEST(SweepCells, ARangeIsTheOnlyWordForItsKey) {
   EXPECT_EQ(cellsOf(asked({kSpeeds, "time.start=3"})).size(), 2u);
 }
 
-TEST(SweepCells, MistakesAreSaidWithTheValueThatTheyAreAbout) {
+TEST(SweepCells, NameTheValueOfTheFaultyCell) {
   const core::Error error = refusal(asked({"camera.elevation=80..200 deg:2"}));
   EXPECT_EQ(error.kind(), core::ErrorKind::kScene);
   EXPECT_THAT(error.what(), HasSubstr("-D camera.elevation=200 deg"));
 }
 
-// A scene's text and steps are bounded; nine scenes may not have nine times as much.
-TEST(SweepCells, WhatBoundsASceneBoundsAllCells) {
+// Limits on text and on integration steps hold for all cells together.
+TEST(SweepCells, ShareTheLimitsOfOneScene) {
   auto request = asked({kOne});
   request.allowance.limits.set(scene::Limit::kCharacters, std::int64_t{11});
-  EXPECT_THAT(refusal(request).what(), HasSubstr("at most 3 characters, got 4"));  // "Spin" in each of three
+  EXPECT_THAT(refusal(request).what(), HasSubstr("at most 3 characters, got 4"));  // "Spin" in each of three cells
   request.allowance.limits.set(scene::Limit::kCharacters, std::int64_t{12});
   request.allowance.limits.set(scene::Limit::kSteps, std::int64_t{3000});
   const auto cells = cellsOf(request);

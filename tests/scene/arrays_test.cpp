@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arrays of tables: [[body.part]] and the like.
+// Arrays of tables, such as [[body.part]].
 #include <gmock/gmock.h>
 
 #include "scene/limits.h"
@@ -19,18 +19,18 @@ Body bodyWith(const std::vector<std::string>& overrides) {
   return parseScene(kParts, "test.toml", overrides).body;
 }
 
-TEST(Arrays, ElementsAreNamedByTheirNumber) {
+TEST(Arrays, OverridesSelectElementsByTheirNumber) {
   EXPECT_EQ(bodyWith({}).mass->mass_kg(), 4);
   EXPECT_EQ(bodyWith({"body.part[1].mass=10"}).mass->mass_kg(), 11);
   EXPECT_EQ(bodyWith({"body.part[0].offset=[0, 0, 1]"}).parts[0].offset_B.z(), 1);
 }
 
-TEST(Arrays, AreReplacedAsAWhole) {
+TEST(Arrays, OverridesMayReplaceTheWholeArray) {
   EXPECT_EQ(bodyWith({"body.part=[{shape='sphere', radius=1, mass=7}]"}).mass->mass_kg(), 7);
   EXPECT_THAT(messagesOf(kParts, {"body.part=[]"}), HasSubstr("body: the body is missing"));
 }
 
-TEST(Arrays, ProblemsStandAtTheElement) {
+TEST(Arrays, ProblemsPointAtTheElement) {
   const auto found = problemsOf(kParts + "[[body.part]]\nshape = 'cube'\nmass = 2\nofset = 2\nedge = -1\n");
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(core::toString(found[0].where), "test.toml:13:1");
@@ -39,14 +39,14 @@ TEST(Arrays, ProblemsStandAtTheElement) {
   EXPECT_THAT(found[1].message, HasSubstr("body.part[2].edge: must be positive"));
 }
 
-TEST(Arrays, WhatAnElementLacksIsReportedWhereItBegins) {
+TEST(Arrays, MissingKeysAreReportedWhereTheElementBegins) {
   const auto found = problemsOf(kParts + "[[body.part]]\n");
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].where.line, 10);
   EXPECT_EQ(found[0].message, "body.part[2]: body.part[2].shape is missing");
 }
 
-TEST(Arrays, OverridesOfWhatIsNotThereAreRefused) {
+TEST(Arrays, RejectOverridesOfMissingElements) {
   EXPECT_EQ(messagesOf(kParts, {"body.part[2].mass=1"}),
             "body.part[2].mass: there is no such element; the scene has 2 of [[body.part]], counted from 0\n");
   EXPECT_EQ(messagesOf(kParts, {"body.part.mass=1"}),
@@ -62,7 +62,7 @@ TEST(Arrays, OverridesOfWhatIsNotThereAreRefused) {
     EXPECT_NE(messagesOf(kParts, {path}), "") << path;
 }
 
-TEST(Arrays, HoldTables) {
+TEST(Arrays, RejectValuesThatAreNotTables) {
   EXPECT_THAT(messagesOf("body.part = 3\n"),
               HasSubstr("body.part: expected an array of tables, each begun with [[body.part]], got 3"));
   EXPECT_THAT(messagesOf("body.part = [1]\n"), HasSubstr("body.part: expected an array of tables"));
@@ -72,7 +72,7 @@ TEST(Arrays, HoldTables) {
   EXPECT_THAT(messagesOf("body.'part[0]' = 1\n"), HasSubstr("unknown key"));
 }
 
-TEST(Arrays, AreLimited) {
+TEST(Arrays, HaveALimitedNumberOfElements) {
   std::string points = "motion.omega_body = [1, 0, 0]\n";
   for (std::size_t i = 0; i < static_cast<std::size_t>(rowOf(Limit::kElements).usual); ++i) {
     const std::string n = std::to_string(i);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies as scenes describe them. Expected values: the table of solids in the notes on the mathematics (closed
-// forms of textbooks, evaluated by hand), the system of five masses there, and second moments of a simplex.
+// Bodies as scenes describe them. Expected values: closed forms of textbooks for solids, evaluated by hand; sums
+// over five masses, computed apart from the code; and second moments of a simplex.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ Body bodyOf(const std::string& text) { return parseScene(kStart + text, dataPath
 
 std::string problems(const std::string& text) { return messagesOf(kStart + text, {}, dataPath("test.toml")); }
 
-/// Ascending.
+/// Returns the principal moments in ascending order.
 Vector3d momentsOf(const Body& body) {
   Vector3d moments = body.axes.moments().values();
   std::sort(moments.data(), moments.data() + 3);
@@ -71,7 +71,7 @@ const ShapeCase kShapes[] = {
 };
 
 // Measured: 1.5e-15 of the moments.
-TEST(Shapes, HaveTheMomentsOfTheTable) {
+TEST(Shapes, HaveTheMomentsOfTextbooks) {
   for (const ShapeCase& shape : kShapes) {
     const Body body = bodyOf("[body]\nmass=1\n" + std::string(shape.keys));
     EXPECT_LE((momentsOf(body) - shape.moments).norm(), 1e-14 * shape.moments.norm()) << shape.keys;
@@ -79,8 +79,8 @@ TEST(Shapes, HaveTheMomentsOfTheTable) {
   }
 }
 
-// A part alone, wherever it stands and however it is turned, turns about its centre of mass. Measured: 3e-15.
-TEST(Parts, AloneAreTheShape) {
+// A single part turns about its centre of mass, for any offset and rotation. Measured: 3e-15.
+TEST(Parts, SinglePartHasTheMomentsOfItsShape) {
   for (const ShapeCase& shape : kShapes) {
     const Body body = bodyOf("[[body.part]]\nmass=2\noffset=[1, -2, 0.5]\naxis=[1, 2, 3]\nangle=0.7\n" +
                              std::string(shape.keys));
@@ -95,8 +95,8 @@ constexpr const char* kFiveMasses =
     "[[body.point_mass]]\nmass=1.125\nposition=[1.75, 0.5, -0.25]\n"
     "[[body.point_mass]]\nmass=0.375\nposition=[-0.5, -0.75, -1.125]\n";
 
-// System S5 of the notes, eq (7) and, about the origin, eq (3). Measured: 8e-16.
-TEST(PointMasses, HaveTheTensorOfTheirSum) {
+// Expected tensors come from eq (7) and, about the origin, from eq (3). Measured: 8e-16.
+TEST(PointMasses, AddUpToTheTensorOfTheBody) {
   const Body free = bodyOf(kFiveMasses), held = bodyOf("body.pivot=[0, 0, 0]\n" + std::string(kFiveMasses));
   Matrix3d about_cm, about_origin;
   about_cm << 8.5045166015625, -0.052734375, 1.06787109375, -0.052734375, 7.9420166015625, 2.19287109375,
@@ -111,14 +111,14 @@ TEST(PointMasses, HaveTheTensorOfTheirSum) {
   EXPECT_EQ(free.parts.size(), 5u);
 }
 
-// Cone about its apex, at z = 3h/4 above its centre of mass (eq 14). Measured: 3e-16.
-TEST(Pivot, MovesTheMoments) {
+// The pivot is the cone's apex, 3h/4 above its centre of mass (eq 14). Measured: 3e-16.
+TEST(Pivot, BecomesTheReferencePointOfTheMoments) {
   const Body cone = bodyOf("[body]\nshape='cone'\nradius=0.45\nheight=1.7\nmass=1\npivot=[0, 0, 1.275]");
   EXPECT_LE((momentsOf(cone) - Vector3d(0.06075, 1.764375, 1.764375)).norm(), 1e-14);
 }
 
-// The T-handle of the table from its two bars, of one density. Measured: 6e-16 of the moments.
-TEST(Parts, OfOneDensityMakeACompositeSolid) {
+// The T-handle of kShapes as two bars of one density. Measured: 6e-16 of the moments.
+TEST(Parts, TwoBarsOfEqualDensityAddUpToATHandle) {
   const Body body = bodyOf(
       "[[body.part]]\nshape='cylinder'\nradius=0.2\nheight=3\ndensity=2\naxis=[0, 1, 0]\nangle='90 deg'\n"
       "[[body.part]]\nshape='cylinder'\nradius=0.2\nheight=1.5\ndensity=2\naxis=[-2, 0, 0]\nangle='90 deg'\n"
@@ -130,10 +130,10 @@ TEST(Parts, OfOneDensityMakeACompositeSolid) {
             1e-14);
 }
 
-// tests/scene/data/body.stl: the corner of a box of 20 x 30 x 40 mm cut off, V = abc/6. A simplex with corners at
-// 0 and at a, b, c on the axes has its centre at a quarter of each, variances 3a²/80 and covariances -ab/80
-// (moments of a Dirichlet distribution). Measured: 4e-16.
-TEST(Mesh, SetsTheMoments) {
+// tests/scene/data/body.stl is a corner cut off a box of 20 x 30 x 40 mm, V = abc/6. A simplex with corners at 0
+// and at a, b, c on the axes has its centre at a quarter of each, variances 3a²/80 and covariances -ab/80 (moments
+// of a Dirichlet distribution). Measured: 4e-16.
+TEST(Mesh, DeterminesTheMomentsOfTheBody) {
   const Body body = bodyOf("[body]\nshape='mesh'\nfile='body.stl'\nfile_unit='1 mm'\ndensity=1000");
   const double a = 0.02, b = 0.03, c = 0.04, mass = 1000 * a * b * c / 6;
   Matrix3d expected;
@@ -154,18 +154,18 @@ TEST(Tensor, IsGivenRowByRow) {
   EXPECT_FALSE(body.mass);
 }
 
-TEST(Catalogue, NamesABodyWithItsMass) {
+TEST(Catalogue, ProvidesMassAndMomentsOfABody) {
   const Body body = bodyOf("body.catalogue='racket'");
   EXPECT_NEAR(body.mass->mass_kg(), 0.33, 1e-15);
   EXPECT_LE((momentsOf(body) - Vector3d(0.0014365, 0.0133167424242424, 0.0147532424242424)).norm(), 1e-15);
   EXPECT_FALSE(body.parts.empty());
-  // Moments in the proportions 3.0836 : 3.235 : 1 (the brief's).
+  // Published moments are in the proportions 3.0836 : 3.235 : 1.
   const Vector3d toutatis = momentsOf(bodyOf("body.catalogue='toutatis'"));
   EXPECT_NEAR(toutatis[1] / toutatis[0], 3.0836, 1e-12);
   EXPECT_NEAR(toutatis[2] / toutatis[0], 3.235, 1e-12);
 }
 
-TEST(Bodies, AreDescribedInOneWay) {
+TEST(Bodies, RejectTwoDescriptionsOfOneBody) {
   const std::string ways =
       "; a body is described in one way: principal_moments, inertia, shape, catalogue, or parts "
       "and point masses\n";
@@ -176,23 +176,23 @@ TEST(Bodies, AreDescribedInOneWay) {
             "body.point_mass[0]: body.catalogue is given too" + ways);
 }
 
-TEST(Shapes, SayWhichKeysTheyTake) {
+TEST(Shapes, ErrorsListTheKeysOfTheShape) {
   EXPECT_EQ(problems("[body]\nmass=1\nshape='cone'\nradius=1"),
             "body.shape: \"cone\" takes radius and height; height is missing\n");
   EXPECT_EQ(problems("[body]\nmass=1\nshape='cone'\nradius=1\nheight=2\nedge=3"),
-            "body.edge: does not belong to shape \"cone\" here, which takes radius and height\n");
+            "body.edge: is not allowed here: shape \"cone\" takes radius and height\n");
   EXPECT_EQ(problems("[body]\nmass=1\nshape='cylinder'\nradius=1\nsize=[1, 1, 1]"),
-            "body.radius: does not belong to shape \"cylinder\" here, which takes size, or radius and height (and "
-            "inner_radius, if wanted)\n");
+            "body.radius: is not allowed here: shape \"cylinder\" takes size, or radius and height (optional: "
+            "inner_radius)\n");
   EXPECT_EQ(problems("[body]\nmass=1\nradius=1"),
-            "body.radius: body.shape is missing: it says what this is a length of\n");
+            "body.radius: body.shape is missing; this key describes a shape\n");
   EXPECT_EQ(problems("[body]\nmass=1\nshape='plate'\nsize=[1, 2, 3]"),
             "body.size: shape \"plate\" has 2 extents, got 3\n");
   EXPECT_EQ(problems("[body]\nmass=1\nshape='box'\nsize=[1, 2]"),
             "body.size: shape \"box\" has 3 extents, got 2\n");
 }
 
-TEST(Shapes, WhoseLengthsDoNotGoTogetherAreToldAtTheSmallerOne) {
+TEST(Shapes, ReportContradictoryLengthsAtTheSmallerOne) {
   EXPECT_EQ(problems("[body]\nmass=1\nshape='hollow_box'\nsize=[1, 2, 3]\nwall=0.5"),
             "body.wall: two walls of the hollow box must be less than its least edge 1, got a wall of 0.5\n");
   EXPECT_EQ(problems("[body]\nmass=1\nshape='torus'\nradius=1\ntube_radius=2"),
@@ -202,9 +202,9 @@ TEST(Shapes, WhoseLengthsDoNotGoTogetherAreToldAtTheSmallerOne) {
       "body.inner_radius: inner radius of the sphere must be at least 0 and less than its radius 1, got 1\n");
 }
 
-TEST(Masses, ComeFromAMassOrADensity) {
+TEST(Masses, NeedEitherAMassOrADensity) {
   EXPECT_EQ(problems("[body]\nshape='hoop'\nradius=1\ndensity=2"),
-            "body.density: this shape has no volume, and so no density per volume; give body.mass\n");
+            "body.density: this shape has no volume, so a density does not determine its mass; give body.mass\n");
   EXPECT_EQ(problems("[body]\nshape='cube'\nedge=1\ndensity=2\nmass=3"),
             "body.density: body.mass is given too; give one of the two\n");
   EXPECT_EQ(problems("[[body.part]]\nshape='cube'\nedge=1"),
@@ -212,12 +212,12 @@ TEST(Masses, ComeFromAMassOrADensity) {
             "together\n");
 }
 
-TEST(Parts, SayWhatTheyLack) {
+TEST(Parts, ReportMissingKeys) {
   EXPECT_EQ(problems("[[body.part]]\n"), "body.part[0]: body.part[0].shape is missing\n");
   EXPECT_EQ(problems("[[body.part]]\nshape='cube'\nedge=1\nmass=1\nangle=1"),
             "body.part[0].angle: body.part[0].axis is missing: a turn is an axis and an angle\n");
   EXPECT_EQ(problems("[[body.part]]\nshape='cube'\nedge=1\nmass=1\nangle=1\naxis=[0, 0, 0]"),
-            "body.part[0].axis: must not be zero: it has no direction to turn about, got (0, 0, 0)\n");
+            "body.part[0].axis: must not be zero, got (0, 0, 0): a zero vector is not an axis\n");
   EXPECT_EQ(
       problems("[[body.part]]\nshape='cube'\nedge=1\nmass=1\nangle=1\naxis=[0, 0, 1]\nrotation=[1, 0, 0, 0]"),
       "body.part[0].axis: body.part[0].rotation is given too; give rotation, or axis and angle\n");
@@ -225,27 +225,27 @@ TEST(Parts, SayWhatTheyLack) {
             "body.point_mass[0]: body.point_mass[0].position is missing: a point mass has mass and position\n");
 }
 
-TEST(Bodies, ThatCannotBeAreRefused) {
+TEST(Bodies, RejectImpossibleMoments) {
   EXPECT_THAT(
       problems("[[body.point_mass]]\nmass=1\nposition=[1, 0, 0]\n[[body.point_mass]]\nmass=1\nposition=[2, 0, 0]"),
-      HasSubstr("body.point_mass[0]: the body lies on a line through the point that stands still"));
+      HasSubstr("body.point_mass[0]: the whole body lies on one line through its fixed point"));
   EXPECT_THAT(problems("body.inertia=[[1, 0, 0], [0, 1, 0], [0, 0, 3]]"), HasSubstr("body.inertia: "));
   EXPECT_THAT(problems("body.inertia=[[1, 2, 0], [2, 1, 0], [0, 0, 2]]"),
-              HasSubstr("body.inertia: "));  // negative
+              HasSubstr("body.inertia: "));  // a negative moment
   EXPECT_EQ(problems("body.inertia=[[2, 1, 0], [1.5, 2, 0], [0, 0, 2]]"),
             "body.inertia: must be symmetric, got 1 in row 1 column 2 and 1.5 across the diagonal\n");
   EXPECT_THAT(problems("body.principal_moments=[1, 2, 2]\nbody.pivot=[0, 0, 1]"),
               HasSubstr("body.pivot: needs a body with a mass"));
 }
 
-TEST(Mesh, IsReadWhenTheSceneIs) {
+TEST(Mesh, ReportsAnUnusableFileAsASceneError) {
   const std::string mesh = "[body]\nmass=1\nshape='mesh'\n";
   EXPECT_EQ(problems(mesh + "file='none.stl'"),
             "body.file: cannot read none.stl: No such file or directory in the scene's folder\n");
   EXPECT_THAT(problems(mesh + "file='torque.csv'"), HasSubstr("body.file: "));
   EXPECT_THAT(problems(mesh + "file='../data/body.stl'"), HasSubstr("without \"..\""));
   EXPECT_THAT(problems(mesh + "file='open.obj'"), HasSubstr("body.file: "));
-  EXPECT_EQ(problems(mesh), "body.shape: \"mesh\" takes file (and file_unit, if wanted); file is missing\n");
+  EXPECT_EQ(problems(mesh), "body.shape: \"mesh\" takes file (optional: file_unit); file is missing\n");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene may say and can hardly mean: it is taken as it stands, and told.
+// Doubts are notes on values that a scene may give but hardly means. The scene is accepted as written.
 
 #include "scene_testing.h"
 
@@ -13,22 +13,22 @@ std::string doubts(const std::string& more, const std::vector<std::string>& over
   return lines;
 }
 
-TEST(Doubts, WholeNumbersAsAngles) {
+TEST(SceneNotes, WarnAboutWholeNumbersOfRadians) {
   EXPECT_EQ(doubts("[camera]\nelevation = 1\nazimuth = 2.0\n"),
-            "test.toml:6:13: note: camera.elevation: 1 is in radians, 57.3 deg; for degrees write \"1 deg\"\n"
-            "test.toml:7:11: note: camera.azimuth: 2 is in radians, 115 deg; for degrees write \"2 deg\"\n");
+            "test.toml:6:13: note: camera.elevation: 1 is in radians (57.3 deg); for degrees write \"1 deg\"\n"
+            "test.toml:7:11: note: camera.azimuth: 2 is in radians (115 deg); for degrees write \"2 deg\"\n");
   EXPECT_EQ(
       doubts("", {"camera.azimuth=-1"}),
-      "-D camera.azimuth=-1: note: camera.azimuth: -1 is in radians, -57.3 deg; for degrees write \"-1 deg\"\n");
+      "-D camera.azimuth=-1: note: camera.azimuth: -1 is in radians (-57.3 deg); for degrees write \"-1 deg\"\n");
   EXPECT_EQ(parseScene(kMinimal, "test.toml", {"camera.azimuth=1"}).camera.azimuth_rad, 1);
 }
 
-TEST(Doubts, NotWhatRadiansLookLike) {
+TEST(SceneNotes, AreAbsentForAnglesWithFractionsOrUnits) {
   EXPECT_EQ(doubts("[camera]\nelevation = 0.5236\nazimuth = 0\norbit = \"1 rad\"\nfov = \"30 deg\"\n"), "");
   EXPECT_EQ(doubts("", {"camera.azimuth=\"1 deg\"", "time.start=1"}), "");
 }
 
-TEST(Doubts, MetresAmongCentimetres) {
+TEST(SceneNotes, WarnAboutMetresAmongCentimetres) {
   const std::string start = "[motion]\nomega_body = [0, 1, 0.1]\n";
   const auto said = [&](const std::string& body) {
     std::string lines;
@@ -42,7 +42,7 @@ TEST(Doubts, MetresAmongCentimetres) {
   EXPECT_EQ(said("[[body.part]]\nshape = 'cube'\nedge = '5 cm'\nmass = 1\noffset = [0, 0, 0.4]\n"), "");
 }
 
-TEST(Doubts, ADensityThatNothingHas) {
+TEST(SceneNotes, WarnAboutADensityAboveThatOfOsmium) {
   const auto said = [](const std::string& density) {
     return parseScene("[motion]\nomega_body = [0, 1, 0]\n[body]\nshape = 'cube'\nedge = 1\ndensity = " + density,
                       "test.toml")
@@ -53,12 +53,11 @@ TEST(Doubts, ADensityThatNothingHas) {
   EXPECT_EQ(said("'7.85 g/cm3'"), 0u);
 }
 
-TEST(Doubts, AThrownBodyThatLeavesThePicture) {
+TEST(SceneNotes, WarnAboutAThrownBodyOutsideThePicture) {
   const std::string thrown = "[motion.flight]\nvelocity = [3, 0, 4]\n";
-  EXPECT_EQ(
-      doubts(thrown + "[camera]\nzoom = 2\n"),
-      "test.toml:8:8: note: camera.zoom: the thrown body begins and ends outside the picture, as 1 shows its "
-      "whole flight; with camera.follow = true the camera goes along\n");
+  EXPECT_EQ(doubts(thrown + "[camera]\nzoom = 2\n"),
+            "test.toml:8:8: note: camera.zoom: the thrown body starts and ends outside the picture, because a "
+            "zoom of 1 shows its whole flight; set camera.follow = true to follow the body\n");
   EXPECT_EQ(doubts(thrown + "[[view]]\n[[view]]\ncamera.zoom = 2\n").substr(0, 47),
             "test.toml:9:15: note: view[1].camera.zoom: the ");
   EXPECT_EQ(doubts(thrown + "[camera]\nzoom = 2\nfollow = true\n"), "");
@@ -67,9 +66,10 @@ TEST(Doubts, AThrownBodyThatLeavesThePicture) {
   EXPECT_EQ(doubts("[camera]\nzoom = 2\n"), "");
 }
 
-TEST(Doubts, AHoldBeyondTheFilm) {
-  EXPECT_EQ(doubts("[time]\nduration = 5\n[[timeline]]\nat = 3\nover = 1\nhold = 2\n"),
-            "test.toml:10:8: note: timeline[0].hold: would last till 6 s, the film ends at 5 s (time.duration)\n");
+TEST(SceneNotes, WarnAboutAHoldThatOutlastsTheFilm) {
+  EXPECT_EQ(
+      doubts("[time]\nduration = 5\n[[timeline]]\nat = 3\nover = 1\nhold = 2\n"),
+      "test.toml:10:8: note: timeline[0].hold: would last until 6 s, but the film ends at 5 s (time.duration)\n");
   EXPECT_EQ(doubts("[time]\nduration = 5\n[[timeline]]\nat = 3\nover = 1\nhold = 1\n"), "");
 }
 

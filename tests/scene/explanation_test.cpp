@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said of names is what the one table of keys says: looked up here for each of its keys.
+// Explanations of names must agree with the table of keys. Each key of the table is looked up.
 #include "scene/keys/explanation.h"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ std::string rowOf(const Explanation& explanation, const std::string& name) {
   return row == explanation.rows.end() ? "no row " + name : row->text;
 }
 
-TEST(Explanation, OfATableByItsNameAlone) {
+TEST(Explanation, FindsATableByTheLastPartOfItsPath) {
   for (const char* name : {"cones", "trace", "theta", "plane", "torque", "colors", "part"}) {
     const auto found = explain(name);
     EXPECT_TRUE(std::ranges::any_of(found,
@@ -35,7 +35,7 @@ TEST(Explanation, OfATableByItsNameAlone) {
   }
 }
 
-TEST(Explain, EveryKeyByItsPath) {
+TEST(Explain, FindsEveryKeyByItsPath) {
   for (const Key& key : keys()) {
     const auto found = explain(key.path);
     ASSERT_EQ(found.size(), 1u) << key.path;
@@ -48,14 +48,14 @@ TEST(Explain, EveryKeyByItsPath) {
   }
 }
 
-TEST(Explain, EveryKeyByItsName) {
+TEST(Explain, FindsEveryKeyByItsName) {
   for (const Key& key : keys()) {
     if (repeatsInView(key)) continue;
     EXPECT_THAT(explain(nameOf(key.path)), Contains(Field(&Explanation::title, key.path))) << key.path;
   }
 }
 
-TEST(Explain, EveryKeyInItsTable) {
+TEST(Explain, ListsEveryKeyInItsTable) {
   for (const Key& key : keys()) {
     if (repeatsInView(key) || tableOf(key.path).empty()) continue;
     const auto found = explain(tableOf(key.path));
@@ -63,7 +63,7 @@ TEST(Explain, EveryKeyInItsTable) {
   }
 }
 
-TEST(Explain, UnitsAndRanges) {
+TEST(Explain, ListsUnitsAndRanges) {
   const auto fov = explain("camera.fov").front();
   EXPECT_THAT(rowOf(fov, "takes"), HasSubstr("an angle, from "));
   EXPECT_THAT(rowOf(fov, "units"), HasSubstr("deg"));
@@ -75,8 +75,8 @@ TEST(Explain, UnitsAndRanges) {
   EXPECT_EQ(rowOf(explain("units").at(0), "lengths").substr(0, 5), "m: m,");
 }
 
-// The rows of the one table, each with its value; forces are units of no key, and still explained.
-TEST(Explain, UnitsListsEveryNameOfTheTable) {
+// Every unit of the table has its value, even forces, which no key takes.
+TEST(Explain, ListsEveryUnitOfTheTable) {
   const auto found = explain("units");
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[1].title, "names of units");
@@ -87,14 +87,14 @@ TEST(Explain, UnitsListsEveryNameOfTheTable) {
   EXPECT_THAT(rowOf(explain("body.inertia").front(), "units"), HasSubstr("(poinsot explain units lists all)"));
 }
 
-TEST(Explain, InertiaWithItsLayoutAndSign) {
+TEST(Explain, ShowsLayoutAndSignOfInertia) {
   const auto inertia = explain("body.inertia").front();
   EXPECT_THAT(rowOf(inertia, "takes"), HasSubstr("[[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]]"));
   EXPECT_THAT(inertia.help, HasSubstr("-(sum of m x y)"));
   EXPECT_THAT(inertia.help, HasSubstr("Aerospace tables and many CAD sheets print +(sum of m x y)"));
 }
 
-TEST(Explain, TablesAsTheyAreWritten) {
+TEST(Explain, FindsTablesAsWrittenInScenes) {
   EXPECT_EQ(explain("[camera]").front().title, "[camera]");
   for (const char* word : {"body.part", "[[body.part]]", "body.part[]", "body.part[3]"})
     EXPECT_EQ(explain(word).front().title, "[[body.part]]") << word;
@@ -102,13 +102,13 @@ TEST(Explain, TablesAsTheyAreWritten) {
   EXPECT_EQ(explain("").front().title, "tables");
 }
 
-TEST(Explain, WordsThatKeysTake) {
+TEST(Explain, FindsShapesBodiesAndQuantities) {
   EXPECT_EQ(explain("racket").size(), 2u) << "the shape and the body of the catalogue";
   EXPECT_THAT(explain("torus").front().title, HasSubstr("shape"));
   EXPECT_THAT(explain("omega_1").back().title, HasSubstr("quantity"));
 }
 
-TEST(Explain, OthersAreRefusedWithTheNearest) {
+TEST(Explain, RejectsUnknownNamesAndSuggestsTheNearest) {
   const auto refusal = [](const std::string& word) -> std::string {
     try {
       explain(word);
@@ -126,15 +126,15 @@ TEST(Explain, OthersAreRefusedWithTheNearest) {
     EXPECT_THAT(refusal(word), HasSubstr("has this name"));
 }
 
-// Who knows the value asks for that.
-TEST(Explain, AValueByTheKeysThatTakeIt) {
+// A user may know a value but not its key.
+TEST(Explain, NamesTheKeyThatAcceptsAValue) {
   const auto found = explain("dark");
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].title, "\"dark\", a value of style.theme");
   EXPECT_EQ(found[0].help, findKey("style.theme")->help);
 }
 
-TEST(Explain, ATableOfDrawnThingsSaysWhatTheyAre) {
+TEST(Explain, DescribesTheTableOfEachFigure) {
   EXPECT_EQ(rowOf(explain("show").at(0), "[show.plane]"), findKey("show.plane.visible")->help);
 }
 

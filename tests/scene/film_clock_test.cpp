@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Film time to motion time: against numerical quadrature of the pace, which is checked by its own definition.
+// Conversion of film time to motion time is compared with numerical quadrature of the pace.
 #include "scene/motion/film_clock.h"
 
 #include <gtest/gtest.h>
@@ -24,12 +24,12 @@ TimelineEntry pace(double at_s, double over_s, double speed, double hold_s = 0) 
   return entry;
 }
 
-/// Slow motion, a hold out of it, a change within a change, a jump.
+/// Returns a clock with slow motion, a hold, a change within a change, and a jump.
 FilmClock variedClock() {
   return {5, -3, {{pace(2, 1, 0.2), pace(6, 0.5, 1, 2), pace(12, 2, 3), pace(13, 1, 0.5), pace(16, 0, 2)}, {}}};
 }
 
-/// ∫ pace by Simpson's rule, from 0, in pieces that end where the pace's third derivative jumps.
+/// Returns ∫ pace from 0 by Simpson's rule, in pieces that end where the pace's third derivative jumps.
 double simpson(const FilmClock& clock, double to_s) {
   std::vector<double> ends = {0, 2, 3, 6, 6.5, 8.5, 9, 12, 13, 14, 16, to_s};
   std::sort(ends.begin(), ends.end());
@@ -46,7 +46,7 @@ double simpson(const FilmClock& clock, double to_s) {
   return sum;
 }
 
-TEST(FilmClock, WithoutChangesIsTheStraightLineToTheBit) {
+TEST(FilmClock, RunsExactlyLinearlyWithoutPaceChanges) {
   const FilmClock clock(0.25, 1.7, {});
   for (const double t : {0.0, 0.1, 1.0 / 3, 7.77, 3599.9}) {
     EXPECT_EQ(clock.played_s(t), t);
@@ -54,7 +54,7 @@ TEST(FilmClock, WithoutChangesIsTheStraightLineToTheBit) {
   }
 }
 
-TEST(FilmClock, IsTheIntegralOfThePace) {
+TEST(FilmClock, PlayedTimeIsTheIntegralOfThePace) {
   const FilmClock clock = variedClock();
   for (const double t : {0.5, 2.0, 2.3, 3.0, 5.0, 6.2, 7.5, 8.7, 11.0, 12.5, 13.2, 15.0, 18.0}) {
     EXPECT_NEAR(clock.played_s(t), simpson(clock, t), 1e-11) << t;  // measured: at most 4.3e-12
@@ -62,8 +62,8 @@ TEST(FilmClock, IsTheIntegralOfThePace) {
   }
 }
 
-// Worked out by hand: a soft change takes as long as a straight one, half of the time at each end.
-TEST(FilmClock, HasTheValuesOfTheHand) {
+// Worked by hand: a soft change from pace 1 to 0.2 has the mean pace 0.6, as a linear change.
+TEST(FilmClock, MatchesValuesWorkedByHand) {
   const FilmClock slow(0, 1, {{pace(2, 1, 0.2)}, {}});
   EXPECT_NEAR(slow.played_s(3), 2 + 0.6, 1e-15);
   EXPECT_NEAR(slow.played_s(13), 2.6 + 10 * 0.2, 1e-14);
@@ -71,7 +71,7 @@ TEST(FilmClock, HasTheValuesOfTheHand) {
   EXPECT_DOUBLE_EQ(slow.pace(2.25), 1 - 0.8 * (0.15625 - 15 * 0.00390625 + 6 * 0.0009765625));  // x³(10-15x+6x²)
 }
 
-TEST(FilmClock, StandsStillInAHold) {
+TEST(FilmClock, StopsDuringAHold) {
   const FilmClock clock = variedClock();
   for (double t = 6.5; t <= 8.5; t += 0.1) EXPECT_EQ(clock.played_s(t), clock.played_s(6.5)) << t;
   EXPECT_GT(clock.played_s(8.6), clock.played_s(8.5));
@@ -91,7 +91,7 @@ TEST(FilmClock, NeverRunsBackwardsOrJumps) {
   }
 }
 
-TEST(FilmClock, HasAPaceWithoutCorners) {
+TEST(FilmClock, ChangesThePaceSmoothly) {
   const FilmClock clock(0, 1, {{pace(2, 1, 0.2), pace(5, 1, 1, 2)}, {}});
   constexpr double h = 1e-4;
   double last = 0, sharpest = 0;
@@ -100,11 +100,11 @@ TEST(FilmClock, HasAPaceWithoutCorners) {
     sharpest = std::max(sharpest, std::abs(slope - last));
     last = slope;
   }
-  // The second derivative of x³ (10 - 15 x + 6 x²) is at most 10/√3; measured: 4e-8 of it less.
+  // The second derivative of x³ (10 - 15 x + 6 x²) is at most 10/√3. Measured: less by 4e-8 of that.
   EXPECT_LE(sharpest, (1 + 1e-6) * h * 10 / std::sqrt(3));
 }
 
-TEST(EasedTrack, StartsANewTurnWhereTheLastHasComeTo) {
+TEST(EasedTrack, StartsANewChangeFromTheCurrentValue) {
   EasedTrack track(1);
   track.turnTo(1, 2, 5);
   track.turnTo(2, 1, 0);
@@ -116,14 +116,14 @@ TEST(EasedTrack, StartsANewTurnWhereTheLastHasComeTo) {
   EXPECT_EQ(track.target(), 0);
 }
 
-TEST(EasedTrack, RefusesTurnsOutOfOrder) {
+TEST(EasedTrack, RejectsChangesOutOfOrder) {
   EasedTrack track(0);
   track.turnTo(2, 1, 1);
   EXPECT_THROW(track.turnTo(1, 1, 0), std::logic_error);
   EXPECT_THROW(track.turnTo(3, -1, 0), std::logic_error);
 }
 
-// Film times of any sign; before 0 the film would have run as at 0.
+// Film times may have any sign. Before 0 the film has the pace of time 0.
 TEST(FilmClock, GivesFiniteTimesOrAnError) {
   const FilmClock fast(0, 1e20, {{pace(1, 0, 100)}, {}}), plain(5, -3, {}), still(0, 0, {{pace(1, 0, 100)}, {}});
   for (const FilmClock& clock : {variedClock(), fast, plain, still})

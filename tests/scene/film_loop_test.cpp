@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Films that repeat: what time.loop makes of a scene. That the start is the nearest one is tests/physics'
-// (closed_motion_test.cpp, against theta functions); here it is followed through the scene by the motion itself.
+// Films that repeat: the effect of time.loop on a scene, followed by the motion itself. That the start is the
+// nearest one is tested in tests/physics/closed_motion_test.cpp.
 #include "scene/motion/film_loop.h"
 
 #include <gmock/gmock.h>
@@ -33,7 +33,7 @@ const Body kBodies[] = {
     {"steady", "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0, 0, 2.2]\n"},
     {"flipping", "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0.01, 3, 0]\n"}};
 
-TEST(FilmLoop, TheAttitudeComesBackAfterAllFrames) {
+TEST(FilmLoop, RestoresTheAttitudeAfterAllFrames) {
   for (const Body& body : kBodies) {
     SCOPED_TRACE(body.name);
     const Scene plain = parseScene(body.text, "a.toml"), loop = parseScene(body.text + kLoop, "a.toml");
@@ -52,7 +52,7 @@ TEST(FilmLoop, TheAttitudeComesBackAfterAllFrames) {
   }
 }
 
-TEST(FilmLoop, SaysWhatItChanged) {
+TEST(FilmLoop, RecordsTheChangesOfRotationAndDuration) {
   const std::string text = kBodies[0].text;
   const Scene plain = parseScene(text, "a.toml"), loop = parseScene(text + kLoop, "a.toml");
   const Loop& changed = *loop.time.loop;
@@ -62,13 +62,13 @@ TEST(FilmLoop, SaysWhatItChanged) {
   EXPECT_EQ(changed.speedAsked, chosenSpeed(plain));
   EXPECT_EQ(changed.durationAsked_s, plain.time.duration_s);
   EXPECT_NEAR(loop.time.duration_s * *loop.time.speed, changed.period_s, 1e-9 * changed.period_s);
-  EXPECT_NEAR(*loop.time.speed / changed.speedAsked, 1, 0.01);  // by less than half a frame of the film
+  EXPECT_NEAR(*loop.time.speed / changed.speedAsked, 1, 0.01);  // changed by less than half a frame of the film
 }
 
-TEST(FilmLoop, IsRefusedWhereNothingComesBack) {
+TEST(FilmLoop, RejectsMotionsThatDoNotRepeat) {
   const std::string free = kBodies[0].text;
   EXPECT_THAT(messagesOf(free + "[motion.drag]\nrate = 0.1\n" + kLoop, {}),
-              HasSubstr("time.loop: what acts on the body never lets the whole motion come back"));
+              HasSubstr("time.loop: something acts on the body, so its motion never repeats exactly"));
   EXPECT_THAT(messagesOf(free + kLoop + "speed = 0\n", {}), HasSubstr("time.loop: nothing moves at speed 0"));
   EXPECT_THAT(
       messagesOf("[body]\nprincipal_moments = [1, 2, 2.25]\n[motion]\nomega_body = [0.75, 0.5, 1]\n" + kLoop, {}),

@@ -20,14 +20,16 @@ using testing::HasSubstr;
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-// A toy gyroscope (D. Giancoli, Physics, chapter on rotation): a disc of 170 g and 5.5 cm on an arm of 10.5 cm, 45
-// turns a second, let go level. Slow precession M g l/(I3 omega_3) = 2.40618 rad/s, by hand: 2.6113 s a turn.
+// A toy gyroscope (D. Giancoli, Physics, chapter on rotation): a disc of 170 g and 5.5 cm on an arm of 10.5 cm,
+// with 45 turns a second, released level. By hand it precesses slowly at M g l/(I3 omega_3) = 2.40618 rad/s,
+// 2.6113 s a turn.
 const std::string kGyroscope =
     "[body]\nshape = 'disc'\nradius = '5.5 cm'\nmass = '170 g'\npivot = [0, 0, '-10.5 cm']\n"
     "[motion]\nspin = '45 rev/s'\nspin_axis = 3\norientation = [1, 1, 0, 0]\n[motion.gravity]\ng = 9.8\n";
 constexpr double kGyroscopePeriod_s = 2.6113;
 
-/// A top of I1 = 2 and I3 = 1 kg m², M g l = 3 N m, that leans by `tilt_deg` with a spin about its axis alone.
+/// Returns a top of I1 = 2 and I3 = 1 kg m², M g l = 3 N m, that leans by `tilt_deg` and spins about its axis
+/// alone.
 std::string top(double tilt_deg, double spin, const std::string& more = "") {
   const double half = tilt_deg / 2 * std::numbers::pi / 180;
   return fmt::format(
@@ -48,7 +50,7 @@ std::string doubts(const std::string& text) {
   return lines;
 }
 
-/// Turns of the body's z axis about the vertical in a time, from the integrated motion.
+/// Returns the turns of the body's z axis about the vertical in a time, from the integrated motion.
 double turnsOf(const Scene& scene, double time_s) {
   constexpr int kSteps = 20000;
   const auto motion = makeMotion(scene, 0, time_s);
@@ -63,7 +65,7 @@ double turnsOf(const Scene& scene, double time_s) {
 }
 
 // I1 cos(60 deg) W² - I3 omega_3 W + M g l = 0 with W = 0.5 rad/s gives omega_3 = 6.5 rad/s, by hand.
-TEST(PrecessionPeriod, IsThatOfSteadyPrecession) {
+TEST(PrecessionPeriod, MatchesSteadyPrecession) {
   const double W = 0.5, root = std::sqrt(0.75);
   const Scene scene =
       sceneOf(fmt::format("[body]\nprincipal_moments = [2, 2, 1]\n[motion]\nomega_body = [0, {}, 6.5]\n"
@@ -73,14 +75,14 @@ TEST(PrecessionPeriod, IsThatOfSteadyPrecession) {
   EXPECT_NEAR(*precessionPeriod_s(scene) / (kTurn / W), 1, 1e-8);  // measured 2e-16; half the digits are promised
 }
 
-// Let go at rest the axis nods below the level, and goes round by a little less than 1 % slower than steadily.
-TEST(PrecessionPeriod, OfAGyroscopeIsThatOfTheTextbook) {
+// Released at rest, the axis nods below the level and precesses a little less than 1 % slower than steadily.
+TEST(PrecessionPeriod, MatchesTheTextbookForAGyroscope) {
   EXPECT_NEAR(periodOf(kGyroscope) / kGyroscopePeriod_s, 1, 0.01);  // measured 1.0086
 }
 
-// Counted along the integrated motion, over twenty turns, which end at any moment of a nod. Measured 3e-5, 5e-4,
+// Twenty turns are counted along the integrated motion. They may end at any moment of a nod. Measured: 3e-5, 5e-4,
 // 5e-4.
-TEST(PrecessionPeriod, IsThatOfTheIntegratedMotion) {
+TEST(PrecessionPeriod, MatchesTheIntegratedMotion) {
   const std::pair<std::string, double> cases[] = {{kGyroscope, 1e-3}, {top(40, 12), 2e-3}, {top(120, 9), 2e-3}};
   for (const auto& [text, tolerance] : cases) {
     const Scene scene = sceneOf(text);
@@ -101,7 +103,7 @@ TEST(PrecessionPeriod, IsEstimatedForATopThatIsNearlySymmetric) {
   EXPECT_EQ(periodOf(uneven + "[motion.drag]\nrate = 0.01\n"), periodOf(uneven));
 }
 
-TEST(PrecessionPeriod, IsNotThereWhereNothingIsSeenToGoRound) {
+TEST(PrecessionPeriod, IsAbsentWithoutVisiblePrecession) {
   EXPECT_EQ(periodOf(top(0.5, 40)), 0);    // sleeps
   EXPECT_EQ(periodOf(top(179.5, 40)), 0);  // hangs
   EXPECT_EQ(periodOf(top(40, 0)), 0);      // a pendulum
@@ -109,18 +111,17 @@ TEST(PrecessionPeriod, IsNotThereWhereNothingIsSeenToGoRound) {
   EXPECT_EQ(periodOf("[body]\nprincipal_moments = [2, 2, 1]\n[motion]\nomega_body = [0, 1, 9]\n"), 0);
 }
 
-// A box that hangs swings through its weight, whatever its moments across the vertical: it goes round by no angle
-// of a top's precession.
-TEST(PrecessionPeriod, IsNotEstimatedForAnUnevenBodyThatHangs) {
+// A hanging box swings by its weight, for any moments across the vertical. It does not precess like a top.
+TEST(PrecessionPeriod, IsAbsentForAHangingAsymmetricBody) {
   const std::string hung =
       "[body]\nprincipal_moments = [2, 2.8, 1]\n[motion]\nomega_body = [0.1, 0, 0.2]\norientation = [1, 0, 0, 0]\n"
       "gravity.mgr_body = [0, 0, -3]\n";
   EXPECT_EQ(periodOf(hung), 0);
 }
 
-// Small swings of a pendulum: sqrt(M g l/I) = sqrt(0.03/2.8) = 0.10 rad/s and sqrt(300/2.8) = 10.4 rad/s,
-// whichever way it was let go.
-TEST(Pace, OfABodyThatHangsIsThatOfItsSwing) {
+// Small swings of a pendulum have sqrt(M g l/I) = sqrt(0.03/2.8) = 0.10 rad/s and sqrt(300/2.8) = 10.4 rad/s, for
+// any release.
+TEST(DefaultSpeed, FollowsTheSwingOfAHangingBody) {
   const auto paceOf = [](double weight, double spin) {
     return chosenSpeed(
         sceneOf(fmt::format("[body]\nprincipal_moments = [2, 2.8, 1]\n[motion]\n"
@@ -135,21 +136,21 @@ TEST(Pace, OfABodyThatHangsIsThatOfItsSwing) {
   }
 }
 
-// 0.5 rad of the precession to a second of film, 0.8 turns in the ten seconds of one.
-TEST(Pace, ShowsThePrecessionOfAGyroscope) {
+// The film shows 0.5 rad of precession per second, 0.8 turns in its ten seconds.
+TEST(DefaultSpeed, ShowsHalfARadianOfPrecessionPerSecond) {
   const Scene scene = sceneOf(kGyroscope);
   EXPECT_NEAR(chosenSpeed(scene) / (0.5 * kGyroscopePeriod_s / kTurn), 1, 0.01);    // measured 1.0086
   EXPECT_NEAR(std::abs(turnsOf(scene, 10 * chosenSpeed(scene))), 5 / kTurn, 0.02);  // measured 0.7854
 }
 
-TEST(Pace, IsThatOfTheSpinWhereThePrecessionIsSeenAnyway) {
+TEST(DefaultSpeed, FollowsTheSpinIfPrecessionIsFastOrAbsent) {
   EXPECT_EQ(chosenSpeed(sceneOf(top(40, 6))), 1);           // goes round in 11 s
   EXPECT_EQ(chosenSpeed(sceneOf(top(0.5, 40))), 2.1 / 40);  // sleeps
   EXPECT_EQ(chosenSpeed(sceneOf(top(40, 0))), 1);
   EXPECT_EQ(chosenSpeed(sceneOf(top(40, 12, "[time]\nspeed = 3\n"))), 3);
 }
 
-TEST(Pace, OfFreeMotionIsThatOfTheSpin) {
+TEST(DefaultSpeed, FollowsTheSpinInFreeMotion) {
   const auto paceOf = [](double spin) {
     return chosenSpeed(
         sceneOf(fmt::format("body.principal_moments = [2, 2, 1]\nmotion.omega_body = [0, 0, {}]\n", spin)));
@@ -160,37 +161,36 @@ TEST(Pace, OfFreeMotionIsThatOfTheSpin) {
   EXPECT_EQ(paceOf(8), 2.1 / 8);
 }
 
-// A film shows 5000 turns of the body at most: of a top that turns 200²/3 times in a turn of its precession
-// 2 pi I3 omega_3/(M g l) three eighths of one. At 400 rad/s that would be less than a tenth of a turn, and the
-// film shows the spin.
-TEST(Pace, OfAVeryFastTopIsBoundedByItsTurns) {
+// A film shows at most 5000 turns of the body. At 200 rad/s this top turns 200²/3 times in one precession of 2 pi
+// I3 omega_3/(M g l), of which the film shows three eighths. At 400 rad/s the film would show less than a tenth,
+// and follows the spin instead.
+TEST(DefaultSpeed, ShowsAtMost5000TurnsOfAFastTop) {
   EXPECT_NEAR(chosenSpeed(sceneOf(top(40, 200))) * 200 / kTurn * 10, 5000, 1e-9);
   EXPECT_NEAR(chosenSpeed(sceneOf(top(40, 200, "[time]\nduration = 40\n"))) * 200 / kTurn * 40, 5000, 1e-9);
   EXPECT_EQ(chosenSpeed(sceneOf(top(40, 400))), 2.1 / 400);
 }
 
-// Such tops: 2 pi 180/3 = 376.99 s and 2 pi 400/3 = 837.76 s to a turn of the precession, in which the body turns
-// 180²/3 and 400²/3 times.
-TEST(Doubts, GiveNoSpeedBeyondTheTurnsOfAFilm) {
+// Tops at 180 and 400 rad/s precess once in 2 pi 180/3 = 376.99 s and 2 pi 400/3 = 837.76 s, in which the body
+// turns 180²/3 and 400²/3 times.
+TEST(SceneNotes, SuggestNoSpeedThatShowsTooManyTurns) {
   EXPECT_EQ(doubts(top(40, 200)), "");
   EXPECT_THAT(
       doubts(top(40, 180, "[time]\nspeed = 1\n")),
       HasSubstr("goes round once in 377 s; time.speed = 17.5 shows 0.46 of a turn in these 10 s of film\n"));
-  EXPECT_EQ(
-      doubts(top(40, 400)),
-      "test.toml:1:1: note: time.speed: the film shows 6.3e-05 of a turn of the top's precession, which goes "
-      "round once in 838 s; the body turns 5.3e+04 times meanwhile, and one film shows at most 5000 of its turns; "
-      "give a smaller spin\n");
+  EXPECT_EQ(doubts(top(40, 400)),
+            "test.toml:1:1: note: time.speed: the film shows 6.3e-05 of a turn of the top's precession, which "
+            "goes round once in 838 s; the body turns 5.3e+04 times in this period, but one film shows at most "
+            "5000 turns; give a smaller spin\n");
 }
 
-// A fast top nods in 2 pi I1/(I3 omega_3), by about 2 I1 M g l sin(theta)/(I3 omega_3)² (Landau & Lifshitz,
-// section 35, problem 3): 1.4 deg at 22 rad/s, which are seen, 0.4 deg at 40 rad/s.
-TEST(Pace, LeavesANodThatIsSeenAQuarterOfASecond) {
+// A fast top nods once in 2 pi I1/(I3 omega_3), by about 2 I1 M g l sin(theta)/(I3 omega_3)² (Landau & Lifshitz,
+// section 35, problem 3): by a visible 1.4 deg at 22 rad/s, by 0.4 deg at 40 rad/s.
+TEST(DefaultSpeed, ShowsVisibleNutationInAQuarterOfASecond) {
   EXPECT_NEAR(chosenSpeed(sceneOf(top(90, 22))) / (kTurn * 2 / 22 / 0.25), 1, 0.005);  // measured 0.9995
   EXPECT_NEAR(chosenSpeed(sceneOf(top(90, 40))) / (0.5 / (3.0 / 40)), 1, 0.005);       // measured 1.00003
 }
 
-TEST(Doubts, AFilmWithoutAPrecession) {
+TEST(SceneNotes, WarnAboutAFilmWithHardlyAnyPrecession) {
   const std::string brief = kGyroscope + "[time]\nspeed = 0.0074\n";
   EXPECT_EQ(doubts(kGyroscope), "");
   EXPECT_EQ(
@@ -201,16 +201,16 @@ TEST(Doubts, AFilmWithoutAPrecession) {
   EXPECT_THAT(doubts(kGyroscope + "[time]\nduration = 0.5\n"),
               testing::AllOf(HasSubstr("test.toml:13:12: note: time.duration: the film shows 0.04 of a turn"),
                              HasSubstr("time.speed = 5.27 shows a whole turn in these 0.5 s of film")));
-  // Half a second until the speed has changed, and 9 s at a hundredth: 0.0595 s of the motion.
+  // The first second has a mean pace of 0.505, the other 9 s have 0.01; at speed 0.1 that is 0.0595 s of motion.
   EXPECT_THAT(doubts(kGyroscope + "[time]\nspeed = 0.1\n[[timeline]]\nat = 0\nover = 1\nspeed = 0.01\n"),
               HasSubstr("time.speed: the film shows 0.023 of a turn"));
 }
 
-TEST(Doubts, NotAFilmThatShowsEnoughOfIt) {
+TEST(SceneNotes, AreAbsentIfAFilmShowsATenthOfAPrecession) {
   const double tenth = 0.1 * periodOf(kGyroscope) / 10;
   EXPECT_EQ(doubts(kGyroscope + fmt::format("[time]\nspeed = {}\n", 1.001 * tenth)), "");
   EXPECT_NE(doubts(kGyroscope + fmt::format("[time]\nspeed = {}\n", 0.999 * tenth)), "");
-  EXPECT_EQ(doubts(kGyroscope + "[time]\nspeed = 0\n"), "");  // a film of one instant is meant so
+  EXPECT_EQ(doubts(kGyroscope + "[time]\nspeed = 0\n"), "");  // a film of one instant is intended
   EXPECT_EQ(doubts(top(0.5, 40)), "");
   EXPECT_EQ(
       doubts("[body]\nprincipal_moments = [2, 2, 1]\n[motion]\nomega_body = [0, 1e-6, 9]\n[time]\nspeed = 1e-3"),

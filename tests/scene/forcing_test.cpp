@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What acts on the body, as scenes describe it, and what it takes away from the picture.
+// Forces and torques as scenes describe them, and the figures that they exclude from the picture.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -23,14 +23,14 @@ std::string problems(const std::string& text) { return messagesOf(text, {}, data
 
 physics::Forcing forcingOf(const std::string& text) { return sceneWith(text).motion.forcing; }
 
-TEST(Gravity, IsGivenByItsMomentOrByMassAndPivot) {
+TEST(Gravity, IsGivenByAMomentOrByMassAndPivot) {
   EXPECT_EQ(forcingOf(kBare + "[motion.gravity]\nmgr_body=[0, 0.5, 2.84375]").gravity_B,
             Vector3d(0, 0.5, 2.84375));
   // M g r = 2 kg · 9.81 m/s² · 1.275 m, by hand. Measured: exact.
   EXPECT_LE((forcingOf(kTop + "[motion.gravity]\ng=9.81").gravity_B - Vector3d(0, 0, 25.0155)).norm(), 1e-14);
 }
 
-TEST(Gravity, NeedsAPointThatItsMomentIsAbout) {
+TEST(Gravity, NeedsEitherAMomentOrAMassAndAPivot) {
   EXPECT_THAT(problems(kBare + "[motion.gravity]\ng=9.81"),
               HasSubstr("motion.gravity.g: needs a body with a mass"));
   const std::string free = "motion.omega_body=[0, 0, 3]\nbody.catalogue='racket'\n[motion.gravity]\n";
@@ -43,20 +43,20 @@ TEST(Gravity, NeedsAPointThatItsMomentIsAbout) {
             "motion.gravity.g: motion.gravity.mgr_body is given too; give one of the two\n");
 }
 
-TEST(Forcing, IsNotAnEmptyTable) {
+TEST(Forcing, RejectsEmptyTables) {
   const auto problemOf = [](const std::string& table) { return problems(kBare + "[motion." + table + "]\n"); };
   EXPECT_EQ(problemOf("dissipation"), "motion.dissipation: is empty; give alpha\n");
   EXPECT_EQ(problemOf("drag"), "motion.drag: is empty; give rate, one number or three\n");
   EXPECT_THAT(problemOf("torque"), HasSubstr("motion.torque: is empty; give body = [x, y, z]"));
 }
 
-TEST(Torque, IsConstantInEitherAxes) {
+TEST(Torque, MayBeConstantInBodyOrSpaceAxes) {
   const physics::Forcing forcing = forcingOf(kBare + "[motion.torque]\nbody=[1, 0, '5 mN m']\nspace=[0, -2, 0]");
   EXPECT_EQ(forcing.torque_B, Vector3d(1, 0, 0.005));
   EXPECT_EQ(forcing.torque_W, Vector3d(0, -2, 0));
 }
 
-TEST(Torque, MayComeInSteps) {
+TEST(Torque, MayChangeInSteps) {
   const physics::Forcing forcing = forcingOf(kBare +
                                              "[[motion.torque.step]]\nfrom=1\nbody=[1, 2, 3]\n"
                                              "[[motion.torque.step]]\nfrom='2 s'\nspace=[4, 5, 6]\n");
@@ -66,7 +66,7 @@ TEST(Torque, MayComeInSteps) {
   EXPECT_FALSE(forcing.torqueHistory_B.linear);
 }
 
-TEST(Torque, InStepsHasTimesThatAscend) {
+TEST(Torque, RejectsStepsWithoutAscendingTimes) {
   const std::string step = "[[motion.torque.step]]\n", zero = "body=[0, 0, 0]\n";
   EXPECT_EQ(problems(kBare + step + "from=2\n" + zero + step + "from=2\n" + zero),
             "motion.torque.step[1].from: must be later than the step before, got 2 s after 2 s\n");
@@ -78,7 +78,7 @@ TEST(Torque, InStepsHasTimesThatAscend) {
 }
 
 // tests/scene/data/torque.csv has three lines under its header.
-TEST(Torque, MayComeFromAFile) {
+TEST(Torque, MayBeReadFromAFile) {
   const std::string file = kBare + "[motion.torque]\nfile='torque.csv'\n";
   const physics::Forcing body = forcingOf(file),
                          space = forcingOf(file + "file_axes='space'\ninterpolation='steps'\n");
@@ -89,7 +89,7 @@ TEST(Torque, MayComeFromAFile) {
   EXPECT_TRUE(!space.torqueHistory_W.linear && space.torqueHistory_B.empty());
 }
 
-TEST(Torque, FromAFileThatIsWrongIsRefusedAtTheKey) {
+TEST(Torque, ReportsAFaultyFileAtTheKeyThatNamesIt) {
   const auto found = problemsOf(kBare + "[motion.torque]\nfile='body.stl'", {}, dataPath("test.toml"));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].where.line, 4);
@@ -97,29 +97,30 @@ TEST(Torque, FromAFileThatIsWrongIsRefusedAtTheKey) {
             "motion.torque.file: body.stl: line 1: expected four numbers t,Nx,Ny,Nz, got \"solid tetrahedron\"");
   EXPECT_EQ(problems(kBare + "[motion.torque]\nfile='none.csv'"),
             "motion.torque.file: cannot read none.csv: No such file or directory in the scene's folder\n");
-  EXPECT_EQ(problems(kBare + "[motion.torque]\nfile_axes='space'"),
-            "motion.torque.file_axes: needs motion.torque.file, which it is about\n");
+  EXPECT_EQ(
+      problems(kBare + "[motion.torque]\nfile_axes='space'"),
+      "motion.torque.file_axes: has no effect without motion.torque.file; give the file, or leave this key out\n");
   EXPECT_THAT(
       problems(kBare + "[motion.torque]\nfile='torque.csv'\n[[motion.torque.step]]\nfrom=1\nbody=[1, 1, 1]"),
       HasSubstr("motion.torque.step[0]: motion.torque.file is given too"));
 }
 
-TEST(Losses, AreDragAndDissipation) {
+TEST(Losses, AreReadFromDragAndDissipation) {
   EXPECT_EQ(forcingOf(kBare + "[motion.drag]\nrate=0.25").dragRate_P, Vector3d(0.25, 0.25, 0.25));
   EXPECT_EQ(forcingOf(kBare + "[motion.drag]\nrate=[0, 0.5, '30 1/min']").dragRate_P, Vector3d(0, 0.5, 0.5));
   EXPECT_EQ(forcingOf(kBare + "[motion.dissipation]\nalpha=0.01").dissipation, 0.01);
 }
 
-TEST(Orientation, IsTheIdentityWhereSpaceHasADirection) {
+TEST(Orientation, DefaultsToIdentityUnderGravityTorqueOrDrag) {
   const auto given = [](const char* text) { return sceneWith(kBare + text).motion.orientation_WB.has_value(); };
   EXPECT_TRUE(given("[motion.gravity]\nmgr_body=[0, 0, 1]"));
   EXPECT_TRUE(given("[motion.torque]\nbody=[0, 0, 1]"));
   EXPECT_TRUE(given("[motion.drag]\nrate=1"));
-  EXPECT_FALSE(given("[motion.dissipation]\nalpha=0.01"));  // L stands still, and goes to the vertical
+  EXPECT_FALSE(given("[motion.dissipation]\nalpha=0.01"));  // L is constant and is turned onto the vertical
   EXPECT_FALSE(given(""));
 }
 
-TEST(Flight, IsThrownFromWhereTheSceneSays) {
+TEST(Flight, StartsAtTheGivenPositionAndVelocity) {
   const auto flight =
       sceneWith(kBare + "[motion.flight]\nposition=[0, 0, 1.5]\nvelocity=['36 km/h', 0, 4]\n").motion.flight;
   ASSERT_TRUE(flight);
@@ -127,7 +128,7 @@ TEST(Flight, IsThrownFromWhereTheSceneSays) {
   EXPECT_LE((flight->velocity_W - Vector3d(10, 0, 4)).norm(), 1e-14);
   EXPECT_EQ(flight->gravity_W, Vector3d(0, 0, -9.80665));
   EXPECT_TRUE(sceneWith(kBare + "[motion.flight]\n").motion.flight);
-  // Poinsot's construction only where it is asked for.
+  // Poinsot's construction is shown only on request.
   const auto shown = [](const std::string& more) {
     const Show show = sceneWith(kBare + "[motion.flight]\n" + more).views.at(0).show;
     return std::vector{show.ellipsoid.visible, show.plane.visible, show.height.visible, show.L.visible};
@@ -138,10 +139,11 @@ TEST(Flight, IsThrownFromWhereTheSceneSays) {
   EXPECT_EQ(shown("[show]\nflight = false\n"), (std::vector{true, true, true, true}));
   EXPECT_FALSE(sceneWith(kBare).motion.flight);
   EXPECT_EQ(problems(kTop + "[motion.flight]\n"),
-            "motion.flight: a thrown body turns about its centre of mass, and body.pivot holds it at a point\n");
+            "motion.flight: a thrown body turns about its centre of mass, but body.pivot holds it at a fixed "
+            "point; leave out one of the two\n");
 }
 
-TEST(Flight, IsDrawnOfABodyThatIsThrown) {
+TEST(Flight, FiguresOfAFlightNeedAThrownBody) {
   const std::string thrown = "[motion.flight]\nvelocity=[1, 0, 2]\n";
   EXPECT_EQ(problems(kBare + "[show]\nflight=false\n"), "");
   EXPECT_EQ(problems(kBare + "[show.flight]\nweight=true\n"),
@@ -152,30 +154,31 @@ TEST(Flight, IsDrawnOfABodyThatIsThrown) {
             "view[1].camera.follow: nothing is thrown: give [motion.flight], or leave it out\n");
   EXPECT_EQ(problems(kBare + "[camera]\nfollow=false\n"), "");
   EXPECT_EQ(problems(kBare + "[show]\ntotal_L=true\n"),
-            "show.total_L: is drawn of a thrown body: give [motion.flight], or leave it out\n");
-  EXPECT_EQ(problems(kBare + thrown + "[[view]]\nshow.total_L=true\n"),
-            "view[0].show.total_L: needs a body with a mass; give body.mass beside the moments of inertia\n");
+            "show.total_L: exists only for a thrown body: give [motion.flight], or leave it out\n");
+  EXPECT_EQ(
+      problems(kBare + thrown + "[[view]]\nshow.total_L=true\n"),
+      "view[0].show.total_L: needs a body with a mass; give body.mass in addition to the moments of inertia\n");
 }
 
-TEST(Flight, HasQuantitiesOfItsOwn) {
+TEST(Flight, QuantitiesOfAFlightNeedAThrownBody) {
   const std::string thrown = "[motion.flight]\nvelocity=[1, 0, 2]\n";
   EXPECT_EQ(problems(kBare + "[[plot]]\nquantities=['R_x', 'R_z']\n"),
-            "plot[0].quantities: \"R_x\" is of a thrown body; give [motion.flight]\n"
-            "plot[0].quantities: \"R_z\" is of a thrown body; give [motion.flight]\n");
+            "plot[0].quantities: \"R_x\" exists only for a thrown body; give [motion.flight]\n"
+            "plot[0].quantities: \"R_z\" exists only for a thrown body; give [motion.flight]\n");
   EXPECT_EQ(problems(kBare + thrown + "[[plot]]\nquantities=['R_x', 'R_z']\n"), "");
   EXPECT_THAT(problems(kBare + thrown + "[[readout]]\nquantity='T_cm'\n"),
               HasSubstr("readout[0].quantity: \"T_cm\" needs a body with a mass"));
 }
 
-// The picture can, where it goes with the body.
-TEST(Flight, DoesNotRepeat) {
+// A picture whose camera goes with the body may repeat.
+TEST(Flight, LoopIsRejectedIfThePictureShowsTheFlight) {
   const std::string thrown = "[motion.flight]\nvelocity=[1, 0, 2]\n[time]\nloop=true\n";
-  EXPECT_THAT(problems(kBare + thrown), HasSubstr("time.loop: a thrown body does not come back"));
+  EXPECT_THAT(problems(kBare + thrown), HasSubstr("time.loop: a thrown body does not return"));
   EXPECT_EQ(problems(kBare + thrown + "[show]\nflight=false\n"), "");
   EXPECT_EQ(problems(kBare + thrown + "[camera]\nframe='body'\n"), "");
 }
 
-TEST(Construction, IsShownWhereLIsConstant) {
+TEST(PoinsotConstruction, IsShownByDefaultOnlyIfLIsConstant) {
   const Show free = sceneWith(kBare).show, lossy = sceneWith(kBare + "[motion.dissipation]\nalpha=0.01").show;
   const Show dragged = sceneWith(kBare + "[motion.drag]\nrate=0.1").show;
   for (const Show& show : {free, lossy})
@@ -185,31 +188,31 @@ TEST(Construction, IsShownWhereLIsConstant) {
   EXPECT_TRUE(dragged.L.visible && dragged.omega.visible && dragged.body.visible);
 }
 
-TEST(Construction, AskedForInVainIsRefused) {
+TEST(PoinsotConstruction, IsRejectedIfLIsNotConstant) {
   EXPECT_EQ(
       problems(kBare + "[motion.drag]\nrate=0.1\n[show]\nplane=true"),
       "show.plane.visible: under gravity, torque or drag L is not constant, so Poinsot's construction does not "
       "exist; leave it out\n");
   EXPECT_EQ(problems(kBare + "[motion.drag]\nrate=0.1\n[show]\nplane=false"), "");
   EXPECT_THAT(problems(kBare + "[motion.drag]\nrate=0.1\n[show]\nexaggerate_angles=10"),
-              HasSubstr("show.exaggerate_angles: larger angles are another motion"));
+              HasSubstr("show.exaggerate_angles: exaggerated angles belong to another motion"));
 }
 
-TEST(Rest, IsAStartWhereSomethingSetsTheBodyGoing) {
+TEST(BodyAtRest, IsAcceptedIfATorqueStartsIt) {
   const std::string rest = "body.principal_moments=[2, 4, 5]\nmotion.omega_body=[0, 0, 0]\n";
   EXPECT_EQ(problems(rest + "[motion.gravity]\nmgr_body=[1, 0, 1]"), "");
   EXPECT_EQ(problems(rest + "[[motion.torque.step]]\nfrom=1\nspace=[1, 0, 0]"), "");
   EXPECT_THAT(problems(rest + "[motion.drag]\nrate=1"), HasSubstr("motion.omega_body: must not be zero"));
 }
 
-/// Angle between the body's z axis and the world's, in degrees.
+/// Returns the angle between the body's z axis and the world's, in degrees.
 double tilt_deg(const physics::RigidBodyState& state) {
   const Vector3d axis_W = state.q_WB * Vector3d::UnitZ();
   return std::atan2(axis_W.cross(Vector3d::UnitZ()).norm(), axis_W.z()) * 180 / std::numbers::pi;
 }
 
-// The heavy top of the notes (2.11), by closed form there: released at 30 degrees it nutates to 38.840183490757
-// degrees and back in 1.83064120697989845 s. Measured: 4e-13 and 4e-15 degrees.
+// This heavy top, released at 30 degrees, nutates by its closed form to 38.840183490757 degrees and back in
+// 1.83064120697989845 s. Measured: 4e-13 and 4e-15 degrees.
 TEST(MakeMotion, MakesAHeavyTopNutate) {
   const Scene scene = sceneWith(
       "body.principal_moments=[1.40625, 1.40625, 0.65625]\n[motion]\nomega_body=[0, 0, 9.15625]\n"
@@ -221,7 +224,7 @@ TEST(MakeMotion, MakesAHeavyTopNutate) {
   EXPECT_NEAR(tilt_deg(motion->at(period)), 30, 1e-11);
 }
 
-TEST(MakeMotion, KnowsItsSpanEitherWayRound) {
+TEST(MakeMotion, AcceptsASpanInEitherOrder) {
   const Scene scene = sceneWith(kBare + "[motion.torque]\nbody=[0, 0, 1]\n");
   const auto forward = makeMotion(scene, -1, 2), backward = makeMotion(scene, 2, -1);
   for (const double t_s : {-1.0, 0.5, 2.0}) EXPECT_EQ(forward->at(t_s).L_W, backward->at(t_s).L_W);

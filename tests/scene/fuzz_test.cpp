@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Damaged files: a scene or SceneErrors, never anything else. Seeds are fixed, so that a failure repeats.
+// Damaged files must give either a scene or SceneErrors. Seeds are fixed, so that a failure repeats.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -21,7 +21,7 @@ std::string validText() { return textOf("full.toml"); }
 
 enum class Verdict { kAccepted, kRefused };
 
-/// Any other exception ends the test.
+/// Returns whether a text is accepted or refused with SceneErrors. Any other exception ends the test.
 Verdict verdictOn(const std::string& text, const std::vector<std::string>& overrides = {}) {
   try {
     parseScene(text, dataPath("fuzz.toml"), overrides);
@@ -34,13 +34,13 @@ Verdict verdictOn(const std::string& text, const std::vector<std::string>& overr
   }
 }
 
-TEST(Fuzz, EveryPrefixIsASceneOrRefused) {
+TEST(Fuzz, EveryPrefixOfASceneIsAcceptedOrRejected) {
   const std::string text = validText();
   ASSERT_GT(text.size(), 1000u);
   int accepted = 0;
   for (std::size_t length = 0; length <= text.size(); ++length)
     accepted += verdictOn(text.substr(0, length)) == Verdict::kAccepted;
-  EXPECT_GT(accepted, 10);  // after [motion] each whole line ends a scene
+  EXPECT_GT(accepted, 10);  // after [motion] each whole line completes a scene
   EXPECT_EQ(verdictOn(text), Verdict::kAccepted);
 }
 
@@ -48,7 +48,7 @@ class Mutator {
  public:
   explicit Mutator(unsigned seed) : random_(seed) {}
 
-  /// One to `most` edits.
+  /// Applies one to `most` edits.
   std::string operator()(std::string text, unsigned most) {
     const unsigned edits = 1 + below(most);
     for (unsigned i = 0; i < edits && !text.empty(); ++i) edit(text);
@@ -56,7 +56,7 @@ class Mutator {
   }
 
  private:
-  // std::mt19937's numbers are the same everywhere; the distribution classes' are not.
+  // std::mt19937 gives the same numbers everywhere; the distribution classes do not.
   unsigned below(std::size_t n) { return static_cast<unsigned>(random_() % n); }
 
   const char* piece() {
@@ -129,8 +129,8 @@ class Mutator {
   std::mt19937 random_;
 };
 
-// Measured with this seed: 139 of 6000 are still scenes, so both ways are walked.
-TEST(Fuzz, MutationsAreScenesOrRefused) {
+// Measured with this seed: 139 of 6000 are still scenes, so that both outcomes occur.
+TEST(Fuzz, MutatedScenesAreAcceptedOrRejected) {
   const std::string text = validText();
   Mutator mutate(20240711);
   int accepted = 0;
@@ -140,7 +140,7 @@ TEST(Fuzz, MutationsAreScenesOrRefused) {
 }
 
 // Measured with this seed: 80 of 3000 are still scenes.
-TEST(Fuzz, MutationsOfABodyOfPartsAreScenesOrRefused) {
+TEST(Fuzz, MutatedScenesWithPartsAreAcceptedOrRejected) {
   const std::string text = textOf("driven.toml");
   EXPECT_EQ(verdictOn(text), Verdict::kAccepted);
   Mutator mutate(7);
@@ -150,8 +150,8 @@ TEST(Fuzz, MutationsOfABodyOfPartsAreScenesOrRefused) {
   EXPECT_LT(accepted, 2950);
 }
 
-// Measured with this seed: 283 of 4000 are taken.
-TEST(Fuzz, OverridesAreTakenOrRefused) {
+// Measured with this seed: 283 of 4000 are accepted.
+TEST(Fuzz, OverridesAreAcceptedOrRefused) {
   Mutator mutate(3);
   const char* valid[] = {"show.plane={opacity=0.5, grid=false}", "time.fps=\"30000/1001\"", "show.title=A racket",
                          "body.principal_moments=[\"1 kg m^2\", 2, 2.5]"};

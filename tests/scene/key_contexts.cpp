@@ -17,7 +17,7 @@ bool holds(const KeyNames& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// "size = [...]" and so on: the examples of the keys of a way to describe a shape.
+/// Returns lines such as "size = [...]": the examples of the keys that describe a shape in one way.
 std::string examples(const std::string& table, const NamedShape& shape, const KeyNames& way) {
   std::string text;
   for (const std::string_view name : way) {
@@ -28,7 +28,7 @@ std::string examples(const std::string& table, const NamedShape& shape, const Ke
   return text;
 }
 
-/// The first shape that the key belongs to, and that can turn: not a rod, which has no moment about its line.
+/// Returns the first shape with this key, except the rod, which has no moment about its line.
 std::string shapeWith(const std::string& table, std::string_view name) {
   for (const NamedShape& shape : namedShapes())
     for (const KeyNames& way : shape.ways)
@@ -42,7 +42,7 @@ bool ofAThrownBody(const Key& key) {
   return std::ranges::any_of(kNames, [&](auto name) { return key.path.find(name) != std::string::npos; });
 }
 
-/// What a key needs besides a body and a start, or in their place.
+/// Returns the text that each key needs, if the usual body and start do not suffice.
 const std::map<std::string_view, std::string>& contexts() {
   static const std::string part = "[[body.part]]\nshape = \"box\"\nsize = [3, 2, 1]\n";
   static const std::string points =
@@ -114,7 +114,7 @@ std::string sceneFor(const Key& key) {
   if (key.path.starts_with("readout[]")) return kMoments + kOmega + "[[readout]]\nquantity = \"t\"\n";
   if (key.path == "note[].text") return kMoments + kOmega + "[[note]]\n";
   if (key.path.starts_with("note[]")) return kMoments + kOmega + "[[note]]\ntext = \"a\"\n";
-  // The other ways to say a vector exclude components, and only these have a frame.
+  // Other descriptions of a vector exclude components, and only components have a frame.
   if (key.path == "vector[].components" || key.path == "vector[].position_of" ||
       key.path == "vector[].velocity_of")
     return kMoments + kOmega + "[[vector]]\n";

@@ -8,10 +8,10 @@
 /// Scenes in which a key may be given.
 namespace poinsot::scene {
 
-/// The key's path with an index for []: "body.part[0].mass".
+/// Returns the key's path with an index for [], such as "body.part[0].mass".
 std::string pathIn(const Key& key);
 
-/// A scene that lacks nothing but the key, or is one with any value for it.
+/// Returns a scene that is complete except for the key, or complete with any value of the key.
 std::string sceneFor(const Key& key);
 
 }  // namespace poinsot::scene

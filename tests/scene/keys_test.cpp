@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table, the parser, the schema and the reference say the same.
+// The table of keys, the parser, the schema and the reference must agree.
 #include "scene/keys/keys.h"
 
 #include <gmock/gmock.h>
@@ -20,7 +20,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// Where the files are that the examples name.
+/// Scene path beside the files that the examples name.
 const std::string kFileName = dataPath("test.toml");
 
 std::string messagesWith(const Key& key, std::string_view value) {
@@ -38,8 +38,8 @@ TEST(EveryKey, HasAnExampleAndADefaultThatPassItsChecks) {
   }
 }
 
-/// A text that names no file and no unit is set in type, and looked through before anything is drawn.
-TEST(EveryKey, OfTextIsSetInTypeOrNamesAFileOrAUnit) {
+/// Text that names neither a file nor a unit is typeset and is checked before anything is drawn.
+TEST(Keys, TextKeysAreTexExceptFileAndUnit) {
   for (const Key& key : keys()) {
     if (key.type != ValueType::kText && key.type != ValueType::kLines) continue;
     EXPECT_NE(key.isTex, nameOf(key.path) == "file" || nameOf(key.path) == "unit") << key.path;
@@ -69,7 +69,7 @@ TEST(EveryKey, RefusesWrongTypes) {
   }
 }
 
-/// `value` where the key takes it: alone, or in each place of an array.
+/// Returns `value` in the form that the key takes, alone or within an array.
 std::string shaped(const Key& key, const std::string& value) {
   switch (key.type) {
     case ValueType::kVector:
@@ -105,8 +105,8 @@ std::string number(const Key& key, double value) {
   return key.range.unit.empty() ? text : "\"" + text + " " + std::string(key.range.unit) + "\"";
 }
 
-// A tenth of a percent beyond an end (two, where numbers are whole and even), and well within it.
-TEST(EveryKey, RefusesWhatIsBeyondItsRange) {
+// Values lie beyond an end by a tenth of a percent, by 1 for whole numbers, or by 2 for pixels.
+TEST(EveryKey, RejectsValuesBeyondItsRange) {
   for (const Key& key : keys()) {
     SCOPED_TRACE(key.path);
     if (!numeric(key)) continue;
@@ -125,7 +125,8 @@ TEST(EveryKey, AcceptsTheEndsOfItsRange) {
   for (const Key& key : keys()) {
     SCOPED_TRACE(key.path);
     if (!numeric(key)) continue;
-    // By the key's own check: at its ends a key may clash with others (an hour of film at 1000 frames a second).
+    // Only the key's own check runs, because ends of two keys may conflict (an hour of film at 1000 frames a
+    // second).
     for (const double value : {key.range.least, key.range.most}) {
       const Source source("test", "v = " + shaped(key, number(key, value)));
       const Node document = parseDocument(source);
@@ -135,7 +136,7 @@ TEST(EveryKey, AcceptsTheEndsOfItsRange) {
   }
 }
 
-TEST(EveryKey, RefusesWhatIsNotFinite) {
+TEST(EveryKey, RejectsValuesThatAreNotFinite) {
   for (const Key& key : keys()) {
     SCOPED_TRACE(key.path);
     if (!numeric(key)) continue;
@@ -144,7 +145,7 @@ TEST(EveryKey, RefusesWhatIsNotFinite) {
   }
 }
 
-TEST(EveryKey, IsInTheSchemaWithItsHelpDefaultAndWords) {
+TEST(EveryKey, IsInTheSchemaWithHelpDefaultAndAllowedWords) {
   for (const Key& key : keys()) {
     SCOPED_TRACE(key.path);
     const nlohmann::json schema = nlohmann::json::parse(schemaJson());
@@ -156,7 +157,6 @@ TEST(EveryKey, IsInTheSchemaWithItsHelpDefaultAndWords) {
   }
 }
 
-/// A bar would end the cell of a table.
 std::string inCell(std::string_view text) {
   std::string escaped;
   for (const char c : text) escaped += c == '|' ? "\\|" : std::string(1, c);
@@ -170,7 +170,7 @@ std::string headingOf(std::string_view table) {
   return array ? "## `[[" + name + "]]`\n" : "## `[" + name + "]`\n";
 }
 
-/// The keys of [camera] and [show] that a view takes too are written once.
+/// Returns whether a view repeats a key of [camera] or [show]; the reference lists such keys once.
 bool isRepeatedInViews(const Key& key) { return key.path.starts_with("view[].") && tableOf(key.path) != "view[]"; }
 
 TEST(EveryKey, IsInTheReference) {
@@ -188,12 +188,12 @@ TEST(EveryKey, IsInTheReference) {
   }
 }
 
-TEST(Keys, AreGivenOnce) {
+TEST(Keys, HaveUniquePaths) {
   std::set<std::string_view> paths;
   for (const Key& key : keys()) EXPECT_TRUE(paths.insert(key.path).second) << key.path;
 }
 
-TEST(Keys, AreFound) {
+TEST(Keys, AreFoundByPath) {
   EXPECT_EQ(findKey("camera.fov")->path, "camera.fov");
   EXPECT_EQ(findKey("camera"), nullptr);
   EXPECT_TRUE(isTable("show") && isTable("show.plane"));
@@ -215,7 +215,7 @@ TEST(Keys, AreFound) {
   EXPECT_EQ(nameOf("show.plane.grid"), "grid");
 }
 
-TEST(Keys, OfATableTakeAFlagWhereTheyCanBeHidden) {
+TEST(Keys, TablesThatCanBeHiddenAcceptTrue) {
   for (const Key& key : keys()) {
     if (nameOf(key.path) != "visible") continue;
     EXPECT_EQ(messagesOf(sceneFor(key), {std::string(tableOf(pathIn(key))) + "=true"}), "") << key.path;

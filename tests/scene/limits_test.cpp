@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each limit of docs/scene.md, at the limit and one beyond it.
+// Tests each limit of docs/scene.md at the limit and one beyond it.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -27,15 +27,15 @@ void expectRefusal(const std::string& text, const std::string& message) {
   EXPECT_THAT(messagesOf(text), HasSubstr(message));
 }
 
-TEST(Limits, OnTheFile) {
+TEST(Limits, RejectTooLargeSceneFiles) {
   const std::string start = std::string(kMinimal) + "#";
   EXPECT_EQ(messagesOf(start + std::string(usualOf(Limit::kSceneBytes) - start.size(), 'x')), "");
   expectRefusal(start + std::string(usualOf(Limit::kSceneBytes) + 1 - start.size(), 'x'),
                 "a scene file may have at most 4 MiB");
 }
 
-TEST(Limits, OnAString) {
-  const std::string message = "a string may have at most 64 KiB; --limit string_bytes=N raises that";
+TEST(Limits, RejectTooLongStrings) {
+  const std::string message = "a string may have at most 64 KiB; --limit string_bytes=N raises the limit";
   for (const char* quote : {"\"", "'", "\"\"\"", "'''"}) {
     const auto text = [&](std::size_t length) {
       return "x = " + (quote + std::string(length, 'a')) + quote + "\n";
@@ -45,7 +45,7 @@ TEST(Limits, OnAString) {
   }
 }
 
-TEST(Limits, OnNesting) {
+TEST(Limits, RejectTooDeepNesting) {
   const std::string message = "nested at most 64 deep";
   const auto arrays = [](int n) { return "x = " + repeated("[", n) + repeated("]", n) + "\n"; };
   const auto tables = [](int n) { return "x = " + repeated("{ a = ", n) + "1" + repeated("}", n) + "\n"; };
@@ -62,27 +62,27 @@ TEST(Limits, OnNesting) {
   }
 }
 
-// What would overflow the stack of a recursive parser, or of a recursive destructor.
-TEST(Limits, OnNestingHoldForMillions) {
+// These texts would overflow the stack of a recursive parser or destructor.
+TEST(Limits, RejectAMillionLevelsWithoutStackOverflow) {
   const int n = 1'000'000;
   expectRefusal("x = " + repeated("[", n), "nested at most 64 deep");
   expectRefusal("x = " + repeated("{a=", n), "nested at most 64 deep");
   expectRefusal("a" + repeated(".a", n) + " = 1", "nested at most 64 deep");
   expectRefusal("[a" + repeated(".a", n) + "]", "nested at most 64 deep");
-  // A string that ends in a quote of its own must not hide what follows it.
+  // A string that ends in an extra quote must not hide the text after it.
   expectRefusal("x = {a = \"\"\"b\"\"\"\", c" + repeated(".c", n) + " = 1}", "nested at most 64 deep");
   expectRefusal("x = {a = '''b''''', c" + repeated(".c", n) + " = 1}", "nested at most 64 deep");
 }
 
-TEST(Limits, OnNestingNameTheLine) {
+TEST(Limits, ErrorPointsAtTheFirstTooDeepBracket) {
   const auto problems = problemsOf("# ω\nx = \"\"\"\n\\\n\"\"\" \ny = \"ω\" \nz = " + repeated("[", 65));
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems[0].where.line, 6);
   EXPECT_EQ(problems[0].where.column, 4 + 65);  // the 65th bracket
 }
 
-TEST(Limits, OnValues) {
-  const auto array = [](int n) { return "x = [0" + repeated(",0", n - 1) + "]\n"; };  // the array is a value too
+TEST(Limits, RejectTooManyValues) {
+  const auto array = [](int n) { return "x = [0" + repeated(",0", n - 1) + "]\n"; };  // the array counts, too
   const auto kMost = static_cast<int>(usualOf(Limit::kValues));
   const std::string message = "a scene may hold at most 100000 values";
   EXPECT_THAT(messagesOf(array(kMost - 1)), Not(HasSubstr(message)));
@@ -91,7 +91,7 @@ TEST(Limits, OnValues) {
   expectRefusal(repeated("[[a]]\n", kMost + 1), message);
 }
 
-TEST(Limits, OnOutput) {
+TEST(Limits, BoundTheSizeAndQualityOfTheOutput) {
   const auto refused = [](const std::string& override_) { return messagesOf(kMinimal, {override_}); };
   EXPECT_EQ(refused("output.size=[16, 16]"), "");
   EXPECT_THAT(refused("output.size=[14, 16]"), HasSubstr("each side must be from 16 to 8192 pixels, got 14"));
@@ -103,7 +103,7 @@ TEST(Limits, OnOutput) {
   EXPECT_THAT(refused("output.crf=52"), HasSubstr("output.crf: must be from 0 to 51, got 52"));
 }
 
-TEST(Limits, OnFrames) {
+TEST(Limits, RejectTooManyFrames) {
   const auto refused = [](const std::string& duration, const std::string& fps) {
     return messagesOf(kMinimal, {"time.duration=" + duration, "time.fps=" + fps});
   };
@@ -123,11 +123,13 @@ TEST(Limits, OnFrames) {
   EXPECT_THAT(refused("1", "\"30/0\""), HasSubstr("time.fps: expected a number or a fraction"));
 }
 
-TEST(Limits, OnNumbers) {
+TEST(Limits, BoundPhysicalQuantities) {
   const auto refused = [](const std::string& override_) { return messagesOf(kMinimal, {override_}); };
   EXPECT_EQ(refused("motion.omega_body=[1e40, -1e-40, 0]"), "");
-  EXPECT_THAT(refused("motion.omega_body=[1.1e40, 0, 0]"), HasSubstr("zero or of size from 1e-40 to 1e+40 rad/s"));
-  EXPECT_THAT(refused("motion.omega_body=[9e-41, 1, 0]"), HasSubstr("zero or of size from 1e-40 to 1e+40 rad/s"));
+  EXPECT_THAT(refused("motion.omega_body=[1.1e40, 0, 0]"),
+              HasSubstr("zero, or in magnitude from 1e-40 to 1e+40 rad/s"));
+  EXPECT_THAT(refused("motion.omega_body=[9e-41, 1, 0]"),
+              HasSubstr("zero, or in magnitude from 1e-40 to 1e+40 rad/s"));
   EXPECT_EQ(refused("body.principal_moments=[1e60, 1e60, 1e60]"), "");
   EXPECT_EQ(refused("body.principal_moments=[1e-60, 1e-60, 1e-60]"), "");
   EXPECT_THAT(refused("body.principal_moments=[1.1e60, 1e60, 1e60]"), HasSubstr("1e+60 kg·m²"));
@@ -142,7 +144,7 @@ TEST(Limits, OnNumbers) {
   EXPECT_NE(messagesOf(std::string(kMinimal) + "[time]\nstart = 99999999999999999999\n"), "");
 }
 
-TEST(Limits, OnTheMomentsOfAShape) {
+TEST(Limits, BoundTheMomentsOfAShape) {
   const auto refused = [](const std::string& size, const std::string& mass) {
     return messagesOf("motion.omega_body = [1, 0, 0]\nbody.shape = \"ellipsoid\"\nbody.mass = " + mass +
                       "\nbody.size = " + size + "\n");
@@ -153,7 +155,7 @@ TEST(Limits, OnTheMomentsOfAShape) {
   EXPECT_THAT(refused("[1e12, 1e-12, 1e-12]", "1"), HasSubstr("body.size: the largest moment may be at most"));
 }
 
-/// Every combination of an end for each of moments, spin, start and speed, as overrides.
+/// Returns all combinations of the ends of moments, spin, start and speed, as overrides.
 std::vector<std::vector<std::string>> corners() {
   std::vector<std::vector<std::string>> all;
   for (const char* moments : {"[1e60, 1e60, 1e60]", "[1e60, 1e60, 1e40]", "[1e-60, 1e-60, 1e-60]",
@@ -172,8 +174,8 @@ bool finite(const physics::RigidBodyState& state) {
   return state.q_WB.coeffs().allFinite() && state.omega_B.allFinite();
 }
 
-// What is legal must be drawable: the motion exists, and L^2 and T are neither zero nor infinite.
-TEST(Limits, AtTheirCornersStillHaveAMotion) {
+// Accepted values must be drawable: the motion exists, and L^2 and T are neither zero nor infinite.
+TEST(Limits, ExtremeAllowedValuesGiveAFiniteMotion) {
   for (const auto& corner : corners()) {
     SCOPED_TRACE(corner[0] + " " + corner[1] + " " + corner[2] + " " + corner[3]);
     const Scene scene = parseScene(kMinimal, "corner.toml", corner);
@@ -187,15 +189,14 @@ TEST(Limits, AtTheirCornersStillHaveAMotion) {
   }
 }
 
-TEST(Limits, OnWhatIsText) {
+TEST(Limits, RejectTooLongTitles) {
   EXPECT_EQ(messagesOf(kMinimal, {"show.title=" + std::string(200, 'x')}), "");
   EXPECT_THAT(messagesOf(kMinimal, {"show.title=" + std::string(201, 'x')}),
               HasSubstr("at most 200 characters, got 201"));
-  EXPECT_THAT(messagesOf(kMinimal, {"show.title=\"a\\nb\""}),
-              HasSubstr("no line ends or other control characters"));
+  EXPECT_THAT(messagesOf(kMinimal, {"show.title=\"a\\nb\""}), HasSubstr("line ends or other control characters"));
 }
 
-TEST(Text, ThatIsNotTomlIsRefusedAtItsPlace) {
+TEST(SceneText, ReportsTheLineOfInvalidCharacters) {
   const auto nul = problemsOf(kMinimal + std::string("x = 1\0", 6));
   ASSERT_EQ(nul.size(), 1u);
   EXPECT_EQ(nul[0].where.line, 5);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies given by measured moments with a mass beside them. Expected values are sums over point masses, whose
-// numbers are exact in binary, and solids of the same mass and moments.
+// Bodies given by measured moments and a mass. Expected values are sums over point masses, whose numbers are exact
+// in binary, and solids of the same mass and moments.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -53,7 +53,7 @@ std::string rows(const Matrix3d& m) {
   return fmt::format("[{}, {}, {}]", row(m.row(0)), row(m.row(1)), row(m.row(2)));
 }
 
-/// A choice for each key. The body: 8 kg, its centre off the origin, its pivot off both.
+/// Choice of the keys that describe a body of 8 kg, whose centre is off the origin and whose pivot is off both.
 struct Choice {
   bool tensor, mass, centre, pivot, flight;
   int about;    // 0: not given; 1: centre_of_mass; 2: origin; 3: pivot
@@ -83,7 +83,7 @@ class Combination {
     return scene + (choice_.flight ? "[motion.flight]\n" : "");
   }
 
-  /// The keys that are wrong, by the rules of docs/scene.md.
+  /// Returns the keys that are wrong by the rules of docs/scene.md.
   std::set<std::string> wrong() const {
     std::set<std::string> keys;
     if (!choice_.mass) {
@@ -93,7 +93,7 @@ class Combination {
     } else if (choice_.about == 3 && !choice_.pivot) {
       keys.insert("body.moments_about");
     }
-    const bool known = keys.empty();  // what is said of gravity needs the body
+    const bool known = keys.empty();  // gravity is checked only for a valid body
     if (known && choice_.gravity == 1 && !(choice_.mass && choice_.pivot)) keys.insert("motion.gravity.g");
     if (known && choice_.gravity > 1 && choice_.mass && (!choice_.pivot || choice_.gravity == 3))
       keys.insert("motion.gravity.mgr_body");
@@ -144,7 +144,6 @@ std::vector<Choice> allChoices() {
   return all;
 }
 
-/// The keys that the messages begin with.
 std::set<std::string> keysOf(const std::vector<Problem>& problems) {
   std::set<std::string> keys;
   for (const Problem& problem : problems) keys.insert(problem.message.substr(0, problem.message.find(':')));
@@ -165,9 +164,9 @@ void expectBody(const Scene& scene, const Combination& combination, bool mass) {
   EXPECT_LE((scene.body.axes.inertia_B() - expected).norm(), 1e-15 * expected.norm());  // measured 1e-16
 }
 
-// Two forms of the moments, with and without mass, centre, pivot and flight, four points that the moments are
-// about, four ways of gravity: 512 scenes, each with the right numbers or with its contradiction named.
-TEST(MeasuredBody, HasTheNumbersOfItsParticlesOrItsContradictionNamed) {
+// 512 scenes combine two forms of the moments, with and without mass, centre, pivot and flight, four points that
+// the moments are about, and four kinds of gravity. Each must have the right numbers, or report its contradiction.
+TEST(MeasuredBody, MatchesItsParticlesOrReportsAContradiction) {
   int good = 0;
   for (const Choice& choice : allChoices()) {
     const Combination combination(choice);
@@ -178,8 +177,8 @@ TEST(MeasuredBody, HasTheNumbersOfItsParticlesOrItsContradictionNamed) {
     ++good;
     expectBody(parseScene(combination.text(), "test.toml"), combination, choice.mass);
   }
-  // With a mass: 4 bodies by 3 points and 2 (flight) without pivot, 4 points and 3 (gravity) with it; without: 2
-  // by 4.
+  // With a mass, 4 bodies: without a pivot 3 points by 2 (flight), with a pivot 4 points by 3 (gravity). Without a
+  // mass, 2 by 4.
   EXPECT_EQ(good, 4 * (3 * 2 + 4 * 3) + 2 * 4);
 }
 
@@ -188,8 +187,8 @@ const std::string kStart = "motion.omega_body = [0.1, 0.2, 1]\n";
 Scene sceneOf(const std::string& text) { return parseScene(kStart + text, "test.toml"); }
 std::string problems(const std::string& text) { return messagesOf(kStart + text); }
 
-// A mass that only flies or is only printed leaves the motion as it was, to the last bit.
-TEST(MeasuredBody, MovesWithoutPivotAsItDoesWithoutMass) {
+// A mass that only flies or is only printed must not change the motion, to the last bit.
+TEST(MeasuredBody, MassDoesNotChangeTheMotionWithoutAPivot) {
   for (const std::string moments :
        {"principal_moments = [0.1, 0.2, 0.25]", "inertia = [[2, 0.1, 0.3], [0.1, 3, 0.7], [0.3, 0.7, 4]]"}) {
     const Scene bare = sceneOf("[body]\n" + moments), heavy = sceneOf("[body]\nmass = 7\n" + moments);
@@ -201,7 +200,7 @@ TEST(MeasuredBody, MovesWithoutPivotAsItDoesWithoutMass) {
 
 // A cylinder of 2 kg, 0.5 m in radius and 1.5 m high, hung 1 m from its centre: I3 = M r²/2 = 0.25 kg m²,
 // I1 = M (3 r² + h²)/12 = 0.5 kg m², and about the pivot 2 kg m² more; M g l = 16 N m. By hand, exact in binary.
-TEST(MeasuredBody, IsTheSolidOfItsMassAndMoments) {
+TEST(MeasuredBody, MatchesASolidOfEqualMassAndMoments) {
   const std::string held = "mass = 2\npivot = [0, 0, -1]\n[motion.gravity]\ng = 8\n";
   const Scene solid = sceneOf("[body]\nshape = 'cylinder'\nradius = 0.5\nheight = 1.5\n" + held);
   const Scene measured = sceneOf("[body]\nprincipal_moments = [0.5, 0.5, 0.25]\n" + held);
@@ -216,9 +215,10 @@ TEST(MeasuredBody, IsTheSolidOfItsMassAndMoments) {
   EXPECT_EQ(solid.motion.forcing.gravity_B, measured.motion.forcing.gravity_B);
 }
 
-TEST(MeasuredBody, NamesMomentsThatLeaveNothingForTheCentreOfMass) {
+TEST(MeasuredBody, RejectsMomentsTooSmallForMassAndPivot) {
   const std::string heavy = "[body]\nmass = 2\npivot = [0, 0, -1]\nmoments_about = 'pivot'\n";
-  // About the centre of mass 2 kg (1 m)² less: (-0.5, -0.5, 0.25) and (0.0625, 0.0625, 0.25) kg m².
+  // About the centre of mass the moments are less by 2 kg (1 m)²: (-0.5, -0.5, 0.25) and (0.0625, 0.0625, 0.25) kg
+  // m².
   EXPECT_EQ(problems(heavy + "principal_moments = [1.5, 1.5, 0.25]"),
             "body.principal_moments: the moments about body.pivot do not fit body.mass: 2 kg at 1 m from there "
             "already have M d^2 = 2 kg·m², and the remainder about the centre of mass is impossible: moments of "
@@ -229,45 +229,43 @@ TEST(MeasuredBody, NamesMomentsThatLeaveNothingForTheCentreOfMass) {
   EXPECT_THAT(problems("[body]\nmass = 2\ncentre_of_mass = [0, 0, 1]\nmoments_about = 'origin'\n"
                        "principal_moments = [1.5, 1.5, 0.25]"),
               HasSubstr("body.principal_moments: the moments about the origin do not fit body.mass"));
-  // Exactly as much as a point mass has: a disc of no thickness whose axis goes through the pivot.
+  // The remainder is a disc without thickness, whose axis goes through the pivot.
   EXPECT_EQ(problems(heavy + "principal_moments = [2.125, 2.125, 0.25]"), "");
 }
 
-TEST(MeasuredBody, NamesAKeyThatNeedsTheMass) {
+TEST(MeasuredBody, ReportsKeysThatNeedAMass) {
   const std::string moments = "[body]\nprincipal_moments = [1, 2, 2]\n";
   for (const std::string key : {"pivot = [0, 0, 1]", "centre_of_mass = [0, 0, 1]", "moments_about = 'origin'"})
     EXPECT_EQ(problems(moments + key),
               "body." + key.substr(0, key.find(' ')) +
-                  ": needs a body with a mass; give body.mass beside the moments of inertia (without a mass, "
-                  "body.principal_moments is about the point that stands still)\n");
-  EXPECT_EQ(
-      problems(moments + "mass = 1\nmoments_about = 'pivot'"),
-      "body.moments_about: body.pivot is missing: it says where the point is that these moments are about\n");
+                  ": needs a body with a mass; give body.mass in addition to the moments of inertia (without a "
+                  "mass, body.principal_moments is about the fixed point)\n");
+  EXPECT_EQ(problems(moments + "mass = 1\nmoments_about = 'pivot'"),
+            "body.moments_about: body.pivot is missing: it is the point about which these moments are given\n");
   EXPECT_EQ(problems(moments + "[motion.gravity]\ng = 9.81"),
-            "motion.gravity.g: needs a body with a mass; give body.mass beside the moments of inertia, and "
-            "body.pivot; or give motion.gravity.mgr_body in its place\n");
+            "motion.gravity.g: needs a body with a mass; give body.mass in addition to the moments of inertia, "
+            "and body.pivot; or give motion.gravity.mgr_body instead\n");
   EXPECT_EQ(problems(moments + "mas = 1\npivot = [0, 0, 1]"), messagesOf(kStart + moments + "mas = 1"));
 }
 
-TEST(MeasuredBody, NamesAWeightThatDoesNotPullAtItsCentreOfMass) {
+TEST(MeasuredBody, RejectsAWeightThatDoesNotActAtItsCentreOfMass) {
   const std::string body =
       "[body]\nprincipal_moments = [1, 1, 1]\nmass = 2\npivot = [0, 0, -0.5]\n[motion.gravity]\n";
   EXPECT_EQ(problems(body + "mgr_body = [0, 0, 9.81]"), "");
   EXPECT_EQ(problems(body + "mgr_body = [0, 0, 0]"), "");
-  EXPECT_EQ(
-      problems(body + "mgr_body = [0, 0, -9.81]"),
-      "motion.gravity.mgr_body: (0, 0, -9.81) N·m contradicts body.pivot: from there to the centre of mass it is "
-      "(0, 0, 0.5) m, which the weight's moment M g r points along; give motion.gravity.g in its place\n");
+  EXPECT_EQ(problems(body + "mgr_body = [0, 0, -9.81]"),
+            "motion.gravity.mgr_body: (0, 0, -9.81) N·m contradicts body.pivot: M g r must point from the pivot "
+            "to the centre of mass, along (0, 0, 0.5) m; give motion.gravity.g instead\n");
   EXPECT_EQ(problems(body + "mgr_body = [0, 0, 9.81]\ng = 9.81"),
             "motion.gravity.g: motion.gravity.mgr_body is given too; give one of the two\n");
 }
 
-TEST(MeasuredBody, TakesAMassAndNothingElseOfAShape) {
+TEST(MeasuredBody, AcceptsAMassButNoOtherKeyOfAShape) {
   const std::string moments = "[body]\nprincipal_moments = [1, 2, 2]\n",
                     shape = "[body]\nshape = 'cube'\nedge = 1\n";
-  EXPECT_EQ(
-      problems(moments + "density = 1000"),
-      "body.density: body.principal_moments is given too, which has no volume; give body.mass in its place\n");
+  EXPECT_EQ(problems(moments + "density = 1000"),
+            "body.density: cannot be combined with body.principal_moments, which has no volume; give body.mass "
+            "instead\n");
   EXPECT_THAT(problems(moments + "mass = 1\nshape = 'cube'\nedge = 1"),
               HasSubstr("body.shape: body.principal_moments is given too"));
   EXPECT_THAT(problems(moments + "mass = 0"), HasSubstr("body.mass: must be positive"));

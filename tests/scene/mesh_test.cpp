@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene says of its mesh files: places in them, notes, and how to draw what is no body.
+// Messages of a scene about its mesh files: places in the files, notes, and how to draw an open mesh.
 #include <gmock/gmock.h>
 
 #include "scene_testing.h"
@@ -13,7 +13,7 @@ using testing::HasSubstr;
 const std::string kSpin = "motion.omega_body = [0.1, 0.2, 1]\n";
 const std::string kTetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
-/// A scene of 1 kg beside the file that it names.
+/// Returns a scene with a mesh of 1 kg from a file beside the scene.
 std::string bodyOf(const std::string& file) {
   return kSpin + "[body]\nshape = 'mesh'\nmass = 1\nfile = '" + file + "'\n";
 }
@@ -33,18 +33,17 @@ std::string notesWith(const std::string& scene, const std::string& file, const s
   return lines;
 }
 
-TEST(MeshFiles, AreNamedWithTheLineThatIsWrong) {
-  EXPECT_EQ(
-      problemsWith("a.obj", kTetrahedron + "f 1 2 9\n"),
-      "body.file: a.obj:9: a corner of a face is vertex 9 of 4 so far; count from 1, or back from the last with "
-      "-1, and put vertices before faces\n");
+TEST(MeshFiles, ErrorsNameTheFileAndTheLine) {
+  EXPECT_EQ(problemsWith("a.obj", kTetrahedron + "f 1 2 9\n"),
+            "body.file: a.obj:9: a corner of a face refers to vertex 9, but there are only 4 so far; count from "
+            "1, or back from the last with -1, and put vertices before faces\n");
   EXPECT_EQ(
       problemsWith("a.stl", "solid a\nfacet\n<html>\n"),
       "body.file: a.stl:3: expected facet, outer loop, vertex, endloop, endfacet or endsolid, got \"<html>\"; "
       "remove the line, or export the mesh again\n");
 }
 
-TEST(MeshFiles, ThatAreOpenCanBeDrawn) {
+TEST(MeshFiles, OpenMeshMayBeDrawnButNotDefineTheBody) {
   const std::string open = kTetrahedron.substr(0, kTetrahedron.rfind("f "));
   const std::string said = problemsWith("a.obj", open);
   EXPECT_THAT(said,
@@ -58,7 +57,7 @@ TEST(MeshFiles, ThatAreOpenCanBeDrawn) {
             "");
 }
 
-TEST(MeshFiles, WithRoundingAreJoinedWithANote) {
+TEST(MeshFiles, GapsByRoundingAreClosedWithANote) {
   std::string text = "v 1e-17 0 0\n" + kTetrahedron;  // one more vertex, for one of the faces
   for (const auto& [old, now] : {std::pair{"f 1 3 2", "f 2 4 3"}, std::pair{"f 1 2 4", "f 1 3 5"},
                                  std::pair{"f 1 4 3", "f 2 5 4"}, std::pair{"f 2 3 4", "f 3 4 5"}})
@@ -69,15 +68,15 @@ TEST(MeshFiles, WithRoundingAreJoinedWithANote) {
       "the mesh's size), to close the surface; the file has them at different places by rounding\n");
 }
 
-TEST(MeshFiles, WithAPartInsideOutAreRefused) {
+TEST(MeshFiles, AreRejectedIfAPartIsInsideOut) {
   const std::string second = "v 5 0 0\nv 5.5 0 0\nv 5 0.5 0\nv 5 0 0.5\nf 5 6 7\nf 5 8 6\nf 5 7 8\nf 6 8 7\n";
   EXPECT_THAT(
       problemsWith("a.obj", kTetrahedron + second),
       HasSubstr("body.file: the part of the mesh that has a corner at (5, 0, 0) (of the triangle at line 13) is "
-                "inside out and lies in no other part; flip its triangles (swap two corners of each)"));
+                "inside out and is not inside another part; flip its triangles (swap two corners of each)"));
 }
 
-TEST(MeshFiles, AreNotedWhereverTheyAreNamed) {
+TEST(MeshFiles, NotesAppearAtEveryKeyThatNamesTheFile) {
   const std::string ply =
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement "
       "face 4\n"
@@ -85,7 +84,7 @@ TEST(MeshFiles, AreNotedWhereverTheyAreNamed) {
       "3 2\n"
       "3 1 2 3\n";
   const std::string note =
-      "file: a.ply:14: the line has more numbers than the header promises; the rest is passed over\n";
+      "file: a.ply:14: the line has more numbers than the header declares; the rest is ignored\n";
   EXPECT_EQ(notesWith(bodyOf("a.ply") + "[show.body]\nshape = 'mesh'\nfile = 'a.ply'\n", "a.ply", ply),
             "5: body." + note + "8: show.body." + note);
   EXPECT_NEAR(

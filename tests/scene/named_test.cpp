@@ -5,7 +5,7 @@
 #include "scene/scene_file.h"
 #include "scene_testing.h"
 
-// [[vector]], [[angle]], [label] and the figures that have options of their own; columns counted by hand.
+// [[vector]], [[angle]], [label] and figures with options. Columns were counted by hand.
 
 namespace poinsot::scene {
 namespace {
@@ -21,7 +21,7 @@ std::string problemsOf(const std::string& text) {
   return "";
 }
 
-TEST(NamedFigures, AreRead) {
+TEST(NamedFigures, AreReadFromVectorAndAngleTables) {
   const Scene scene =
       parseScene(kFile +
                      "[[vector]]\nname = '$\\mathbf{r}$'\nposition_of = [\"20 cm\", 0, 1]\ncolor = "
@@ -38,22 +38,24 @@ TEST(NamedFigures, AreRead) {
   EXPECT_EQ(scene.angles[0].scale, 2);
 }
 
-TEST(NamedFigures, SayWhatIsWrong) {
+TEST(NamedFigures, ReportMistakesWithLineAndColumn) {
   using ::testing::HasSubstr;
-  EXPECT_THAT(problemsOf("[[vector]]\nname = 'r'\n"), HasSubstr("vector[0].components: required"));
-  EXPECT_THAT(problemsOf("[[vector]]\ncomponents = [1, 0, 0]\nvelocity_of = [1, 0, 0]\n"),
-              HasSubstr("s.toml:7:15: error: vector[0].velocity_of: given beside vector[0].components"));
+  EXPECT_THAT(problemsOf("[[vector]]\nname = 'r'\n"),
+              HasSubstr("vector[0].components: a vector needs components, position_of or velocity_of"));
+  EXPECT_THAT(
+      problemsOf("[[vector]]\ncomponents = [1, 0, 0]\nvelocity_of = [1, 0, 0]\n"),
+      HasSubstr("s.toml:7:15: error: vector[0].velocity_of: cannot be combined with vector[0].components"));
   EXPECT_THAT(problemsOf("[[vector]]\ncomponents = [0, 0, 0]\n"),
               HasSubstr("s.toml:6:14: error: vector[0].components: must not all be zero"));
   EXPECT_THAT(problemsOf("[[vector]]\nposition_of = [1, 0, 0]\nframe = \"body\"\n"),
               HasSubstr("s.toml:7:9: error: vector[0].frame: only components have a frame"));
   EXPECT_THAT(problemsOf("[[angle]]\nbetween = [\"L\"]\n"),
               HasSubstr("s.toml:6:11: error: angle[0].between: an angle lies between two directions, got 1"));
-  EXPECT_THAT(problemsOf("[[angle]]\nname = 'a'\n"), HasSubstr("angle[0].between: required"));
+  EXPECT_THAT(problemsOf("[[angle]]\nname = 'a'\n"), HasSubstr("angle[0].between: is required"));
   EXPECT_THAT(problemsOf("[show.ghosts]\ntimes = []\n"), HasSubstr("s.toml:6:9: error: show.ghosts.times"));
 }
 
-TEST(LabelTexts, HaveUsualValuesAndMayBeEmpty) {
+TEST(LabelTexts, HaveDefaultsAndMayBeEmpty) {
   const Scene scene = parseScene(kFile + "[label]\nL = ''\ntheta = '$\\vartheta$'\n", "s.toml");
   EXPECT_EQ(scene.labels[LabelName::kL], "");
   EXPECT_EQ(scene.labels[LabelName::kTheta], "$\\vartheta$");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said of a wrong -D: it has no line, so the message names the override itself.
+// Messages about a wrong -D. An override has no line, so that the message names the override itself.
 #include <gmock/gmock.h>
 
 #include "scene/document/problem.h"
@@ -10,14 +10,15 @@ namespace {
 
 using testing::HasSubstr;
 
-// An override has no columns that would tell the two numbers apart, and one cause is one problem.
-TEST(Overrides, ThatAreWrongAreToldOnce) {
-  EXPECT_EQ(messagesOf(kMinimal, {"output.size=[100000, 100000]"}),
-            "output.size: each side must be from 16 to 8192 pixels, got 100000; --limit side=N raises that\n");
+// Without columns, an override's two wrong numbers have equal messages, which are reported once.
+TEST(Overrides, ReportEqualMistakesOnce) {
+  EXPECT_EQ(
+      messagesOf(kMinimal, {"output.size=[100000, 100000]"}),
+      "output.size: each side must be from 16 to 8192 pixels, got 100000; --limit side=N raises the limit\n");
   EXPECT_EQ(problemsOf(kMinimal, {"output.size=[100000, 100001]"}).size(), 2U);
 }
 
-TEST(Overrides, ThatAreWrongAreNamed) {
+TEST(Overrides, ErrorsQuoteTheOverride) {
   const auto problems = problemsOf(kMinimal, {"body.mass=abc", "time.fps", "camera.zom=2", "output.size=[1, 2"});
   std::string text;
   for (const Problem& problem : problems) text += toString(problem) + "\n";
@@ -30,7 +31,7 @@ TEST(Overrides, ThatAreWrongAreNamed) {
   EXPECT_THAT(text, HasSubstr("-D output.size=[1, 2: error: not TOML: "));
 }
 
-TEST(Overrides, OfTablesThatAreNoneNameTheNearest) {
+TEST(Overrides, SuggestTheNearestTableForAnUnknownOne) {
   EXPECT_EQ(messagesOf(kMinimal, {"tim.x=3"}), "tim.x: unknown table [tim]; did you mean [time]?\n");
   EXPECT_EQ(messagesOf(kMinimal, {"show.plan.grid=true"}),
             "show.plan.grid: unknown table [show.plan]; did you mean [show.plane]?\n");
@@ -49,10 +50,10 @@ TEST(Overrides, OfTablesThatAreNoneNameTheNearest) {
             "no keys below it\n");
 }
 
-TEST(Overrides, OfOneElementShowTheWhole) {
-  EXPECT_EQ(
-      messagesOf(kMinimal, {"motion.omega_body[1]=3"}),
-      "motion.omega_body[1]: one element; give all of them, such as motion.omega_body=[0.01, \"3 rpm\", 0]\n");
+TEST(Overrides, CannotSetASingleElementOfAVector) {
+  EXPECT_EQ(messagesOf(kMinimal, {"motion.omega_body[1]=3"}),
+            "motion.omega_body[1]: a single element cannot be set; give the whole array, such as "
+            "motion.omega_body=[0.01, \"3 rpm\", 0]\n");
 }
 
 TEST(Overrides, MayHaveBlanksAroundTheEqualsSign) {
@@ -61,7 +62,7 @@ TEST(Overrides, MayHaveBlanksAroundTheEqualsSign) {
   EXPECT_EQ(messagesOf(kMinimal, {" = 3"}), "expected -D key.path=value\n");
 }
 
-TEST(Overrides, CannotSmuggleASecondKey) {
+TEST(Overrides, CannotSetASecondKey) {
   EXPECT_THAT(messagesOf(kMinimal, {"time.duration=1\nv2 = 3"}), HasSubstr("time.duration"));
   EXPECT_THAT(messagesOf(kMinimal, {"\"time.duration\"=1"}), HasSubstr("unknown table"));
   EXPECT_THAT(messagesOf("\"time.duration\" = 3\n" + std::string(kMinimal)),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plots, read-outs and notes: what their tables say, where they stand, what is refused and where.
+// Plots, read-outs and notes: their keys, their places in the picture, and errors with their places.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -29,15 +29,13 @@ std::vector<std::string> namesOf(const std::vector<int>& quantities) {
 
 std::array<int, 4> cells(const GridPlace& p) { return {p.column, p.row, p.columns, p.rows}; }
 
-// ---- plots ----
-
-TEST(Plots, OfASceneWithoutAnyThereAreNone) {
+TEST(Plots, AreAbsentByDefault) {
   const Scene scene = sceneWith("");
   EXPECT_TRUE(scene.plots.empty() && scene.readouts.empty() && scene.notes.empty());
   EXPECT_EQ(scene.style.decimalSign, DecimalSign::kPoint);
 }
 
-TEST(Plots, HaveTheirKeysAndDefaults) {
+TEST(Plots, ReadTheirKeysAndDefaults) {
   const Scene scene = sceneWith(
       "[[plot]]\nquantities = [\"omega_3\", \"omega_1\"]\n[[plot]]\nquantities = [\"theta\"]\nx = \"omega\"\n"
       "title = \"A\"\nrange = [-5, 30.5]\nfuture = false\n[[plot]]\nquantities = [\"T\"]\ntime = \"film\"\n");
@@ -55,7 +53,7 @@ TEST(Plots, HaveTheirKeysAndDefaults) {
   EXPECT_EQ(scene.plots[2].time, PlotTime::kFilm);
 }
 
-TEST(Plots, AndReadoutsMayHaveAUnit) {
+TEST(Plots, AcceptAUnitAsReadoutsDo) {
   const Scene scene = sceneWith(
       "[[plot]]\nquantities = [\"omega_3\"]\nunit = \"rpm\"\n[[readout]]\nquantity = "
       "\"theta\"\nunit = \"rad\"\n");
@@ -69,7 +67,7 @@ TEST(Plots, AndReadoutsMayHaveAUnit) {
               HasSubstr("readout[0].unit: \"q_w\" is a bare number and has no unit; leave it out"));
 }
 
-TEST(Readouts, OfNoQuantityAreToldOnceWithWhatIsMeant) {
+TEST(Readouts, SuggestTheNearestQuantityOnce) {
   EXPECT_EQ(messagesWith("[[readout]]\nquantity = \"omega_mag\"\nunit = \"rpm\"\n"),
             "readout[0].quantity: expected one of the quantities, got \"omega_mag\"; did you mean \"omega\"?\n");
   EXPECT_THAT(messagesWith("[[readout]]\nquantity = \"omega1\"\n"), HasSubstr("did you mean \"omega_1\"?"));
@@ -77,7 +75,7 @@ TEST(Readouts, OfNoQuantityAreToldOnceWithWhatIsMeant) {
               HasSubstr("expected one of \"t\", \"omega_1\","));
 }
 
-TEST(Plots, StandInTheGridOfTheViews) {
+TEST(Plots, ArePlacedInTheGridOfTheViews) {
   const auto places = [](const std::string& extra) {
     const Scene scene = sceneWith(extra);
     std::vector<std::array<int, 4>> all;
@@ -88,20 +86,23 @@ TEST(Plots, StandInTheGridOfTheViews) {
   using Places = std::vector<std::array<int, 4>>;
   const std::string plot = "[[plot]]\nquantities = [\"T\"]\n";
   EXPECT_EQ(places(plot + plot), (Places{{0, 0, 1, 1}, {1, 0, 1, 1}, {2, 0, 1, 1}}));
-  // Views stand first, wherever in the file their tables are.
+  // Views come first, for any order of the tables in the file.
   EXPECT_EQ(places(plot + "[[view]]\nspan = [1, 2]\n" + plot + "at = [1, 1]\n"),
             (Places{{0, 0, 1, 2}, {1, 0, 1, 1}, {1, 1, 1, 1}}));
   EXPECT_EQ(places("[camera]\nframes = [\"space\", \"body\"]\n" + plot + "span = [2, 3]\n"),
             (Places{{0, 0, 1, 1}, {1, 0, 1, 1}, {2, 0, 2, 3}}));
 }
 
-TEST(Plots, RefuseToCoverAnotherPanelOrToLeaveTheGrid) {
+TEST(Plots, MustNotOverlapPanelsOrLeaveTheGrid) {
   const std::string plot = "[[plot]]\nquantities = [\"T\"]\n";
-  EXPECT_EQ(messagesWith(plot + "at = [0, 0]\n"), "plot[0].at: the panel at [0, 0] would cover the view\n");
+  EXPECT_EQ(messagesWith(plot + "at = [0, 0]\n"),
+            "plot[0].at: the panel at [0, 0] would overlap the view; give another at\n");
   EXPECT_EQ(messagesWith("[[view]]\n" + plot + "at = [0, 0]\n"),
-            "plot[0].at: the panel at [0, 0] would cover view[0]\n");
-  EXPECT_EQ(messagesWith(plot + plot + "at = [1, 0]\n"), "plot[1].at: the panel at [1, 0] would cover plot[0]\n");
-  EXPECT_THAT(messagesWith(plot + "span = [8, 1]\n"), HasSubstr("plot[0].at: the panel at [1, 0] would leave"));
+            "plot[0].at: the panel at [0, 0] would overlap view[0]; give another at\n");
+  EXPECT_EQ(messagesWith(plot + plot + "at = [1, 0]\n"),
+            "plot[1].at: the panel at [1, 0] would overlap plot[0]; give another at\n");
+  EXPECT_THAT(messagesWith(plot + "span = [8, 1]\n"),
+              HasSubstr("plot[0].at: the panel at [1, 0] would extend beyond"));
 }
 
 TEST(Plots, NeedQuantitiesOfOneUnit) {
@@ -117,14 +118,14 @@ TEST(Plots, NeedQuantitiesOfOneUnit) {
   EXPECT_EQ(problems[0].where.column, 14);
 }
 
-TEST(Plots, AsPhasePortraitsHaveOneQuantityAndNoTime) {
+TEST(Plots, PhasePortraitTakesOneQuantityAndNoTime) {
   EXPECT_THAT(messagesWith("[[plot]]\nquantities = [\"omega_1\", \"omega_2\"]\nx = \"theta\"\n"),
               HasSubstr("plot[0].quantities: a phase portrait shows one quantity against x, got 2"));
   EXPECT_THAT(messagesWith("[[plot]]\nquantities = [\"omega_1\"]\nx = \"theta\"\ntime = \"film\"\n"),
-              HasSubstr("plot[0].time: a phase portrait has no axis of time"));
+              HasSubstr("plot[0].time: a phase portrait has no time axis"));
 }
 
-TEST(Plots, HaveRangesThatGoUp) {
+TEST(Plots, RejectRangesThatDoNotAscend) {
   for (const char* range : {"[1, 1]", "[2, 1]"}) {
     const auto problems = problemsOf(kTop + "[[plot]]\nquantities = [\"T\"]\nrange = " + range + "\n");
     ASSERT_EQ(problems.size(), 1u);
@@ -135,14 +136,14 @@ TEST(Plots, HaveRangesThatGoUp) {
   }
 }
 
-TEST(Plots, MayBeAllThereIs) {
+TEST(Plots, MayReplaceTheViews) {
   const Scene scene = sceneWith("[show]\nviews = false\n[[plot]]\nquantities = [\"T\"]\n");
   EXPECT_TRUE(scene.views.empty());
   EXPECT_EQ(cells(scene.plots.at(0).place), (std::array<int, 4>{0, 0, 1, 1}));
   EXPECT_EQ(messagesWith("[show]\nviews = false\n"),
             "show.views: without views and without a [[plot]] nothing is left to draw\n");
   EXPECT_THAT(messagesWith("[show]\nviews = false\n[[view]]\n[[plot]]\nquantities = [\"T\"]\n"),
-              HasSubstr("show.views: false, but there is a [[view]]"));
+              HasSubstr("show.views: is false, but the scene has a [[view]]"));
 }
 
 TEST(Plots, MayBeOverridden) {
@@ -150,9 +151,7 @@ TEST(Plots, MayBeOverridden) {
   EXPECT_THAT(namesOf(scene.plots.at(0).quantities), ElementsAre("E", "V"));
 }
 
-// ---- read-outs and notes ----
-
-TEST(Readouts, HaveTheirKeysAndDefaults) {
+TEST(Readouts, ReadTheirKeysAndDefaults) {
   const Scene scene = sceneWith(
       "[[readout]]\nquantity = \"t\"\n[[readout]]\nquantity = \"L\"\nat = \"bottom\"\nlabel = \"spin\"\n");
   ASSERT_EQ(scene.readouts.size(), 2u);
@@ -166,7 +165,7 @@ TEST(Readouts, HaveTheirKeysAndDefaults) {
               HasSubstr("got \"top_left\"; did you mean \"top left\"?"));
 }
 
-TEST(Notes, AreLinesHoweverTheyAreGiven) {
+TEST(Notes, TakeTheirLinesFromTextOrAnArray) {
   const auto linesOf = [](const std::string& text) {
     return sceneWith("[[note]]\ntext = " + text + "\n").notes.at(0).lines;
   };
@@ -176,7 +175,7 @@ TEST(Notes, AreLinesHoweverTheyAreGiven) {
   EXPECT_THAT(linesOf("['one', 'two']"), ElementsAre("one", "two"));
 }
 
-TEST(Notes, HaveTheirKeysAndDefaults) {
+TEST(Notes, ReadTheirKeysAndDefaults) {
   const Scene scene =
       sceneWith("[[note]]\ntext = \"a\"\n[[note]]\ntext = \"b\"\nat = \"centre\"\nsize = \"150 %\"\n");
   EXPECT_EQ(scene.notes.at(0).at, Spot::kBottom);
@@ -186,10 +185,11 @@ TEST(Notes, HaveTheirKeysAndDefaults) {
   EXPECT_THAT(messagesWith("[[note]]\nat = \"left\"\n"), HasSubstr("note[0].text: is required"));
 }
 
-TEST(Notes, RefuseWhatCannotBeSet) {
+TEST(Notes, RejectControlCharactersAndTooMuchText) {
   EXPECT_THAT(messagesWith("[[note]]\ntext = [\"a\", \"b\\tc\"]\n"),
-              HasSubstr("note[0].text: may hold no line ends"));
-  EXPECT_THAT(messagesWith("[[note]]\ntext = [\"a\\nb\"]\n"), HasSubstr("note[0].text: may hold no line ends"));
+              HasSubstr("note[0].text: must not contain line ends"));
+  EXPECT_THAT(messagesWith("[[note]]\ntext = [\"a\\nb\"]\n"),
+              HasSubstr("note[0].text: must not contain line ends"));
   EXPECT_THAT(messagesWith("[[note]]\ntext = \"" + std::string(201, 'a') + "\"\n"),
               HasSubstr("may have at most 200 characters, got 201"));
   std::string many;
@@ -197,8 +197,8 @@ TEST(Notes, RefuseWhatCannotBeSet) {
   EXPECT_THAT(messagesWith("[[note]]\ntext = \"" + many + "\"\n"), HasSubstr("may have at most 40 lines, got 41"));
 }
 
-// Each line is checked for itself, and an element of an array is said to be wrong where it stands.
-TEST(Texts, OfPlotsReadoutsAndNotesAreChecked) {
+// Each line is checked separately, and an error points at the element of an array.
+TEST(TextCheck, CoversPlotsReadoutsAndNotes) {
   const TextCheck check = [](std::string_view text) { return std::string(text == "bad" ? "no TeX" : ""); };
   const auto placeOf = [&](const std::string& extra) {
     try {
@@ -215,7 +215,7 @@ TEST(Texts, OfPlotsReadoutsAndNotesAreChecked) {
   EXPECT_EQ(placeOf("[[note]]\ntext = \"good\"\n"), std::pair(0, 0));
 }
 
-TEST(Style, KnowsTheDecimalSign) {
+TEST(Style, ReadsTheDecimalSign) {
   EXPECT_EQ(sceneWith("[style]\ndecimal_sign = \"comma\"\n").style.decimalSign, DecimalSign::kComma);
 }
 

@@ -13,10 +13,10 @@
 namespace poinsot::scene {
 namespace {
 
-constexpr const char* kUpdate = "POINSOT_UPDATE_DOCS=1 ctest --test-dir build -R Reference.IsWhatTheTableSays";
+constexpr const char* kUpdate = "POINSOT_UPDATE_DOCS=1 ctest --test-dir build -R Reference.MatchesTheTableOfKeys";
 
-// docs/scene.md is committed, so that it can be read without building; this keeps it true.
-TEST(Reference, IsWhatTheTableSays) {
+// docs/scene.md is committed, so that it can be read without a build. This test keeps it up to date.
+TEST(Reference, MatchesTheTableOfKeys) {
   const std::string path = std::string(POINSOT_SOURCE_DIR) + "/docs/scene.md";
   if (std::getenv("POINSOT_UPDATE_DOCS")) std::ofstream(path) << referenceMarkdown();
   std::ostringstream committed;
@@ -25,13 +25,13 @@ TEST(Reference, IsWhatTheTableSays) {
       << "docs/scene.md differs from the table of keys; update it with\n  " << kUpdate;
 }
 
-TEST(Reference, BeginsWithASceneThatIsOne) {
+TEST(Reference, BeginsWithAValidScene) {
   const std::string text = referenceMarkdown();
   const std::size_t begin = text.find("```toml\n") + 8;
   EXPECT_NO_THROW(parseScene(text.substr(begin, text.find("```", begin) - begin), "reference.toml"));
 }
 
-TEST(Schema, IsDraft4AndClosed) {
+TEST(Schema, IsDraft4AndRejectsUnknownKeys) {
   const auto schema = nlohmann::json::parse(schemaJson());
   EXPECT_EQ(schema["$schema"], "http://json-schema.org/draft-04/schema#");
   EXPECT_EQ(schema["type"], "object");
@@ -44,7 +44,7 @@ TEST(Schema, IsDraft4AndClosed) {
   EXPECT_EQ(schema["properties"]["output"]["properties"]["size"]["items"]["multipleOf"], 2);
 }
 
-// 120 degrees in radians, rounded to nine digits as it stands in the schema.
+// The schema has 120 degrees in radians, rounded to nine digits.
 TEST(Schema, GivesBoundsInSi) {
   const auto fov = nlohmann::json::parse(schemaJson())["properties"]["camera"]["properties"]["fov"];
   EXPECT_EQ(fov["anyOf"][0]["maximum"], 2.0943951);

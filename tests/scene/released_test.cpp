@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes of earlier versions still load, as the pictures and the motions that they were. Each folder of released/
-// has the gallery of one version, the keys that it read (keys.txt), and what its own code made of each scene
+// Scenes of earlier versions must still load, with the same sizes and motions. Each folder of released/ has the
+// gallery of one version, the keys that it read (keys.txt), and what its own code computed for each scene
 // (motion.csv): the size of the picture, motion seconds per film second, and omega in rad/s after one second of
 // film.
 #include <fmt/format.h>
@@ -34,7 +34,6 @@ Recorded recordedNow(const fs::path& file) {
   return {scene.output.width, scene.output.height, speed, makeMotion(scene, 0, t_s)->at(t_s).omega_W};
 }
 
-/// A line of motion.csv.
 std::string lineOf(const std::string& name, const Recorded& scene) {
   const Eigen::Vector3d& omega = scene.omega_W;
   return fmt::format("{},{},{},{:.17g},{:.17g},{:.17g},{:.17g}", name, scene.width, scene.height, scene.speed,
@@ -58,12 +57,12 @@ std::map<std::string, Recorded> recordedIn(const fs::path& folder) {
   return recorded;
 }
 
-class Released : public ::testing::TestWithParam<const char*> {
+class ReleasedVersion : public ::testing::TestWithParam<const char*> {
  protected:
   fs::path folder_ = fs::path(POINSOT_SOURCE_DIR "/tests/scene/released") / GetParam();
 };
 
-TEST_P(Released, ScenesHaveTheSizesAndMotionsOfThen) {
+TEST_P(ReleasedVersion, ScenesKeepTheirSizesAndMotions) {
   const auto recorded = recordedIn(folder_);
   std::size_t scenes = 0;
   for (const auto& entry : fs::directory_iterator(folder_)) {
@@ -86,15 +85,15 @@ TEST_P(Released, ScenesHaveTheSizesAndMotionsOfThen) {
   EXPECT_EQ(scenes, recorded.size());
 }
 
-TEST_P(Released, KeysAreStillRead) {
+TEST_P(ReleasedVersion, KeysAreStillAccepted) {
   std::ifstream file(folder_ / "keys.txt");
   std::size_t keys = 0;
   for (std::string path; std::getline(file, path); ++keys)
     EXPECT_NE(findKey(path), nullptr) << path << ": was a key; scenes that have it must still load";
-  EXPECT_GE(keys, 363u);  // of 0.1.0
+  EXPECT_GE(keys, 363u);  // number of keys of 0.1.0
 }
 
-INSTANTIATE_TEST_SUITE_P(Versions, Released, ::testing::Values("0.1.0"), [](const auto& version) {
+INSTANTIATE_TEST_SUITE_P(Versions, ReleasedVersion, ::testing::Values("0.1.0"), [](const auto& version) {
   std::string name = version.param;
   std::ranges::replace(name, '.', '_');
   return name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One file of tests/scene/data for each way a scene can be wrong; lines and columns were counted by hand.
+// Each file of tests/scene/data is wrong in its own way. Lines and columns were counted by hand.
 #include <gmock/gmock.h>
 
 #include "scene/document/problem.h"
@@ -29,7 +29,7 @@ class BadScene : public testing::Test {
     }
   }
 
-  /// The next problem stands at `place` and says exactly `message`.
+  /// Expects that the next problem is at `place` and has exactly this message.
   void expectNext(const Place& place, const std::string& message) {
     ASSERT_LT(next_, problems_.size());
     const Problem& problem = problems_[next_++];
@@ -52,69 +52,69 @@ class BadScene : public testing::Test {
   std::string report_;
 };
 
-TEST_F(BadScene, WithAnUnknownKey) {
+TEST_F(BadScene, IsRejectedForAnUnknownKey) {
   expectOnly("unknown_key.toml", {5, 1, 10}, "motion.omega_bdoy: unknown key; did you mean motion.omega_body?");
 }
 
-TEST_F(BadScene, WithAnUnknownTable) {
+TEST_F(BadScene, IsRejectedForAnUnknownTable) {
   expectOnly("unknown_table.toml", {5, 2, 5}, "camra: unknown key; did you mean camera?");
 }
 
-TEST_F(BadScene, WithAKeyInTheWrongTable) {
+TEST_F(BadScene, IsRejectedForAKeyInTheWrongTable) {
   expectOnly("misplaced_key.toml", {5, 1, 3}, "motion.fps: unknown key; did you mean time.fps?");
 }
 
-TEST_F(BadScene, WithAWrongType) {
+TEST_F(BadScene, IsRejectedForAValueOfTheWrongType) {
   expectOnly("wrong_type.toml", {6, 12, 4},
              "time.duration: expected a time, a number in s or text with a unit such as s, ms, us, min, h, d, yr "
              "(poinsot explain units lists all), got true");
 }
 
-TEST_F(BadScene, OutOfRange) {
+TEST_F(BadScene, IsRejectedForAValueOutOfRange) {
   expectOnly("out_of_range.toml", {6, 7, 9}, "camera.fov: must be from 1 to 120 deg, got \"200 deg\"");
 }
 
-TEST_F(BadScene, WithImpossibleInertia) {
+TEST_F(BadScene, IsRejectedForImpossibleInertia) {
   expectOnly(
       "impossible_inertia.toml", {2, 21, 15},
       "body.principal_moments: I3 must not exceed I1 + I2, got (0.1, 0.2, 0.9) kg·m²; a solid body cannot have "
       "these values; the nearest possible moments in kg·m² are [0.3, 0.4, 0.7]");
 }
 
-TEST_F(BadScene, WithNumbersThatAreNotFinite) {
+TEST_F(BadScene, IsRejectedForNumbersThatAreNotFinite) {
   load("not_finite.toml");
   expectNext({2, 27, 3}, "body.principal_moments: must be a finite number, got nan");
   expectNext({4, 21, 3}, "motion.omega_body: must be a finite number, got inf");
   expectNoMore();
 }
 
-TEST_F(BadScene, AtRestWhereADirectionIsNeeded) {
+TEST_F(BadScene, IsRejectedAtRestIfLNeedsADirection) {
   expectOnly(
       "zero_omega.toml", {4, 14, 11},
       "motion.omega_body: must not be zero, got (0, 0, 0) rad/s: without rotation L has no direction to turn "
       "onto the vertical; give a rotation, or motion.orientation");
 }
 
-TEST_F(BadScene, AtRestWithArrowsShown) {
+TEST_F(BadScene, IsRejectedAtRestIfArrowsAreShown) {
   expectOnly(
       "zero_omega_oriented.toml", {4, 14, 9},
       "motion.omega_body: must not be zero, got (0, 0, 0) rad/s: without rotation there is nothing to draw for "
       "show.L, show.omega; give a rotation, or set these to false");
 }
 
-TEST_F(BadScene, WithAZeroQuaternion) {
+TEST_F(BadScene, IsRejectedForAZeroQuaternion) {
   expectOnly("zero_quaternion.toml", {5, 15, 12},
-             "motion.orientation: must not be zero: a zero quaternion is no orientation, got [0, 0, 0, 0]");
+             "motion.orientation: must not be zero, got [0, 0, 0, 0]: a zero quaternion is not an orientation");
 }
 
-TEST_F(BadScene, WithAnOddSize) {
+TEST_F(BadScene, IsRejectedForAnOddPictureSize) {
   expectOnly(
       "odd_size.toml", {6, 9, 3},
       "output.size: each side must be even (video stores colour for pairs of pixels), got 641; the nearest even "
       "size is 642");
 }
 
-TEST_F(BadScene, WithBadUnits) {
+TEST_F(BadScene, IsRejectedForWrongAndUnknownUnits) {
   load("bad_unit.toml");
   expectNext(
       {6, 12, 6},
@@ -126,12 +126,12 @@ TEST_F(BadScene, WithBadUnits) {
   expectNoMore();
 }
 
-TEST_F(BadScene, WithABadWord) {
+TEST_F(BadScene, IsRejectedForAnUnknownWord) {
   expectOnly("bad_word.toml", {6, 9, 6},
              "style.theme: expected one of \"light\", \"dark\", \"print\", got \"drak\"; did you mean \"dark\"?");
 }
 
-TEST_F(BadScene, WithTwoProblemsReportsBoth) {
+TEST_F(BadScene, ReportsBothOfTwoErrors) {
   load("two_problems.toml");
   expectNext({2, 27, 4},
              "body.principal_moments: must be positive, from 1e-60 to 1e+60 kg·m², got -2 kg·m²; "
@@ -140,7 +140,7 @@ TEST_F(BadScene, WithTwoProblemsReportsBoth) {
   expectNoMore();
 }
 
-TEST_F(BadScene, WithAKeyGivenTwice) {
+TEST_F(BadScene, IsRejectedForADuplicateKey) {
   load("duplicate_key.toml");
   ASSERT_EQ(problems_.size(), 1u);
   EXPECT_EQ(problems_[0].where.line, 3);
@@ -149,7 +149,7 @@ TEST_F(BadScene, WithAKeyGivenTwice) {
   EXPECT_THAT(problems_[0].message, StartsWith("this key or table is given twice"));
 }
 
-TEST_F(BadScene, WithASyntaxError) {
+TEST_F(BadScene, IsRejectedForASyntaxError) {
   load("syntax_error.toml");
   ASSERT_EQ(problems_.size(), 1u);
   EXPECT_EQ(problems_[0].where.line, 2);
@@ -157,17 +157,19 @@ TEST_F(BadScene, WithASyntaxError) {
   EXPECT_THAT(problems_[0].message, StartsWith("not TOML: "));
 }
 
-TEST_F(BadScene, WithAUnitOutsideQuotes) {
+TEST_F(BadScene, IsRejectedForAUnitOutsideQuotes) {
   load("unquoted_unit.toml");
   ASSERT_EQ(problems_.size(), 1u);
   EXPECT_EQ(problems_[0].where.line, 6);
   EXPECT_EQ(problems_[0].where.column, 14);
-  EXPECT_THAT(problems_[0].message, HasSubstr("a number with a unit, or a fraction, stands in quotes: \"3 rpm\""));
+  EXPECT_THAT(problems_[0].message, HasSubstr("write a number with a unit, or a fraction, in quotes: \"3 rpm\""));
 }
 
-TEST_F(BadScene, OfAnotherSchema) { expectOnly("wrong_schema.toml", {1, 10, 1}, "schema: must be 1, got 2"); }
+TEST_F(BadScene, IsRejectedForAnotherSchemaVersion) {
+  expectOnly("wrong_schema.toml", {1, 10, 1}, "schema: must be 1, got 2");
+}
 
-TEST_F(BadScene, ThatIsEmptyIsToldWhatASceneNeeds) {
+TEST_F(BadScene, IsAnsweredWithAnExampleIfEmpty) {
   load("empty.toml");
   ASSERT_EQ(problems_.size(), 1u);
   EXPECT_EQ(problems_[0].where.line, 1);
@@ -177,34 +179,34 @@ TEST_F(BadScene, ThatIsEmptyIsToldWhatASceneNeeds) {
   EXPECT_NO_THROW(parseScene(message.substr(message.find('\n')), "example.toml"));  // the example is a scene
 }
 
-TEST_F(BadScene, WithMomentsAndAShape) {
+TEST_F(BadScene, IsRejectedForBothMomentsAndAShape) {
   expectOnly(
       "both.toml", {3, 9, 5},
       "body.shape: body.principal_moments is given too; the moments come from it, or from shape, size and mass, "
       "not from both (to draw a shape that does not set the moments, use show.body.shape)");
 }
 
-TEST_F(BadScene, WithHalfAShape) {
+TEST_F(BadScene, IsRejectedForAShapeWithoutAMass) {
   expectOnly("half_a_shape.toml", {2, 9, 5},
              "body.shape: body.mass is missing: a shape and its mass (or density) set the moments together");
 }
 
-TEST_F(BadScene, WithoutAStart) {
+TEST_F(BadScene, IsRejectedWithoutAnInitialRotation) {
   expectOnly("no_start.toml", {1, 1, 0},
-             "motion.omega_body: required: the angular velocity at the start, such as [0.01, 3.0, 0.0]");
+             "motion.omega_body: a start is required: give the angular velocity, such as [0.01, 3.0, 0.0]");
 }
 
-TEST_F(BadScene, WithANegativeMass) {
+TEST_F(BadScene, IsRejectedForANegativeMass) {
   expectOnly("negative_mass.toml", {4, 8, 2}, "body.mass: must be positive, from 1e-60 to 1e+60 kg, got -2 kg");
 }
 
-TEST_F(BadScene, WithTooManyFrames) {
+TEST_F(BadScene, IsRejectedForTooManyFrames) {
   expectOnly("too_many_frames.toml", {6, 12, 5},
              "time.duration: 3600 s at 60/1 frames per second are 216000 frames; a film may have at most 36000; "
-             "--limit frames=N raises that");
+             "--limit frames=N raises the limit");
 }
 
-TEST(Report, ShowsTheLineAndPointsAtTheValue) {
+TEST(ErrorReport, ShowsTheLineAndPointsAtTheValue) {
   const auto problems =
       problemsOf("[body]\nprincipal_moments = [0.1, 0.2, 0.9]\n[motion]\nomega_body = [1, 0, 0]\n");
   ASSERT_EQ(problems.size(), 1u);
@@ -216,10 +218,10 @@ TEST(Report, ShowsTheLineAndPointsAtTheValue) {
       "     |                     ^^^^^^^^^^^^^^^");
 }
 
-TEST(Report, OfARangeWhereOneValueIsWanted) {
+TEST(ErrorReport, RejectsARangeForASingleValue) {
   for (const char* value : {"1..3:3", "1|2"})
     EXPECT_EQ(messagesOf(kMinimal, {std::string("time.speed=") + value}),
-              "time.speed: one value is wanted here; ranges are for sweep, preview and submit\n");
+              "time.speed: expected one value; only sweep, preview and submit take ranges\n");
 }
 
 std::string atMessage(const std::string& text) {
@@ -227,21 +229,21 @@ std::string atMessage(const std::string& text) {
   return problems.empty() ? "" : core::toString(problems[0].where) + ": " + problems[0].message;
 }
 
-TEST(Report, PointsAtTheArrayThatIsNotClosed) {
+TEST(ErrorReport, PointsAtAnUnclosedArray) {
   const std::string unclosed = "not TOML: the array that begins here has no closing ]";
   EXPECT_EQ(atMessage("[motion]\nomega_body = [1, 0, 0\n\n[time]\nduration = 3\n"), "test.toml:2:14: " + unclosed);
   EXPECT_EQ(atMessage("[motion]\nomega_body = [1, 0, 0 # ]\n[[view]]\n"), "test.toml:2:14: " + unclosed);
   EXPECT_EQ(atMessage("[motion]\nomega_body = [1, 0,\n\nphase = 3\n"), "test.toml:2:14: " + unclosed);
   EXPECT_EQ(atMessage("[body]\ninertia = [\n  [1, 0, 0],\n  [0, 1, 0"), "test.toml:4:3: " + unclosed);
-  // A comma that is missing is told where it is missing.
+  // A missing comma is reported where it is missing.
   EXPECT_THAT(atMessage("[body]\ninertia = [\n  [1, 0, 0],\n  [0, 1, 0]\n  [0, 0, 1]\n]\n"),
               AllOf(HasSubstr("test.toml:5:3: not TOML"), HasSubstr("expected comma")));
   EXPECT_THAT(atMessage("[motion]\nomega_body = [1, 0 0]\n"),
               AllOf(HasSubstr("test.toml:2:20: not TOML"), HasSubstr("expected comma")));
 }
 
-TEST(Report, SaysOfAMisspeltKeyOnlyHowItIsSpelt) {
-  // Each scene lacks what the misspelt name should have given; that is said by the first message already.
+TEST(ErrorReport, NamesAMisspeltKeyOnlyOnce) {
+  // Each scene lacks the key that the misspelt name should have given. The first message already says so.
   const auto only = [](const std::string& text) { return messagesOf(text); };
   const std::string body = "[body]\nprincipal_moments = [1, 2, 3]\n",
                     motion = "[motion]\nomega_body = [1, 0, 0]\n";
@@ -265,12 +267,12 @@ TEST(Report, SaysOfAMisspeltKeyOnlyHowItIsSpelt) {
             "body.point_mass[0].mas: unknown key; did you mean body.point_mass[0].mass?\n");
   EXPECT_EQ(only(body + motion + "[[motion.torque.step]]\nfrm = 1\nbody = [1, 0, 0]\n"),
             "motion.torque.step[0].frm: unknown key; did you mean motion.torque.step[0].from?\n");
-  // Another name of the table says nothing of what is missing.
+  // A misspelt name that resembles another key does not explain the missing key.
   EXPECT_THAT(only("[[body.part]]\nshape = \"box\"\nsize = 1\nofset = [1, 0, 0]\n" + motion),
               AllOf(HasSubstr("body.part[0].mass is missing"), HasSubstr("did you mean body.part[0].offset?")));
 }
 
-TEST(Report, KnowsWhatOtherProgramsCallAKey) {
+TEST(ErrorReport, SuggestsKeysForNamesOfOtherPrograms) {
   EXPECT_EQ(messagesOf(kMinimal, {"show.body.color=red"}),
             "show.body.color: unknown key; did you mean style.colors.body?\n");
   EXPECT_EQ(messagesOf(kMinimal, {"show.polhode.colour=red"}),
@@ -282,52 +284,50 @@ TEST(Report, KnowsWhatOtherProgramsCallAKey) {
   EXPECT_EQ(messagesOf(kMinimal, {"output.width=640"}), "output.width: unknown key; did you mean output.size?\n");
 }
 
-TEST(Report, KnowsTheUsualSlipsOfToml) {
+TEST(ErrorReport, ExplainsCommonMistakesInToml) {
   const std::string motion = "[motion]\nomega_body = [1, 0, 0]\n";
   EXPECT_EQ(atMessage("[body]\nshape = \"box\n" + motion),
             "test.toml:2:13: not TOML: this text has no closing quote");
   EXPECT_THAT(atMessage("[body]\ncatalogue = \u201cbook\u201d\n" + motion),
-              HasSubstr("stands in straight quotes"));
+              HasSubstr("write text in straight quotes"));
   for (const char* value : {"duration = 10s", "fps = 24000/1001", "duration = 1.5 s"})
-    EXPECT_THAT(atMessage(std::string("[time]\n") + value + "\n"), HasSubstr("or a fraction, stands in quotes"))
-        << value;
+    EXPECT_THAT(atMessage(std::string("[time]\n") + value + "\n"), HasSubstr("or a fraction, in quotes")) << value;
   EXPECT_THAT(atMessage("[show]\ncones = true\ncones.opacity = 0.5\n"),
-              HasSubstr("given before as true or false; leave that line out"));
+              HasSubstr("already given as true or false; remove that line"));
   EXPECT_EQ(atMessage("[body]\nshape = torus\n"),
-            "test.toml:2:10: not a TOML value; text stands in quotes: \"...\"");
-  EXPECT_THAT(atMessage("[motion.gravity]\ng = 9,81\n"), HasSubstr("(a decimal sign is a point: 9.81)"));
-  EXPECT_THAT(atMessage("[motion]\nomega_body = 0, 0, 5\n"), HasSubstr("(several values stand in brackets: "));
-  EXPECT_THAT(messagesOf(kMinimal, {"motion.omega_body=[0, 0, 5 rpm]"}), HasSubstr("stands in quotes: \"3 rpm\""));
-  EXPECT_THAT(messagesOf(kMinimal, {"show.title=\"$\\theta$\""}),
-              HasSubstr("mathematics stands in single quotes"));
+            "test.toml:2:10: not a TOML value; write text in quotes: \"...\"");
+  EXPECT_THAT(atMessage("[motion.gravity]\ng = 9,81\n"), HasSubstr("(write decimals with a point: 9.81)"));
+  EXPECT_THAT(atMessage("[motion]\nomega_body = 0, 0, 5\n"), HasSubstr("(write several values in brackets: "));
+  EXPECT_THAT(messagesOf(kMinimal, {"motion.omega_body=[0, 0, 5 rpm]"}), HasSubstr("in quotes: \"3 rpm\""));
+  EXPECT_THAT(messagesOf(kMinimal, {"show.title=\"$\\theta$\""}), HasSubstr("write mathematics in single quotes"));
 }
 
-TEST(Report, TellsWhereWhatIsGivenTwiceStandsFirst) {
-  const std::string minimal(kMinimal);  // five lines, [motion] on the third
+TEST(ErrorReport, NamesTheFirstLineOfADuplicateKey) {
+  const std::string minimal(kMinimal);  // [motion] is on line 3
   EXPECT_THAT(atMessage(minimal + "[motion]\n"), EndsWith("'motion'; first on line 3"));
   EXPECT_THAT(atMessage("[time]\nfps = 25\nspeed = 1\nfps = 30\n"), EndsWith("'fps'; first on line 2"));
   EXPECT_THAT(atMessage("[time]\nfps = 25\n[time]\nfps = 30\n"), EndsWith("'time'; first on line 1"));
   EXPECT_EQ(atMessage("[plot]\nquantities = [\"t\"]\n[[plot]]\n"),
-            "test.toml:3:1: line 1 has it in single brackets; of several, each begins with [[plot]]");
+            "test.toml:3:1: line 1 has single brackets; each element of an array of tables begins with [[plot]]");
   EXPECT_THAT(atMessage("[\"a\xe2\x80\xae\"]\n[\n[[\n =\n"), Not(HasSubstr("\xe2\x80\xae")));
   EXPECT_EQ(atMessage("[ plot ]\n  [[ \"\xe2\x80\xae\" ]]\n[[plot]]\n").find("\xe2\x80\xae"), std::string::npos);
 }
 
-// Each line above is looked at: of 30 000, in far less than the tenth of a second that a refusal may take.
-TEST(Report, OfALongFileIsToldAtOnce) {
+// The search for the first line looks at all 30 000 lines above, far faster than the allowed tenth of a second.
+TEST(ErrorReport, IsQuickForALongFile) {
   std::string text = "[a]\n";
   for (int i = 0; i < 30000; ++i) text += "[a" + std::to_string(i) + "]\n";
   EXPECT_THAT(atMessage(text + "[a]\n"), EndsWith("'a'; first on line 1"));
 }
 
-TEST(Report, MeansAThingThatIsShown) {
+TEST(ErrorReport, SuggestsTheNearestFigureOrQuantity) {
   EXPECT_EQ(messagesOf(kMinimal, {"output.theta=true"}), "output.theta: unknown key; did you mean show.theta?\n");
   EXPECT_EQ(messagesOf(std::string(kMinimal) + "[[plot]]\nquantities = [\"theta_vert\"]\n"),
             "plot[0].quantities: expected one of the quantities, got \"theta_vert\"; did you mean "
             "\"theta_vertical\"?\n");
 }
 
-TEST(Report, LooksATableDeeperAndKnowsPlurals) {
+TEST(ErrorReport, SuggestsKeysOfDeeperTablesAndPlurals) {
   EXPECT_EQ(messagesOf(kMinimal, {"view=[{plane=false}]"}),
             "view[0].plane: unknown key; did you mean view[0].show.plane?\n");
   EXPECT_EQ(messagesOf(kMinimal, {"fov=0.3"}), "fov: unknown key; did you mean camera.fov?\n");
@@ -336,7 +336,7 @@ TEST(Report, LooksATableDeeperAndKnowsPlurals) {
             "plot[0].quantity: unknown key; did you mean plot[0].quantities?\n");
 }
 
-TEST(Report, SaysOfAWrongFormOnlyThat) {
+TEST(ErrorReport, NamesAWrongFormOfATableOnlyOnce) {
   const std::string motion = "[motion]\nomega_body = [1, 0, 0]\n";
   EXPECT_THAT(messagesOf("[body.part]\nshape = \"box\"\n" + motion),
               StartsWith("body.part: expected an array of tables, each begun with [[body.part]]"));
@@ -345,11 +345,12 @@ TEST(Report, SaysOfAWrongFormOnlyThat) {
             "Body: unknown key; did you mean body?\nMotion: unknown key; did you mean motion?\n");
 }
 
-TEST(Report, SaysWhatValueWasMeant) {
+TEST(ErrorReport, SuggestsTheIntendedValue) {
   EXPECT_THAT(messagesOf(kMinimal, {"style.colors.L=\"#c00\""}), HasSubstr("did you mean \"#cc0000\"?"));
   EXPECT_THAT(messagesOf(kMinimal, {"style.colors.L=\"336699\""}), HasSubstr("did you mean \"#336699\"?"));
   EXPECT_THAT(messagesOf(kMinimal, {"style.colors.L=ivory"}), Not(HasSubstr("did you mean")));
-  EXPECT_THAT(messagesOf(kMinimal, {"motion.omega_body=[0, 6, 0,1]"}), HasSubstr("decimals have a point: 0.1"));
+  EXPECT_THAT(messagesOf(kMinimal, {"motion.omega_body=[0, 6, 0,1]"}),
+              HasSubstr("write decimals with a point: 0.1"));
   EXPECT_THAT(messagesOf(kMinimal, {"motion.omega_body=[0, 6, \"3 Rpm\"]"}), HasSubstr("did you mean \"rpm\"?"));
   EXPECT_THAT(messagesOf(kMinimal, {"camera.fov=\"24\""}),
               HasSubstr("\"24\" has no unit, such as rad, mrad, deg"));
@@ -359,7 +360,7 @@ TEST(Report, SaysWhatValueWasMeant) {
       "leave it out\n");
 }
 
-TEST(Report, PointsAtTheTableFromWhichSomethingIsMissing) {
+TEST(ErrorReport, PointsAtTheTableThatLacksAKey) {
   const auto body = problemsOf("[motion]\nomega_body = [1, 0, 0]\n[body]\n");
   ASSERT_EQ(body.size(), 1u);
   EXPECT_EQ(
@@ -371,7 +372,7 @@ TEST(Report, PointsAtTheTableFromWhichSomethingIsMissing) {
   EXPECT_EQ(core::toString(motion[0].where), "test.toml:3:4");
 }
 
-TEST(Report, ComesInTheOrderOfTheFileThenTheOverrides) {
+TEST(ErrorReport, ListsErrorsOfTheFileBeforeThoseOfOverrides) {
   const auto problems = problemsOf("z = 1\na = 1\n" + std::string(kMinimal), {"b=1"});
   ASSERT_EQ(problems.size(), 3u);
   EXPECT_EQ(problems[0].where.line, 1);
@@ -379,13 +380,13 @@ TEST(Report, ComesInTheOrderOfTheFileThenTheOverrides) {
   EXPECT_EQ(problems[2].where.file, "-D b=1");
 }
 
-TEST(Report, CountsCharactersNotBytes) {
+TEST(ErrorReport, PlacesTheMarkByCharactersNotBytes) {
   const auto problems = problemsOf(std::string(kMinimal) + "[show]\ntitle = { \"ωω\" = 1 }\n");
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_THAT(toString(problems[0]), EndsWith("\n   6 | title = { \"ωω\" = 1 }\n     |         ^^^^^^^^^^^^"));
 }
 
-TEST(Report, ShowsAPieceOfALongLine) {
+TEST(ErrorReport, ShowsOnlyAPartOfALongLine) {
   const std::string padding(1000, ' ');
   const auto problems =
       problemsOf(std::string(kMinimal) + "[time]\nduration =" + padding + "true" + padding + "# end\n");
@@ -395,7 +396,7 @@ TEST(Report, ShowsAPieceOfALongLine) {
   EXPECT_EQ(problems[0].sourceLine.substr(static_cast<std::size_t>(problems[0].caret), 4), "true");
 }
 
-TEST(Report, PrintsNothingThatATerminalObeys) {
+TEST(ErrorReport, EscapesTerminalControlCharacters) {
   const std::string text =
       std::string(kMinimal) +
       "[show]\ntitle = \"\\u001b[31m\"\n\"\\u202e\" = 1\nlabels = \"\xc2\x9b\"\n[\"\\n\\u0007\"]\n";
@@ -412,7 +413,7 @@ TEST(Report, PrintsNothingThatATerminalObeys) {
   }
 }
 
-TEST(Report, StopsAfterAScreenful) {
+TEST(ErrorReport, ListsAtMostFiftyProblems) {
   std::string text = kMinimal;
   for (int i = 0; i < 1000; ++i) text += "key" + std::to_string(i) + " = 1\n";
   try {
@@ -425,21 +426,21 @@ TEST(Report, StopsAfterAScreenful) {
   }
 }
 
-TEST(Tables, TakeATableOnly) {
+TEST(Tables, RejectValuesThatAreNotTables) {
   EXPECT_THAT(messagesOf("body = 3\n"), HasSubstr("body: expected a table [body], got 3"));
   EXPECT_THAT(messagesOf("[[body]]\n"), HasSubstr("body: expected a table [body], got an array of 1"));
   EXPECT_THAT(messagesOf(std::string(kMinimal) + "[show]\nplane = 3\n"),
               HasSubstr("show.plane: expected a table [show.plane], true or false, got 3"));
 }
 
-TEST(Shapes, MustBeSuchShapes) {
+TEST(Shapes, RejectSizesThatDoNotFitTheShape) {
   const std::string body = "motion.omega_body = [1, 0, 0]\n[body]\nmass = 1\n";
   EXPECT_THAT(messagesOf(body + "shape = \"cylinder\"\nsize = [1, 2, 3]\n"),
               HasSubstr("body.size: the x and y extents of a cylinder must be equal, got (1, 2, 3) m"));
   EXPECT_THAT(messagesOf(body + "shape = \"racket\"\nsize = [1, 2, 3]\n"),
               HasSubstr("body.size: a racket must be longer (x) than wide (y), got (1, 2, 3) m"));
   EXPECT_THAT(messagesOf(kMinimal, {"show.body.size=[1, 2, 3]"}),
-              HasSubstr("show.body.size: show.body.shape is missing: it says what this is a length of"));
+              HasSubstr("show.body.size: show.body.shape is missing; this key describes a shape"));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kOneDegree = kPi / 180;
 
-// The defaults of the brief: a file with a body and a start only.
+// Defaults of a file with only a body and a start.
 TEST(SceneFile, NeedsABodyAndAStartOnly) {
   const Scene scene = loadScene(dataPath("minimal.toml"));
   EXPECT_EQ(scene.name, "minimal");
@@ -50,13 +50,13 @@ TEST(SceneFile, NeedsABodyAndAStartOnly) {
   EXPECT_EQ(scene.output.crf, 18);
 }
 
-// Every key away from its default, so that a key put into the wrong member shows.
+// Every key of full.toml differs from its default, so that a key stored in the wrong member shows.
 class FullScene : public testing::Test {
  protected:
   const Scene scene = loadScene(dataPath("full.toml"));
 };
 
-TEST_F(FullScene, HasItsBodyAndStart) {
+TEST_F(FullScene, ReadsBodyAndStart) {
   ASSERT_EQ(scene.body.parts.size(), 1u);
   const auto& racket = solidOf<physics::Racket>(scene.body.parts[0]);
   EXPECT_EQ(racket.length_m, 0.685);
@@ -72,7 +72,7 @@ TEST_F(FullScene, HasItsBodyAndStart) {
   EXPECT_EQ(scene.motion.lPoints, LPoints::kUp);
 }
 
-TEST_F(FullScene, HasItsTimeAndCamera) {
+TEST_F(FullScene, ReadsTimeAndCamera) {
   EXPECT_EQ(scene.time.start_s, 7200);
   EXPECT_EQ(scene.time.duration_s, 12.5);
   EXPECT_EQ(scene.time.fps, (core::Rational{30000, 1001}));
@@ -84,7 +84,7 @@ TEST_F(FullScene, HasItsTimeAndCamera) {
   EXPECT_EQ(scene.camera.frame, CameraFrame::kBody);
 }
 
-TEST_F(FullScene, HasItsThingsShown) {
+TEST_F(FullScene, ReadsFigures) {
   const Show& show = scene.show;
   EXPECT_EQ(show.title, "Tennis racket");
   EXPECT_EQ(show.subtitle, "about its middle axis");
@@ -106,11 +106,11 @@ TEST_F(FullScene, HasItsThingsShown) {
   EXPECT_FALSE(show.ellipsoid.graticule || show.plane.grid || show.herpolhode.future);
 }
 
-TEST_F(FullScene, HasItsStyleAndOutput) {
+TEST_F(FullScene, ReadsStyleAndOutput) {
   EXPECT_EQ(scene.style.theme, Theme::kDark);
   EXPECT_EQ(scene.style.lineWidth, 1.5);
   EXPECT_EQ(scene.style.textSize, 1.25);
-  EXPECT_EQ(scene.output.width, 1280);  // size and crf win over quality
+  EXPECT_EQ(scene.output.width, 1280);  // size and crf override quality
   EXPECT_EQ(scene.output.height, 720);
   EXPECT_EQ(scene.output.crf, 20);
 }
@@ -132,7 +132,7 @@ TEST(Quality, SetsSizeAndRateFactor) {
 
 // Uniform solids, by the textbook formulas with M = 12 kg: box I_x = M(b² + c²)/12, ellipsoid M(b² + c²)/5 with
 // semi-axes, cylinder I_z = M r²/2.
-TEST(Shapes, SetTheMoments) {
+TEST(Shapes, DetermineTheMomentsOfTheBody) {
   const auto moments = [](const std::string& shape, const std::string& size) {
     return parseScene("[body]\nshape = \"" + shape + "\"\nmass = 12\nsize = " + size +
                           "\n[motion]\nomega_body = [1, 0, 0]",
@@ -146,11 +146,11 @@ TEST(Shapes, SetTheMoments) {
   EXPECT_TRUE(moments("cylinder", "[2, 2, 1]").isApprox(Eigen::Vector3d(4, 4, 6)));
 }
 
-TEST(DrawnShape, TakesItsSizeFromTheBodyOrTheKind) {
+TEST(DrawnShape, TakesItsSizeFromTheBodyOrADefault) {
   EXPECT_TRUE(minimalWith({}).show.body.parts.empty());
   const auto racket = minimalWith({"show.body.shape=racket"}).show.body.parts;
   ASSERT_EQ(racket.size(), 1u);
-  EXPECT_EQ(solidOf<physics::Racket>(racket[0]).length_m, 0.685);  // as docs/scene.md: what is usual
+  EXPECT_EQ(solidOf<physics::Racket>(racket[0]).length_m, 0.685);  // default of docs/scene.md
   const std::vector<std::string> box = {"body={shape=\"box\", size=[3, 2, 1], mass=1}",
                                         "show.body.shape=ellipsoid"};
   const auto asBody = parseScene("motion.omega_body = [1, 1, 1]", "test.toml", box).show.body.parts;
@@ -158,7 +158,7 @@ TEST(DrawnShape, TakesItsSizeFromTheBodyOrTheKind) {
   EXPECT_EQ(solidOf<physics::Ellipsoid>(asBody[0]).semiAxes_m, Eigen::Vector3d(1.5, 1, 0.5));
 }
 
-TEST(Overrides, AreTomlOrBareWords) {
+TEST(Overrides, AcceptTomlValuesAndBareWords) {
   EXPECT_EQ(minimalWith({"time.duration=5"}).time.duration_s, 5);
   EXPECT_EQ(minimalWith({"time.duration=2 min"}).time.duration_s, 120);
   EXPECT_EQ(minimalWith({"time.duration=\"2 min\""}).time.duration_s, 120);
@@ -172,35 +172,35 @@ TEST(Overrides, AreTomlOrBareWords) {
   EXPECT_EQ(minimalWith({"camera={zoom=2, frame=\"body\"}"}).camera.zoom, 2);
 }
 
-TEST(Overrides, ReplaceWhatTheFileSays) {
+TEST(Overrides, ReplaceValuesOfTheFile) {
   const std::string text =
       std::string(kMinimal) + "[show.plane]\nvisible = true\nopacity = 0.5\n[time]\nfps = 0\n";
   const Scene scene = parseScene(text, "test.toml", {"show.plane=false", "time.fps=25"});
   EXPECT_FALSE(scene.show.plane.visible);
   EXPECT_EQ(scene.show.plane.opacity, 0.5);
-  EXPECT_EQ(scene.time.fps.num, 25);  // a value that is replaced is not judged
+  EXPECT_EQ(scene.time.fps.num, 25);  // a replaced value is not checked
 }
 
-TEST(FrameRate, IsExact) {
+TEST(FrameRate, IsReadAsAnExactFraction) {
   EXPECT_EQ(minimalWith({"time.fps=29.97"}).time.fps, (core::Rational{2997, 100}));
   EXPECT_EQ(minimalWith({"time.fps=\"60000/1001\""}).time.fps, (core::Rational{60000, 1001}));
   EXPECT_EQ(minimalWith({"time.fps=1000"}).time.fps, (core::Rational{1000, 1}));
 }
 
-TEST(SceneFile, MayComeFromWindows) {
+TEST(SceneFile, AcceptsWindowsLineEndsAndByteOrderMark) {
   std::string text = kMinimal;
   for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.insert(at, "\r");
   EXPECT_NO_THROW(parseScene("\xef\xbb\xbf" + text, "test.toml"));
 }
 
-TEST(SceneFile, AtRestNeedsNothingThatRests) {
+TEST(SceneFile, BodyAtRestIsAcceptedIfItsFiguresAreHidden) {
   std::vector<std::string> hidden = {"motion.omega_body=[0, 0, 0]", "motion.orientation=[1, 0, 0, 0]"};
   for (const char* thing : {"L", "omega", "ellipsoid", "plane", "contact", "polhode", "herpolhode", "height"})
     hidden.push_back("show." + std::string(thing) + "=false");
   EXPECT_EQ(messagesOf(kMinimal, hidden), "");
 }
 
-TEST(Gallery, HoldsScenesThatSayWhatToLookAt) {
+TEST(Gallery, HoldsValidScenesThatBeginWithAComment) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(std::string(POINSOT_SOURCE_DIR) + "/scenes")) {
     if (entry.path().extension() != ".toml") continue;
@@ -211,7 +211,7 @@ TEST(Gallery, HoldsScenesThatSayWhatToLookAt) {
   EXPECT_GE(count, 7);
 }
 
-class NoScene : public testing::Test {
+class UnreadableScene : public testing::Test {
  protected:
   std::string messageOf(const std::string& name) const {
     try {
@@ -228,7 +228,7 @@ class NoScene : public testing::Test {
 };
 
 // The columns were counted by hand.
-TEST(TextCheck, ItsComplaintsAreReportedWithTheRest) {
+TEST(TextCheck, ReportsTexErrorsTogetherWithOtherErrors) {
   const std::string text = std::string(kMinimal) + "[show]\n  title = 'a'\n  subtitle = 'fine'\nzom = 1\n";
   const auto check = [](std::string_view tex) { return tex == "fine" ? "" : "no " + std::string(tex); };
   try {
@@ -243,18 +243,18 @@ TEST(TextCheck, ItsComplaintsAreReportedWithTheRest) {
   EXPECT_EQ(parseScene(std::string(kMinimal), "some.toml", {}, check).show.title, "");
 }
 
-TEST_F(NoScene, SaysWhyAFileCannotBeRead) {
+TEST_F(UnreadableScene, ReportsTheReason) {
   EXPECT_EQ(messageOf("none.toml"), folder_ + "/none.toml: cannot read the scene: No such file or directory");
   EXPECT_EQ(messageOf(""), folder_ + "/: cannot read the scene: it is a directory");
   ASSERT_EQ(::mkfifo((folder_ + "/fifo.toml").c_str(), 0600), 0);
   EXPECT_EQ(messageOf("fifo.toml"), folder_ + "/fifo.toml: cannot read the scene: it is not a regular file");
 }
 
-TEST_F(NoScene, DoesNotPrintWhatATerminalObeys) {
+TEST_F(UnreadableScene, MessageEscapesControlCharacters) {
   EXPECT_EQ(messageOf("a\x1b[31m.toml").find('\x1b'), std::string::npos);
 }
 
-TEST(Extras, AreShownWhenAskedForByAnyOfTheirKeys) {
+TEST(OptionalFigures, AreShownIfAnyOfTheirKeysIsGiven) {
   const auto parse = [](const std::string& more) { return parseScene(kMinimal + more, "test.toml"); };
   const auto figures = [&](const std::string& show) { return parse(show).show.figures; };
   EXPECT_FALSE(figures("").trace.visible);

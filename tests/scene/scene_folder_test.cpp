@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene reaches nothing outside its folder.
+// A scene cannot read files outside its folder.
 #include "scene/assembly/scene_folder.h"
 
 #include <gmock/gmock.h>
@@ -44,19 +44,19 @@ class SceneFolderTest : public testing::Test {
   const fs::path root_ = scratch_.path();
 };
 
-TEST_F(SceneFolderTest, ReadsFilesInItAndBelow) {
+TEST_F(SceneFolderTest, ReadsFilesInAndBelowTheFolder) {
   EXPECT_EQ(read("a.txt"), "beside");
   EXPECT_EQ(read("./meshes/b.txt"), "below");
 }
 
-TEST_F(SceneFolderTest, IsNotLeft) {
+TEST_F(SceneFolderTest, RejectsPathsOutOfTheFolder) {
   EXPECT_THAT(problemOf("../secret.txt"), HasSubstr("without \"..\""));
   EXPECT_THAT(problemOf("meshes/../a.txt"), HasSubstr("without \"..\""));
   EXPECT_THAT(problemOf((root_ / "secret.txt").string()), HasSubstr("must be relative to the scene's folder"));
   EXPECT_THAT(problemOf(""), HasSubstr("the name is empty"));
 }
 
-TEST_F(SceneFolderTest, FollowsNoLinks) {
+TEST_F(SceneFolderTest, RejectsSymbolicLinks) {
   fs::create_symlink(root_ / "secret.txt", root_ / "scene" / "link.txt");
   fs::create_directory_symlink(root_, root_ / "scene" / "up");
   EXPECT_THAT(problemOf("link.txt"), HasSubstr("it is a symbolic link"));
@@ -65,24 +65,24 @@ TEST_F(SceneFolderTest, FollowsNoLinks) {
 
 TEST_F(SceneFolderTest, ReadsRegularFilesOnly) {
   ASSERT_EQ(::mkfifo((root_ / "scene" / "fifo").c_str(), 0600), 0);
-  EXPECT_EQ(problemOf("fifo"), "cannot read fifo: it is not a regular file");  // and does not wait for a writer
+  EXPECT_EQ(problemOf("fifo"), "cannot read fifo: it is not a regular file");  // must not wait for a writer
   EXPECT_EQ(problemOf("meshes"), "cannot read meshes: it is a directory");
   EXPECT_EQ(problemOf("none.txt"), "cannot read none.txt: No such file or directory in the scene's folder");
   EXPECT_EQ(problemOf("a.txt/b"), "cannot read a.txt/b: Not a directory");
 }
 
-TEST_F(SceneFolderTest, TakesNamesAsTheyStand) {
+TEST_F(SceneFolderTest, RejectsNamesThatNeedExpansionAndUrls) {
   for (const char* name : {"~/a.txt", "~root", "$HOME/a.txt", "$(id)", "`id`", "meshes/$x"})
-    EXPECT_THAT(problemOf(name), HasSubstr("nothing is expanded in a name")) << name;
+    EXPECT_THAT(problemOf(name), HasSubstr("file names are not expanded")) << name;
   for (const char* name : {"file:a.txt", "FILE:///etc/passwd", "https://example.org/a.obj"})
-    EXPECT_THAT(problemOf(name), HasSubstr("it is an address")) << name;
-  EXPECT_THAT(problemOf(std::string("a.txt\0b", 7)), HasSubstr("holds no control characters"));
-  EXPECT_THAT(problemOf("a\n.txt"), HasSubstr("holds no control characters"));
+    EXPECT_THAT(problemOf(name), HasSubstr("it is a URL")) << name;
+  EXPECT_THAT(problemOf(std::string("a.txt\0b", 7)), HasSubstr("must not contain control characters"));
+  EXPECT_THAT(problemOf("a\n.txt"), HasSubstr("must not contain control characters"));
   for (const char* name : {"%61.txt", "A.TXT", "a.txt.", "a.txt "})
     EXPECT_THAT(problemOf(name), HasSubstr("No such file")) << name;
 }
 
-TEST_F(SceneFolderTest, LooksIntoAssetRootsAfterIt) {
+TEST_F(SceneFolderTest, SearchesAssetRootsAfterTheFolder) {
   fs::create_directories(root_ / "shared");
   put("shared/a.txt", "never seen");
   put("shared/c.txt", "shared");
@@ -105,7 +105,7 @@ TEST_F(SceneFolderTest, LooksIntoAssetRootsAfterIt) {
   }
 }
 
-TEST_F(SceneFolderTest, ReadsSoMuchOfAllFiles) {
+TEST_F(SceneFolderTest, LimitsTheBytesOfAllFiles) {
   Allowance allowance;
   allowance.limits.set(Limit::kFilesBytes, 11);  // "beside" and "below"
   const SceneFolder enough(root_ / "scene", allowance);
@@ -119,14 +119,13 @@ TEST_F(SceneFolderTest, ReadsSoMuchOfAllFiles) {
     FAIL();
   } catch (const core::Error& error) {
     EXPECT_EQ(error.kind(), core::ErrorKind::kLimit);
-    EXPECT_EQ(
-        error.message(),
-        "cannot read meshes/b.txt: it has 5 bytes, more than the 4 that are read; the files of a scene have too "
-        "many together; --limit files_bytes=N raises that");
+    EXPECT_EQ(error.message(),
+              "cannot read meshes/b.txt: it has 5 bytes, more than the allowed 4; together the files of the scene "
+              "exceed their limit; --limit files_bytes=N raises the limit");
   }
 }
 
-TEST_F(SceneFolderTest, ReadsSoManyTrianglesOfAllMeshes) {
+TEST_F(SceneFolderTest, LimitsTheTrianglesOfAllMeshes) {
   const std::string two = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n";
   put("scene/two.obj", two);
   put("scene/more.obj", two);
@@ -143,22 +142,20 @@ TEST_F(SceneFolderTest, ReadsSoManyTrianglesOfAllMeshes) {
     FAIL();
   } catch (const core::Error& error) {
     EXPECT_EQ(error.kind(), core::ErrorKind::kLimit);
-    EXPECT_EQ(
-        error.message(),
-        "the mesh has more than 1 triangles, the most that are read; the meshes of a scene may have 3 triangles "
-        "in all; --limit triangles=N raises that");
+    EXPECT_EQ(error.message(),
+              "the mesh has more than the allowed 1 triangles; the meshes of a scene may have 3 triangles in all; "
+              "--limit triangles=N raises the limit");
   }
 }
 
-TEST_F(SceneFolderTest, ReadsSoMuchAndNoMore) {
+TEST_F(SceneFolderTest, LimitsTheBytesOfEachFile) {
   const auto most = static_cast<std::uintmax_t>(rowOf(Limit::kFileBytes).usual);
   fs::resize_file(root_ / "scene" / "a.txt", most);
   EXPECT_EQ(read("a.txt").size(), most);
   fs::resize_file(root_ / "scene" / "a.txt", most + 1);
-  EXPECT_EQ(
-      problemOf("a.txt", core::ErrorKind::kLimit),
-      "cannot read a.txt: it has 134217729 bytes, more than the 134217728 that are read; --limit file_bytes=N "
-      "raises that");
+  EXPECT_EQ(problemOf("a.txt", core::ErrorKind::kLimit),
+            "cannot read a.txt: it has 134217729 bytes, more than the allowed 134217728; --limit file_bytes=N "
+            "raises the limit");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ constexpr const char* kMinimal =
     "[motion]\n"
     "omega_body = [0.01, 3.0, 0.0]\n";
 
-/// What is wrong with a text; none when nothing is. The files that it names are looked for beside `fileName`.
+/// Returns the problems of a scene text. Files that the text names are searched beside `fileName`.
 inline std::vector<Problem> problemsOf(const std::string& text, const std::vector<std::string>& overrides = {},
                                        const std::string& fileName = "test.toml") {
   try {
@@ -38,7 +38,7 @@ inline std::string messagesOf(const std::string& text, const std::vector<std::st
   return messages;
 }
 
-/// What a part is. @throws std::bad_variant_access if it is another thing.
+/// Returns a part's solid. @throws std::bad_variant_access if the part is of another type.
 template <class Solid>
 const Solid& solidOf(const Part& part) {
   return std::get<Solid>(std::get<physics::Solid>(part.figure));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An editor that has the schema marks what the program refuses, and nothing that it accepts.
+// An editor with the schema must mark exactly the values that the program refuses.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ bool allValid(const json& schema, const json& values) {
   return std::all_of(values.begin(), values.end(), [&](const json& v) { return valid(schema, v); });
 }
 
-/// The words of JSON Schema (draft 4) that schemaJson() uses for one value; any other fails the test.
+/// Evaluates one word of JSON Schema (draft 4), of those that schemaJson() uses; any other word fails the test.
 bool satisfies(const std::string& word, const json& wanted, const json& value) {
   if (word == "description" || word == "default") return true;
   if (word == "type") return hasType(wanted, value);
@@ -73,13 +73,13 @@ bool programAccepts(const std::string& path, const std::string& value) {
   return check(*findKey(path), path, std::get<Node::Table>(document.value)[0].value, problems).has_value();
 }
 
-/// Values in a notation that is JSON and TOML at once.
+/// Sample values of a key, in a notation that is both JSON and TOML.
 struct Samples {
   const char* path;
   std::vector<const char*> accepted, refused;
 };
 
-// By docs/scene.md, read by a person.
+// A person derived these samples from docs/scene.md.
 const Samples kSamples[] = {
     {"time.speed",
      {"1", "-0.5", "\"auto\"", "\"13 %\"", "\" -2e1% \""},
@@ -196,7 +196,7 @@ TEST(Schema, RefusesWhatTheProgramRefuses) {
     }
 }
 
-/// Every name of the table between `before` and `after`: exactly those with these exponents make a unit.
+/// Expects, for each name of the table between `before` and `after`, a unit if and only if it has these exponents.
 void expectEveryName(Dimension dimension, const Exponents& exponents, const std::string& before,
                      const std::string& after) {
   const std::regex pattern("^" + unitPattern(dimension) + "$");
@@ -208,7 +208,7 @@ void expectEveryName(Dimension dimension, const Exponents& exponents, const std:
   }
 }
 
-// The pattern and the parser are made from one table by two routes.
+// Pattern and parser are derived from one table in two independent ways.
 TEST(Schema, AgreesWithTheParserOnEveryNameOfAUnit) {
   expectEveryName(Dimension::kLength, kL, "", "");
   expectEveryName(Dimension::kMomentOfInertia, kM, "", "-m^2");
@@ -224,7 +224,7 @@ TEST(Schema, AgreesWithTheParserOnEveryNameOfAUnit) {
   expectEveryName(Dimension::kAngularMomentum, kAction, "", "");
 }
 
-TEST(Schema, AgreesWithTheParserOnHowAProductIsWritten) {
+TEST(Schema, AgreesWithTheParserOnSignsAndPowersOfUnits) {
   const std::regex pattern("^" + unitPattern(Dimension::kMomentOfInertia) + "$");
   const char* signs[] = {" ", "*", "·", "⋅", "×", ".", "-", " * ", " - ", "", "--", "..", "**", "+", "_", ","};
   const char* powers[] = {"^2", "**2", "2", "²", "", "^^2", "***2", "^ 2", "²2", "22", "^-2", "-2", "⁻²"};
@@ -239,7 +239,7 @@ TEST(Schema, AgreesWithTheParserOnHowAProductIsWritten) {
 TEST(Schema, AcceptsEveryDefaultAndExample) {
   for (const Key& key : keys()) {
     for (const std::string_view value : {std::string_view(key.example), std::string_view(key.fallback)}) {
-      const bool literal = value.find('\'') != std::string_view::npos;  // TOML, but no JSON
+      const bool literal = value.find('\'') != std::string_view::npos;  // TOML, but not JSON
       if (value.empty() || literal) continue;
       EXPECT_TRUE(schemaAccepts(std::string(key.path), std::string(value))) << key.path;
     }

@@ -7,7 +7,8 @@
 
 namespace poinsot::scene {
 
-/// The schema of a path: through properties, the object of a table that may be a flag, and the items of an array.
+/// Returns the schema at a path, through properties, the object form of a table that may be a flag, and array
+/// items.
 inline const nlohmann::json& schemaAt(const nlohmann::json& schema, std::string_view path) {
   const nlohmann::json& object = schema.contains("anyOf") ? schema["anyOf"][0] : schema;
   const std::size_t dot = path.find('.');

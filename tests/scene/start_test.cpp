@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ways to give a start. Expected values by hand from L = I omega and the definition of the tilt.
+// Ways to give a start. Expected values are worked by hand from L = I omega and the definition of the tilt.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -25,7 +25,7 @@ std::string problems(const std::string& motion) { return messagesOf(kBody + moti
 Vector3d omegaOf(const std::string& motion) { return sceneWith(motion).motion.omega_B; }
 
 // A quarter turn about z takes the body's x to the world's y. Measured: 1.4e-15, the rounding of the quaternion.
-TEST(Start, MayBeGivenInSpace) {
+TEST(Start, MayBeGivenInSpaceAxes) {
   const std::string turned = "orientation=[1, 0, 0, 1]\n";
   EXPECT_LE((omegaOf(turned + "omega_space=[0, 3, 0.5]") - Vector3d(3, 0, 0.5)).norm(), 1e-14);
   EXPECT_LE((omegaOf(turned + "L_space=[-8, 6, 0.5]") - Vector3d(3, 2, 0.1)).norm(), 1e-14);
@@ -33,14 +33,14 @@ TEST(Start, MayBeGivenInSpace) {
   EXPECT_EQ(startOrientation(sceneWith("omega_space=[1, 2, 3]")).coeffs(), Eigen::Vector4d(0, 0, 0, 1));
 }
 
-TEST(Start, MayBeGivenAsL) {
+TEST(Start, MayBeGivenAsAngularMomentum) {
   EXPECT_EQ(omegaOf("L_body=[6, '8 kg m^2/s', 0.5]"), Vector3d(3, 2, 0.1));
-  // L still goes to the vertical.
+  // L is still turned onto the vertical.
   EXPECT_FALSE(sceneWith("L_body=[6, 8, 0.5]").motion.orientation_WB);
 }
 
-// L off axis 3 by the tilt, towards axis 1: L_1 = L_3 tan(tilt). Measured: 2.2e-16.
-TEST(Start, MayBeASpinWithATilt) {
+// L leans from axis 3 by the tilt, towards axis 1: L_1 = L_3 tan(tilt). Measured: 2.2e-16.
+TEST(Start, MayBeGivenAsATiltedSpin) {
   const double tangent = std::tan(0.2);
   EXPECT_EQ(omegaOf("spin=3\nspin_axis='3'"), Vector3d(0, 0, 3));
   EXPECT_LE((omegaOf("spin=3\nspin_axis='3'\ntilt=0.2") - Vector3d(15 * tangent / 2, 0, 3)).norm(), 1e-14);
@@ -52,20 +52,20 @@ TEST(Start, MayBeASpinWithATilt) {
   EXPECT_EQ(omegaOf("spin='1 rad/s'\nspin_axis='middle'"), Vector3d(0, 1, 0));
 }
 
-// T and |L| of what comes out. Measured: 2e-16.
-TEST(Start, MayBeAnEnergyAndAMomentum) {
+// The start must have the given T and |L|. Measured: 2e-16.
+TEST(Start, MayBeGivenAsEnergyAndMomentum) {
   const physics::PrincipalMoments moments(Vector3d(2, 4, 5));
   for (const char* more : {"", "phase=0.3\n", "phase=0.7\nbranch='negative'\n"}) {
     const Vector3d omega = omegaOf("energy='9 J'\nL=8.7\n" + std::string(more));
     EXPECT_NEAR(moments.kineticEnergy(omega) / 9, 1, 1e-14) << more;
     EXPECT_NEAR(moments.angularMomentum(omega).norm() / 8.7, 1, 1e-14) << more;
   }
-  // L² = 75.69 > 2 T I2 = 72: round axis 3, on the side that the branch says.
+  // L² = 75.69 > 2 T I2 = 72, so that omega circles axis 3, on the side of the branch.
   EXPECT_GT(omegaOf("energy=9\nL=8.7")[2], 0);
   EXPECT_LT(omegaOf("energy=9\nL=8.7\nbranch='negative'")[2], 0);
 }
 
-TEST(Start, IsGivenInOneWay) {
+TEST(Start, RejectsTwoDescriptionsOfOneStart) {
   const std::string ways =
       "; a start is given in one way: omega_body, omega_space, L_body, L_space, spin and "
       "spin_axis, or energy and L\n";
@@ -74,15 +74,13 @@ TEST(Start, IsGivenInOneWay) {
   EXPECT_EQ(problems("tilt=0.1\nL=3\nenergy=2"), "motion.energy: motion.tilt is given too" + ways);
 }
 
-TEST(Start, SaysWhatItLacks) {
-  EXPECT_EQ(problems("spin=3"),
-            "motion.spin: motion.spin_axis is missing: spin and spin_axis give a start together\n");
-  EXPECT_EQ(problems("tilt=0.3"),
-            "motion.tilt: motion.spin is missing: spin and spin_axis give a start together\n");
-  EXPECT_EQ(problems("L=3"), "motion.L: motion.energy is missing: energy and L give a start together\n");
+TEST(Start, ReportsMissingKeys) {
+  EXPECT_EQ(problems("spin=3"), "motion.spin: motion.spin_axis is missing: give spin and spin_axis together\n");
+  EXPECT_EQ(problems("tilt=0.3"), "motion.tilt: motion.spin is missing: give spin and spin_axis together\n");
+  EXPECT_EQ(problems("L=3"), "motion.L: motion.energy is missing: give energy and L together\n");
 }
 
-TEST(Start, ThatCannotBeIsRefusedWithItsPlace) {
+TEST(Start, ReportsImpossibleStartsAtTheirKey) {
   EXPECT_THAT(problems("energy=9\nL=30"), HasSubstr("motion.energy: "));  // above sqrt(2 T I3) = 9.49
   EXPECT_THAT(problems("spin=0\nspin_axis='1'"), HasSubstr("motion.spin: must not be zero, got 0 rad/s"));
   EXPECT_THAT(problems("L_space=[0, 0, 0]"), HasSubstr("motion.L_space: must not be zero, got (0, 0, 0) kg·m²/s"));
@@ -93,7 +91,7 @@ TEST(Start, ThatCannotBeIsRefusedWithItsPlace) {
 
 const std::string kSpinUnderGravity = "gravity.mgr_body=[0, 0, 1]\nspin=3\nspin_axis='3'\n";
 
-/// The numbers of the first "[...]" after `name`.
+/// Returns the numbers of the first "[...]" after `name`.
 std::vector<double> pastedAfter(const std::string& message, const std::string& name) {
   std::istringstream text(message.substr(message.find(name + " = [") + name.size() + 4));
   std::vector<double> values;
@@ -102,14 +100,14 @@ std::vector<double> pastedAfter(const std::string& message, const std::string& n
   return values;
 }
 
-// The spin axis must lean from the vertical by the tilt, and up must lie on the side that tilt_towards says: for
-// axis 3, at phi from x. Measured: 1.2e-12, the rounding of the printed digits.
-TEST(TiltUnderGravity, IsRefusedWithTheOrientationThatLeansTheTop) {
+// With the suggested orientation, the spin axis must lean from the vertical by the tilt, and up must lie on the
+// side of tilt_towards: for axis 3, at phi from x. Measured: 1.2e-12, the rounding of the printed digits.
+TEST(TiltUnderGravity, ErrorSuggestsAnOrientationThatTiltsTheTop) {
   for (const double phi : {0.0, 1.2, 4.0}) {
     const std::string message = problems(kSpinUnderGravity + fmt::format("tilt='60 deg'\ntilt_towards={}\n", phi));
-    EXPECT_THAT(message, HasSubstr("motion.tilt: does not lean a body that gravity pulls"));
+    EXPECT_THAT(message, HasSubstr("motion.tilt: cannot tilt a body under gravity"));
     EXPECT_THAT(message,
-                HasSubstr("which leans spin_axis by 60 deg from the vertical, in place of tilt and tilt_towards"));
+                HasSubstr("which tilts spin_axis by 60 deg from the vertical, instead of tilt and tilt_towards"));
     const auto q = pastedAfter(message, "motion.orientation");
     ASSERT_EQ(q.size(), 4u) << message;
     const Vector3d up_B = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).conjugate() * Vector3d::UnitZ();
@@ -121,26 +119,25 @@ TEST(TiltUnderGravity, IsRefusedWithTheOrientationThatLeansTheTop) {
 }
 
 // L of axis 3 is 15; L_1 = 15 tan(tilt), and I_1 = 2.
-TEST(TiltUnderGravity, IsRefusedBesideAnOrientationWithTheOmegaItMeans) {
+TEST(TiltUnderGravity, ErrorSuggestsOmegaIfAnOrientationIsGiven) {
   const std::string message = problems(kSpinUnderGravity + "orientation=[0.866, 0.5, 0, 0]\ntilt=0.2\n");
   EXPECT_THAT(message, HasSubstr("leave out tilt; for the same nutation"));
-  EXPECT_THAT(message, HasSubstr("in place of spin, spin_axis and tilt"));
+  EXPECT_THAT(message, HasSubstr("instead of spin, spin_axis and tilt"));
   const auto omega = pastedAfter(message, "motion.omega_body");
   ASSERT_EQ(omega.size(), 3u) << message;
   EXPECT_LE((Vector3d(omega[0], omega[1], omega[2]) - Vector3d(15 * std::tan(0.2) / 2, 0, 3)).norm(), 1e-11);
 }
 
-TEST(TiltUnderGravity, IsRefusedBesideOtherMistakes) {
+TEST(TiltUnderGravity, IsReportedTogetherWithOtherErrors) {
   EXPECT_THAT(problems("gravity.g=9.81\nspin=3\nspin_axis='3'\ntilt=0.2\n"),
-              AllOf(HasSubstr("motion.gravity.g: "), HasSubstr("motion.tilt: does not lean")));
-  EXPECT_THAT(
-      messagesOf("[motion]\n" + kSpinUnderGravity + "tilt=0.2\n"),
-      HasSubstr("motion.tilt: does not lean a body that gravity pulls: its axes are the world's at the start; "
-                "give motion.orientation in place of tilt"));
+              AllOf(HasSubstr("motion.gravity.g: "), HasSubstr("motion.tilt: cannot tilt")));
+  EXPECT_THAT(messagesOf("[motion]\n" + kSpinUnderGravity + "tilt=0.2\n"),
+              HasSubstr("motion.tilt: cannot tilt a body under gravity, whose axes are the world's at the start; "
+                        "give motion.orientation instead of tilt"));
 }
 
-// Under torques, drag and dissipation L leans from the axis as it does in free motion.
-TEST(Tilt, IsAllowedWhereItLeansL) {
+// Under torques, drag and dissipation L leans from the axis as in free motion.
+TEST(Tilt, IsAllowedIfItTiltsL) {
   const Vector3d leaning(15 * std::tan(0.2) / 2, 0, 3);
   const std::string tilted = "spin=3\nspin_axis='3'\ntilt=0.2\n";
   for (const char* acts :
@@ -149,13 +146,16 @@ TEST(Tilt, IsAllowedWhereItLeansL) {
     EXPECT_LE((omegaOf(acts + tilted) - leaning).norm(), 1e-14) << acts;
 }
 
-TEST(Tilt, IsRefusedWhereItWouldChangeNothing) {
+TEST(Tilt, IsRejectedIfItHasNoEffect) {
   const std::string rest = "spin=0\nspin_axis='3'\ntilt=0.2\n";
   for (const char* acts : {"torque.body=[0, 0, 1]\n", "orientation=[1, 1, 0, 0]\n"})
-    EXPECT_THAT(problems(acts + rest), HasSubstr("motion.tilt: has no effect where motion.spin is 0, as L is 0; "
-                                                 "leave it out, or give a spin\n"));
-  EXPECT_EQ(problems("spin=3\nspin_axis='3'\ntilt_towards=0.2\n"),
-            "motion.tilt_towards: motion.tilt is missing, without which L leans to no side; give both or none\n");
+    EXPECT_THAT(
+        problems(acts + rest),
+        HasSubstr(
+            "motion.tilt: has no effect if motion.spin is 0, because L is 0; leave it out, or give a spin\n"));
+  EXPECT_EQ(
+      problems("spin=3\nspin_axis='3'\ntilt_towards=0.2\n"),
+      "motion.tilt_towards: motion.tilt is missing: a direction of tilt needs an angle; give both or neither\n");
   EXPECT_EQ(problems("spin=3\nspin_axis='3'\ntilt=0\ntilt_towards=0.2\n"), "") << "a cell of a sweep";
 }
 

@@ -35,7 +35,7 @@ std::optional<std::uint32_t> color(const Style& style, ColorMeaning meaning) {
   return style.colors[static_cast<std::size_t>(meaning)];
 }
 
-TEST_F(StyleFile, GivesWhatTheSceneDoesNot) {
+TEST_F(StyleFile, SetsKeysThatTheSceneOmits) {
   write("[style]\ntheme = \"dark\"\ntext_size = 1.5\n[style.colors]\nL = \"#0A0b0C\"\nbody = \"#111111\"\n");
   const Style given = style("colors.body = \"#222222\"\n", {"style.text_size=2"});
   EXPECT_EQ(given.theme, Theme::kDark);
@@ -45,12 +45,12 @@ TEST_F(StyleFile, GivesWhatTheSceneDoesNot) {
   EXPECT_EQ(color(given, ColorMeaning::kOmega), std::nullopt);
 }
 
-TEST_F(StyleFile, MayBeNamedForOneRun) {
+TEST_F(StyleFile, MayBeNamedInAnOverride) {
   write("[style]\ntheme = \"print\"\n");
   EXPECT_EQ(parseScene(kMinimal, sceneFile(), {"style.file=house.toml"}).style.theme, Theme::kPrint);
 }
 
-TEST_F(StyleFile, IsToldItsOwnMistakesAtTheirPlaces) {
+TEST_F(StyleFile, ErrorsNameTheStyleFileAndItsLine) {
   write("[style]\nline_width = 1\n  [style.colors]\n  omega = \"orange\"\n  elipsoid = \"#000000\"\n");
   const auto all = problems();
   ASSERT_EQ(all.size(), 2u);
@@ -64,7 +64,7 @@ TEST_F(StyleFile, IsToldItsOwnMistakesAtTheirPlaces) {
   EXPECT_THAT(all[1].message, HasSubstr("did you mean style.colors.ellipsoid?"));
 }
 
-TEST_F(StyleFile, IsCheckedWhereTheSceneCountsToo) {
+TEST_F(StyleFile, IsCheckedEvenIfTheSceneOverridesIt) {
   write("[style]\nline_width = 1000\n");
   const auto all = problems("line_width = 2\n");
   ASSERT_EQ(all.size(), 1u);
@@ -72,15 +72,16 @@ TEST_F(StyleFile, IsCheckedWhereTheSceneCountsToo) {
   EXPECT_EQ(all[0].where.line, 2);
 }
 
-TEST_F(StyleFile, HasOnlyAStyle) {
+TEST_F(StyleFile, RejectsKeysOutsideStyle) {
   write("schema = 1\n[style]\nfile = \"house.toml\"\n[show]\nplane = false\n");
   const auto all = problems();
   ASSERT_EQ(all.size(), 2u);
-  EXPECT_EQ(all[0].message, "style.file: a style file names no other");
-  EXPECT_THAT(all[1].message, HasSubstr("show.plane.visible: a style file has [style] and [style.colors]"));
+  EXPECT_EQ(all[0].message, "style.file: a style file must not name another style file");
+  EXPECT_THAT(all[1].message,
+              HasSubstr("show.plane.visible: a style file may contain only [style] and [style.colors]"));
 }
 
-TEST_F(StyleFile, IsRefusedWhereItIsNoToml) {
+TEST_F(StyleFile, IsRejectedIfItIsNotToml) {
   write("[style]\ntheme = dark\n");
   const auto all = problems();
   ASSERT_EQ(all.size(), 1u);
@@ -88,7 +89,7 @@ TEST_F(StyleFile, IsRefusedWhereItIsNoToml) {
   EXPECT_THAT(all[0].where.file, HasSubstr("house.toml"));
 }
 
-TEST_F(StyleFile, StaysInTheScenesFolder) {
+TEST_F(StyleFile, MustLieInTheScenesFolder) {
   for (const char* path : {"../house.toml", "/etc/passwd", "none.toml", ""}) {
     const auto all = problemsOf(kMinimal, {"style.file=" + std::string(path)}, sceneFile());
     ASSERT_EQ(all.size(), 1u) << path;
@@ -134,7 +135,7 @@ TEST(IsometricPreset, ForeshortensAllAxesAlike) {
             Projection::kPerspective);
 }
 
-TEST(Presets, LeaveTheProjectionAloneWhereTheySayNothingOfIt) {
+TEST(Presets, LeaveTheProjectionAloneUnlessTheySetIt) {
   EXPECT_EQ(cameraOf("preset = \"side\"\n").projection, Projection::kPerspective);
   EXPECT_EQ(cameraOf("preset = \"side\"\nprojection = \"orthographic\"\n").projection, Projection::kOrthographic);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ranges after -D: which values they stand for, and what is said of those that cannot be understood.
+// Ranges after -D: the values that they stand for, and the errors of malformed ranges.
 #include "scene/sweep.h"
 
 #include <gmock/gmock.h>
@@ -41,7 +41,7 @@ std::string refusal(const std::string& word) {
   return "none";
 }
 
-TEST(SweepAxis, HasBothEndsAndWhatIsEvenlyBetween) {
+TEST(SweepAxis, IncludesBothEndsInEqualSteps) {
   EXPECT_THAT(overridesOf("time.speed=1..2:3"), ElementsAre("time.speed=1.0", "time.speed=1.5", "time.speed=2.0"));
   EXPECT_THAT(overridesOf(" time.speed = 2 .. -1 : 2 "), ElementsAre(" time.speed =2", " time.speed =-1"));
   EXPECT_THAT(overridesOf("camera.azimuth=-10..10 deg:3"),
@@ -50,11 +50,11 @@ TEST(SweepAxis, HasBothEndsAndWhatIsEvenlyBetween) {
               ElementsAre("camera.azimuth='10 deg'", "camera.azimuth='20 deg'"));
 }
 
-TEST(SweepAxis, OfAnElementOfAVector) {
+TEST(SweepAxis, MayBeAnElementOfAVector) {
   EXPECT_THAT(overridesOf("motion.omega_body=[0.01..0.03:3, 4.2, 0]"),
               ElementsAre("motion.omega_body=[0.01, 4.2, 0]", "motion.omega_body=[0.02, 4.2, 0]",
                           "motion.omega_body=[0.03, 4.2, 0]"));
-  // A quantity in a list is text.
+  // Within an array a number with a unit must be text.
   EXPECT_THAT(overridesOf("motion.omega_body=[0, 1..3 rpm:2, 0]"),
               ElementsAre("motion.omega_body=[0,\"1 rpm\", 0]", "motion.omega_body=[0,\"3 rpm\", 0]"));
   EXPECT_THAT(overridesOf("motion.omega_body=[0, '1..3 rpm:2', 0]"),
@@ -64,15 +64,15 @@ TEST(SweepAxis, OfAnElementOfAVector) {
   EXPECT_EQ(sweepAxis("time.speed=1..3:2")->element, std::nullopt);
 }
 
-TEST(SweepAxis, InEqualRatiosOrListed) {
+TEST(SweepAxis, MayBeLogarithmicOrAList) {
   EXPECT_THAT(numbersOf("time.speed=0.01..100:5:log"), ElementsAre("0.01", "0.1", "1", "10", "100"));
   EXPECT_THAT(numbersOf("time.speed=1..2:3:log"), ElementsAre("1", "1.41", "2"));  // sqrt 2
   EXPECT_THAT(numbersOf("time.speed=5|0.25|1e3"), ElementsAre("5", "0.25", "1e3"));
   EXPECT_THAT(overridesOf("time.start=1 s|2 s"), ElementsAre("time.start=1 s", "time.start=2 s"));
 }
 
-// A third of 1 has no end: what is written is within a hundredth of a step, and is what is drawn.
-TEST(SweepAxis, NumbersHaveAsManyDecimalsAsTellThemApart) {
+// A third of 1 has infinitely many digits. The rounded value, within a hundredth of a step, is written and drawn.
+TEST(SweepAxis, WritesEnoughDecimalsToDistinguishValues) {
   EXPECT_THAT(numbersOf("time.speed=0..1:4"), ElementsAre("0.000", "0.333", "0.667", "1.000"));
   EXPECT_THAT(numbersOf("time.speed=0.01..0.41:9"),
               ElementsAre("0.01", "0.06", "0.11", "0.16", "0.21", "0.26", "0.31", "0.36", "0.41"));
@@ -81,41 +81,41 @@ TEST(SweepAxis, NumbersHaveAsManyDecimalsAsTellThemApart) {
   EXPECT_THAT(numbersOf("body.mass=1e24..3e24:3"), ElementsAre("1e+24", "2e+24", "3e+24"));
 }
 
-TEST(SweepAxis, TheUnitIsTheOneTypedOrTheKeys) {
+TEST(SweepAxis, UsesTheGivenUnitOrTheUnitOfItsKey) {
   EXPECT_EQ(sweepAxis("camera.azimuth=1..2 deg:2")->unit, "deg");
   EXPECT_EQ(sweepAxis("time.start=1..2:2")->unit, "s");
   EXPECT_EQ(sweepAxis("time.speed=1..2:2")->unit, "");
 }
 
-TEST(SweepAxis, TextsAndUnknownKeysHaveNone) {
+TEST(SweepAxis, IsAbsentForTextsAndUnknownKeys) {
   for (const char* word : {"show.title=1..2:3", "show.title='|L| or 1|2'", "time.strat=1..2:3", "time.speed=1",
                            "x", "", "=1..2:3", "style.theme=dark"})
     EXPECT_EQ(sweepAxis(word), std::nullopt) << word;
 }
 
-TEST(SweepAxis, MistakesAreSaid) {
+TEST(SweepAxis, ExplainsMistakesInRanges) {
   for (const char* word : {"time.speed=1..2", "time.speed=1..:3", "time.speed=..2:3", "time.speed=a..b:3",
                            "time.speed=1..2:x", "time.speed=1..2:3:lin", "time.speed=nan..2:3"})
     EXPECT_THAT(refusal(word), HasSubstr("a range is FROM..TO:COUNT, such as 10..50 rpm:5")) << word;
   for (const char* word : {"time.speed=1:2:3", "time.speed=1 to 3", "time.speed=1\u20263", "time.speed=[1:3:5]"})
     EXPECT_THAT(refusal(word), HasSubstr("a range is FROM..TO:COUNT, such as 10..50 rpm:5")) << word;
-  EXPECT_THAT(refusal("time.speed=1..2"), HasSubstr("how many values?"));
-  EXPECT_THAT(refusal("time.speed=1...2:3"), HasSubstr("two dots, not three"));
+  EXPECT_THAT(refusal("time.speed=1..2"), HasSubstr("the number of values is missing"));
+  EXPECT_THAT(refusal("time.speed=1...2:3"), HasSubstr("write two dots"));
   for (const char* count : {"1", "0", "-3", "101", "99999999999999999999"})
     EXPECT_THAT(refusal(std::string("time.speed=1..2:") + count), HasSubstr("a range has from 2 to 100 values"));
   EXPECT_THAT(refusal("time.speed=1..2:100"), "none");
   EXPECT_THAT(refusal("time.speed=2..2:3"), HasSubstr("both ends are the same"));
-  EXPECT_THAT(refusal("time.speed=0..2:3:log"), HasSubstr("of one sign, neither of them 0"));
-  EXPECT_THAT(refusal("time.speed=-1..2:3:log"), HasSubstr("of one sign"));
-  EXPECT_THAT(refusal("time.start=1 s..2 min:3"), HasSubstr("one unit for all, got s and min"));
+  EXPECT_THAT(refusal("time.speed=0..2:3:log"), HasSubstr("of the same sign, neither of them 0"));
+  EXPECT_THAT(refusal("time.speed=-1..2:3:log"), HasSubstr("of the same sign"));
+  EXPECT_THAT(refusal("time.start=1 s..2 min:3"), HasSubstr("all values must have the same unit, got s and min"));
   EXPECT_THAT(refusal("time.speed=1|x"), HasSubstr("expected numbers between the bars"));
   EXPECT_THAT(refusal("time.speed=|"), HasSubstr("expected numbers between the bars"));
-  EXPECT_THAT(refusal("motion.omega_body=[1..2:2, 1..2:2, 0]"), HasSubstr("one range in a key"));
-  EXPECT_THAT(refusal("time.speed=1..2\x1b"), HasSubstr("\\x1b"));  // nothing that moves a cursor
+  EXPECT_THAT(refusal("motion.omega_body=[1..2:2, 1..2:2, 0]"), HasSubstr("a key may have only one range"));
+  EXPECT_THAT(refusal("time.speed=1..2\x1b"), HasSubstr("\\x1b"));  // control characters are escaped
 }
 
-// Whatever is typed: a range whose words have that many values, none, or a refusal.
-TEST(SweepAxis, AnyTextIsUnderstoodOrRefused) {
+// Any text must give a range with its values, no range, or an error.
+TEST(SweepAxis, AcceptsOrRejectsAnyText) {
   constexpr std::string_view kPieces[] = {"..", "|", ":", "1", "-2", "3e5", "log", "rpm", "[", "]", ",", "\"",
                                           "'",  " ", "=", "0", "9",  "nan", "\0",  "é",   "{", "}", ".", "5 deg"};
   std::mt19937 random(5);

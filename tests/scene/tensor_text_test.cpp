@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tensors and moments that a scene cannot have: what is to be written instead is accepted as it stands.
+// Messages about impossible tensors and moments suggest values, which must be accepted as printed.
 #include "scene/keys/tensor_text.h"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ const std::string kStart = "motion.omega_body = [0.1, 0.2, 1]\n";
 
 std::string problems(const std::string& body) { return messagesOf(kStart + body); }
 
-/// The value after these words of a message, to the end of its brackets.
+/// Returns the value after these words of a message, to the end of its brackets.
 std::string valueAfter(const std::string& message, const std::string& words, const std::string& closing) {
   const auto begin = message.find(words);
   if (begin == std::string::npos) return "no \"" + words + "\" in " + message;
@@ -36,7 +36,7 @@ Matrix3d tensorOf(const std::string& rows) {
   return parseScene(kStart + "body.inertia=" + rows, "test.toml").body.axes.inertia_B();
 }
 
-TEST(TensorLayout, OfSixNumbersIsNamedInBothOrders) {
+TEST(TensorLayout, SuggestsBothOrdersForSixNumbers) {
   const std::string message = problems("body.inertia=[2, 0.1, 0.2, 3, '0.3 kg m^2', 4]");
   EXPECT_EQ(message,
             "body.inertia: expected three rows [[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]] of moments of "
@@ -49,8 +49,8 @@ TEST(TensorLayout, OfSixNumbersIsNamedInBothOrders) {
   EXPECT_EQ(problems("body.inertia=" + valueAfter(message, "Gazebo) write ", "]]")), "");
 }
 
-// The same body in four layouts: what each message says to write is that body.
-TEST(TensorLayout, OfOtherShapesIsFilledIn) {
+// The same body is given in several layouts. Each message must suggest that body.
+TEST(TensorLayout, SuggestsTheTensorForOtherLayouts) {
   const Matrix3d expected = tensorOf("[[2, 0.1, 0.2], [0.1, 3, 0.3], [0.2, 0.3, 4]]");
   for (const char* given : {"[2, 0.1, 0.2, 0.1, 3, 0.3, 0.2, 0.3, 4]", "[[2, 0.1, 0.2], [3, 0.3], [4]]",
                             "[[2], [0.1, 3], [0.2, 0.3, 4]]", "[[2, 0.1, 0.2], [0, 3, 0.3], [0, 0, 4]]",
@@ -63,7 +63,7 @@ TEST(TensorLayout, OfOtherShapesIsFilledIn) {
                         "0, 4]], or principal_moments = [2, 3, 4]\n"));
 }
 
-TEST(TensorLayout, OfNothingKnownIsNotGuessed) {
+TEST(TensorLayout, SuggestsNothingForUnknownLayouts) {
   for (const char* given :
        {"[1, 2]", "[]", "3", "'a'", "[[1, 2], [3, 4]]", "[[1, 2, 3], [4, 5, 6], [7, 8, 9, 10]]",
         "[1, 2, 3, 4, 5, true]", "[[2, 1, 0], [1.5, 2, 0], [0, 0, 2]]"}) {
@@ -73,19 +73,19 @@ TEST(TensorLayout, OfNothingKnownIsNotGuessed) {
   }
 }
 
-TEST(TensorLayout, IsNamedForKeysOfOtherPrograms) {
+TEST(TensorLayout, SuggestsKeysForNamesOfOtherPrograms) {
   EXPECT_THAT(problems("body.ixx=2"), HasSubstr("body.ixx: unknown key; did you mean body.inertia?"));
   EXPECT_THAT(problems("body.fullinertia=[1, 1, 1, 0, 0, 0]"), HasSubstr("did you mean body.inertia?"));
   EXPECT_THAT(problems("body.diaginertia=[1, 1, 1]"), HasSubstr("did you mean body.principal_moments?"));
 }
 
-// (1, 2, 4) is short by 1, a third of which goes to each.
-TEST(ImpossibleMoments, AreNamedByTheLargest) {
+TEST(ImpossibleMoments, MessageNamesTheMomentThatIsTooLarge) {
   EXPECT_THAT(problems("body.principal_moments=[9, 1, 1]"), HasSubstr("I1 must not exceed I2 + I3"));
   EXPECT_THAT(problems("body.principal_moments=[1, 9, 1]"), HasSubstr("I2 must not exceed I1 + I3"));
   EXPECT_EQ(problems("body.principal_moments=[1, 3, 2]"), "");  // a lamina is a body
 }
 
+// Worked by hand: (1, 2, 4) violates the inequality by 1; each moment changes by a third of that.
 TEST(ImpossibleMoments, MessageGivesNearestMoments) {
   EXPECT_EQ(
       problems("body.principal_moments=[1, 2, 4]"),
@@ -98,7 +98,7 @@ TEST(ImpossibleMoments, MessageGivesNearestMoments) {
   EXPECT_EQ(problems("body.principal_moments=[-1, -2, -3]").find("nearest"), std::string::npos);
 }
 
-TEST(ImpossibleMoments, AreAcceptedAsThePasteSays) {
+TEST(ImpossibleMoments, SuggestedMomentsAreAccepted) {
   physics::Draw draw(81);
   int pasted = 0;
   for (int i = 0; i < 300; ++i) {
@@ -118,7 +118,7 @@ TEST(ImpossibleMoments, AreAcceptedAsThePasteSays) {
   EXPECT_GT(pasted, 100);
 }
 
-TEST(ImpossibleTensor, IsAcceptedAsThePasteSays) {
+TEST(ImpossibleTensor, SuggestedTensorIsAccepted) {
   physics::Draw draw(82);
   int pasted = 0;
   for (int i = 0; i < 300; ++i) {
@@ -139,14 +139,13 @@ TEST(ImpossibleTensor, IsAcceptedAsThePasteSays) {
   EXPECT_GT(pasted, 100);
 }
 
-// By hand: 2 on the diagonal and s off it give the moments 2 + 2 s, 2 - s and 2 - s: 3.8, 1.1, 1.1 and
+// Worked by hand: 2 on the diagonal and s off it give the moments 2 + 2 s, 2 - s and 2 - s: 3.8, 1.1, 1.1 and
 // 0.2, 2.9, 2.9.
-TEST(ImpossibleTensor, MessageNamesSignWhenFlippingHelps) {
-  EXPECT_THAT(
-      problems("body.inertia=[[2, 0.9, 0.9], [0.9, 2, 0.9], [0.9, 0.9, 2]]"),
-      EndsWith("; with the signs of its products of inertia turned it is possible (off the diagonal stands -(sum "
-               "of m x y))\n"));
-  EXPECT_EQ(problems("body.inertia=[[1, 0, 0], [0, 1, 0], [0, 0, 3]]").find("signs"), std::string::npos);
+TEST(ImpossibleTensor, MessageSuggestsAChangeOfSignIfThatHelps) {
+  EXPECT_THAT(problems("body.inertia=[[2, 0.9, 0.9], [0.9, 2, 0.9], [0.9, 0.9, 2]]"),
+              EndsWith("; the tensor is possible if its products of inertia change sign (an off-diagonal element "
+                       "is -(sum of m x y))\n"));
+  EXPECT_EQ(problems("body.inertia=[[1, 0, 0], [0, 1, 0], [0, 0, 3]]").find("change sign"), std::string::npos);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a timeline says, what it asks for, and what is refused with its place.
+// Timelines: their keys, the figures that they show, and errors with their places.
 #include "scene/timeline.h"
 
 #include <gmock/gmock.h>
@@ -31,7 +31,7 @@ std::vector<std::string> namesOf(const std::vector<int>& things) {
   return names;
 }
 
-TEST(Timeline, IsReadWhole) {
+TEST(Timeline, ReadsAllKeys) {
   const Scene scene = sceneWith(
       "[[timeline]]\nat = 4\nover = \"2 s\"\nshow = [\"ellipsoid\", \"plane\"]\nhide = [\"body\"]\nspeed = 0.2\n"
       "hold = 1.5\ncamera.azimuth = \"400 deg\"\ncamera.elevation = \"60 deg\"\ncamera.zoom = 1.5\n");
@@ -49,12 +49,12 @@ TEST(Timeline, IsReadWhole) {
   EXPECT_EQ(entry.turn_rad, 0);
 }
 
-TEST(Timeline, OfASceneWithoutOneIsEmpty) {
+TEST(Timeline, IsEmptyByDefault) {
   EXPECT_TRUE(sceneWith("").timeline.entries.empty());
   EXPECT_TRUE(sceneWith("").timeline.captions.empty());
 }
 
-TEST(Timeline, GoesByTimeNotByTheFile) {
+TEST(Timeline, IsSortedByTime) {
   const Scene scene = sceneWith("[[timeline]]\nat = 7\n[[timeline]]\nat = 2\n[[timeline]]\nat = 7\nover = 3\n",
                                 {"timeline[0].over=0.5"});
   ASSERT_EQ(scene.timeline.entries.size(), 3u);
@@ -64,7 +64,7 @@ TEST(Timeline, GoesByTimeNotByTheFile) {
   EXPECT_EQ(scene.timeline.entries[2].over_s, 3);
 }
 
-TEST(Timeline, AsksForWhatItShows) {
+TEST(Timeline, EnablesTheFiguresThatItShows) {
   const Scene scene = sceneWith("[[timeline]]\nat = 1\nshow = [\"cones\", \"theta\"]\n");
   EXPECT_TRUE(scene.views[0].show.figures.cones.visible);
   EXPECT_TRUE(scene.views[0].show.figures.theta.visible);
@@ -73,14 +73,14 @@ TEST(Timeline, AsksForWhatItShows) {
   EXPECT_FALSE(said.views[0].show.figures.cones.visible);
 }
 
-TEST(Timeline, HoldsForTheViewsThatShowTheThing) {
+TEST(Timeline, AppliesOnlyToViewsThatShowTheFigure) {
   const Scene scene =
       sceneWith("[[view]]\n[[view]]\nshow.cones = false\n[[timeline]]\nat = 1\nshow = [\"cones\"]\n");
   EXPECT_TRUE(scene.views[0].show.figures.cones.visible);
   EXPECT_FALSE(scene.views[1].show.figures.cones.visible);
 }
 
-TEST(Timeline, CaptionsStandUntilTheNext) {
+TEST(Timeline, KeepsCaptionsUntilTheNextOne) {
   const Scene scene = sceneWith(
       "[[timeline]]\nat = 1\ncaption = \"A\"\n[[timeline]]\nat = 3\ncaption = \"B\"\ncaption_for = 2\n"
       "[[timeline]]\nat = 7\ncaption = \"C\"\n[[timeline]]\nat = 8\ncaption = \"\"\n"
@@ -101,7 +101,7 @@ TEST(Timeline, RefusesATimeBeyondTheFilm) {
   EXPECT_EQ(messagesWith("[[timeline]]\nat = 10\n"), "");
 }
 
-TEST(Timeline, SaysNothingOfAnEndThatNobodyGave) {
+TEST(Timeline, SkipsTheCheckOfTimesIfTheDurationIsWrong) {
   for (const char* time : {"[Time]\nduration = 60\n", "[time]\ndurtion = 60\n", "[time]\nduration = \"60\"\n"}) {
     const std::string messages = messagesWith(std::string(time) + "[[timeline]]\nat = 30\nhold = 40\n");
     EXPECT_THAT(messages, HasSubstr("ime")) << time;
@@ -113,7 +113,7 @@ TEST(Timeline, RefusesAnEntryWithoutATime) {
   EXPECT_THAT(messagesWith("[[timeline]]\ncaption = \"A\"\n"), HasSubstr("timeline[0]: at is required"));
 }
 
-TEST(Timeline, SaysWhereAndSuggestsTheThing) {
+TEST(Timeline, SuggestsTheFigureForAMisspeltName) {
   try {
     sceneWith("[[timeline]]\nat = 1\nshow = [\"plane\", \"elipsoid\"]\n");
     FAIL() << "accepted";
@@ -127,26 +127,27 @@ TEST(Timeline, SaysWhereAndSuggestsTheThing) {
 
 TEST(Timeline, RefusesContradictions) {
   EXPECT_THAT(messagesWith("[[timeline]]\nat = 1\nshow = [\"plane\"]\nhide = [\"plane\"]\n"),
-              HasSubstr("timeline[0].hide: \"plane\" is shown by the same entry"));
-  EXPECT_THAT(messagesWith("[[timeline]]\nat = 1\ncaption_for = 3\n"), HasSubstr("there is no caption"));
+              HasSubstr("timeline[0].hide: \"plane\" is in both show and hide of this entry"));
+  EXPECT_THAT(messagesWith("[[timeline]]\nat = 1\ncaption_for = 3\n"),
+              HasSubstr("has no effect without a caption"));
   EXPECT_THAT(messagesWith("[[timeline]]\nat = 1\ncamera = {azimuth = 1, turn = 1}\n"),
-              HasSubstr("timeline[0].camera.turn: given beside camera.azimuth"));
+              HasSubstr("timeline[0].camera.turn: cannot be combined with camera.azimuth"));
 }
 
-TEST(Timeline, HasCaptionsCheckedAsType) {
+TEST(Timeline, ChecksCaptionsAsTex) {
   const auto check = [](std::string_view text) { return text == "wrong" ? std::string("no such command") : ""; };
   EXPECT_THROW(parseScene(kTop + "[[timeline]]\nat = 1\ncaption = \"wrong\"\n", "test.toml", {}, check),
                SceneErrors);
   EXPECT_NO_THROW(parseScene(kTop + "[[timeline]]\nat = 1\ncaption = \"right\"\n", "test.toml", {}, check));
 }
 
-TEST(Timeline, KnowsEveryDrawnThingByItsName) {
+TEST(Timeline, AcceptsTheNameOfEveryFigure) {
   EXPECT_THAT(timelineThings(),
               testing::IsSupersetOf({"body", "principal_axes", "L", "omega", "ellipsoid", "plane", "contact",
                                      "polhode", "herpolhode", "height", "cones", "trace", "labels", "title"}));
 }
 
-TEST(Camera, MayOrbit) {
+TEST(Camera, ReadsTheOrbitAngle) {
   EXPECT_DOUBLE_EQ(sceneWith("[camera]\norbit = \"-20 deg\"\n").camera.orbit_rad, -20 * kOneDegree);
 }
 

@@ -25,7 +25,7 @@ struct Case {
 
 // Expected values: the definitions of the units (SI brochure; inch, foot, pound, ounce of 1959), by hand.
 // Measured: exact in all but "12 ft", which is off by 2.2e-16, the last bit of a double.
-TEST(Units, AreReadIntoSi) {
+TEST(Units, ConvertToSi) {
   const Case cases[] = {
       {"3 rpm", Dimension::kAngularVelocity, kPi / 10},
       {"15 deg", Dimension::kAngle, kPi / 12},
@@ -85,7 +85,7 @@ TEST(Units, AreReadIntoSi) {
 // lbf = 4.4482216152605 N, slug ft² = lbf s² ft = 4.4482216152605 · 0.3048 kg m² = 1.3558179483314004 kg m²,
 // lbf in s² = 4.4482216152605 · 0.0254 kg m²; u of CODATA 2022; mile 1609.344 m, nautical mile 1852 m.
 // Measured: at most 2.3e-16, the last bit of a double.
-TEST(Units, OfTheTradeAreRead) {
+TEST(Units, ConvertFromEngineeringUnitsAndNotations) {
   constexpr Dimension kMoment = Dimension::kMomentOfInertia, kSpin = Dimension::kAngularVelocity,
                       kTorque = Dimension::kTorque;
   const Case cases[] = {
@@ -160,8 +160,8 @@ TEST(Units, OfTheTradeAreRead) {
   }
 }
 
-// A name that two rows spell alike would have the value of the first one in silence.
-TEST(Units, HaveOneValueForEachName) {
+// If two rows of the table had the same name, the first one's value would be used silently.
+TEST(Units, HaveUniqueNames) {
   std::map<std::string, double> values;
   for (const NamedUnit& known : namedUnits()) {
     EXPECT_TRUE(values.emplace(known.name, known.unit.factor).second) << known.name;
@@ -171,7 +171,7 @@ TEST(Units, HaveOneValueForEachName) {
 }
 
 // A prefix must not cost a digit: kilogram is 1e3 · 1e-3 kg.
-TEST(Units, WithPrefixesAreTheNearestDoubles) {
+TEST(Units, PrefixedUnitsAreTheNearestDoubles) {
   const std::pair<const char*, double> units[] = {{"km", 1e3},  {"cm", 1e-2}, {"mm", 1e-3},  {"um", 1e-6},
                                                   {"nm", 1e-9}, {"kg", 1},    {"mg", 1e-6},  {"ug", 1e-9},
                                                   {"Mg", 1e3},  {"ms", 1e-3}, {"us", 1e-6},  {"mN", 1e-3},
@@ -179,7 +179,7 @@ TEST(Units, WithPrefixesAreTheNearestDoubles) {
   for (const auto& [name, value] : units) EXPECT_EQ(unitNamed(name)->factor, value) << name;
 }
 
-TEST(Units, AreSuggestedOnlyWhereNoPrefixChanges) {
+TEST(Units, SuggestionsNeverChangeThePrefix) {
   const auto suggestion = [](const char* text, Dimension dimension) {
     const std::string problem = parseQuantity(text, dimension).problem;
     const auto at = problem.find("did you mean ");
@@ -203,7 +203,7 @@ TEST(Units, AreSuggestedOnlyWhereNoPrefixChanges) {
     EXPECT_EQ(suggestion(text, dimension), "") << text;
 }
 
-TEST(Units, OfMassAreSuggestedAsForces) {
+TEST(Units, MassUnitsInTorquesSuggestForceUnits) {
   EXPECT_THAT(parseQuantity("3 lb ft", Dimension::kTorque).problem,
               testing::EndsWith("got \"3 lb ft\"; did you mean \"lbf ft\"?"));
   EXPECT_THAT(parseQuantity("3 lb-in-s^2", Dimension::kMomentOfInertia).problem,
@@ -212,13 +212,13 @@ TEST(Units, OfMassAreSuggestedAsForces) {
   EXPECT_EQ(parseQuantity("3 lb ft", Dimension::kMomentOfInertia).problem.find("did you mean"), std::string::npos);
 }
 
-TEST(Units, WithDanglingSignsAreRefused) {
+TEST(Units, RejectDanglingSigns) {
   for (const char* text : {"3 kg-", "3 kg-m^2-", "3 -kg m^2", "3 kg--m^2", "3 kg..m^2", "3 kg*m***2", "3 kg m**",
                            "3 kg m⁻", "3 kg m^2 -1", "3 kg m-2", "3 kg m^-2"})
     EXPECT_FALSE(parseQuantity(text, Dimension::kMomentOfInertia).ok()) << text;
 }
 
-TEST(Units, AreTakenApart) {
+TEST(Units, AreSplitIntoTerms) {
   const auto terms = unitTerms("kg-m**2/s");
   ASSERT_EQ(terms.size(), 3u);
   EXPECT_EQ(terms[1].name, "m");
@@ -228,7 +228,7 @@ TEST(Units, AreTakenApart) {
   EXPECT_TRUE(unitTerms("furlong").empty());
 }
 
-TEST(Units, OfTheWrongDimensionAreRefusedWithTheRightOnes) {
+TEST(Units, ErrorsListUnitsOfTheRightDimension) {
   EXPECT_EQ(parseQuantity("3 kg", Dimension::kTime).problem,
             "expected a time in one of s, ms, us, min, h, d, yr (poinsot explain units lists all), got \"3 kg\"");
   EXPECT_EQ(parseQuantity("3 deg", Dimension::kAngularVelocity).problem,
@@ -236,12 +236,12 @@ TEST(Units, OfTheWrongDimensionAreRefusedWithTheRightOnes) {
             "(poinsot explain units lists all), got \"3 deg\"");
   EXPECT_FALSE(parseQuantity("3 m^2", Dimension::kLength).ok());
   EXPECT_FALSE(parseQuantity("3 rad", Dimension::kNone).ok());
-  EXPECT_FALSE(parseQuantity("3 Hz", Dimension::kRate).ok());  // turns, not a decay
+  EXPECT_FALSE(parseQuantity("3 Hz", Dimension::kRate).ok());  // Hz counts turns, not decay
   EXPECT_FALSE(parseQuantity("3 /", Dimension::kRate).ok());
   EXPECT_FALSE(parseQuantity("3 1", Dimension::kRate).ok());
 }
 
-TEST(Units, ThatAreNoneAreNamed) {
+TEST(Units, ErrorsNameTheUnknownUnit) {
   EXPECT_EQ(parseQuantity("3 parsecs", Dimension::kLength).problem,
             "\"parsecs\" is not a known unit; expected a length in one of m, km, cm, mm, um, in, ft, Å "
             "(poinsot explain units lists all)");
@@ -253,7 +253,7 @@ TEST(Units, ThatAreNoneAreNamed) {
     EXPECT_FALSE(parseQuantity(text, Dimension::kLength).ok()) << text;
 }
 
-TEST(Units, WrittenByAnotherHabitAreToldTheOneHere) {
+TEST(Units, RejectDecimalCommasAndAcceptPlainExponents) {
   EXPECT_EQ(parseQuantity("1,5 s", Dimension::kTime).problem,
             "numbers have a decimal point, not a comma, got \"1,5 s\"");
   EXPECT_EQ(parseQuantity("1 kg m2", Dimension::kMomentOfInertia).value, 1);
@@ -264,19 +264,19 @@ TEST(Units, WrittenByAnotherHabitAreToldTheOneHere) {
     EXPECT_FALSE(parseQuantity(wrong, Dimension::kLength).ok()) << wrong;
 }
 
-TEST(Units, OfARangeMustExist) {
+TEST(Units, ThrowALogicErrorForAnUnknownFactor) {
   EXPECT_EQ(unitFactor("", Dimension::kTime), 1);
   EXPECT_EQ(unitFactor("h", Dimension::kTime), 3600);
   EXPECT_THROW(unitFactor("h", Dimension::kLength), std::logic_error);
   EXPECT_THROW(unitFactor("parsec", Dimension::kLength), std::logic_error);
 }
 
-TEST(Units, CannotCarryControlCharactersIntoAMessage) {
+TEST(Units, MessagesContainNoControlCharacters) {
   EXPECT_EQ(parseQuantity("\x1b[31m", Dimension::kLength).problem.find('\x1b'), std::string::npos);
   EXPECT_EQ(parseQuantity("3 \xc2\x9b", Dimension::kLength).problem.find('\xc2'), std::string::npos);
 }
 
-// A German decimal comma would make 1.5 into 1. Where the locale is not installed, the C locale is tested again.
+// A German decimal comma would turn 1.5 into 1. If the locale is not installed, the C locale is tested again.
 TEST(Units, DoNotDependOnTheLocale) {
   std::setlocale(LC_ALL, "de_DE.UTF-8");
   const Quantity read = parseQuantity("1.5 m", Dimension::kLength);

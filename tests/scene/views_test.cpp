@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Panels of a picture: what a view takes from the scene, where it stands, what is refused.
+// Panels of a picture: what a view inherits from the scene, its place, and errors.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -21,7 +21,7 @@ Scene sceneWith(const std::string& extra, const std::vector<std::string>& overri
 
 std::string messagesWith(const std::string& extra) { return messagesOf(kTop + extra, {}); }
 
-TEST(Views, OfASceneWithoutAnyThereIsOne) {
+TEST(Views, DefaultToASingleView) {
   const Scene scene = sceneWith("[camera]\nzoom = 2\n[show]\nL = false\n");
   ASSERT_EQ(scene.views.size(), 1u);
   EXPECT_EQ(scene.views[0].camera.zoom, 2);
@@ -29,7 +29,7 @@ TEST(Views, OfASceneWithoutAnyThereIsOne) {
   EXPECT_EQ(scene.views[0].title, "");
 }
 
-TEST(Views, StartFromTheScenesCameraAndShow) {
+TEST(Views, InheritCameraAndShowOfTheScene) {
   const Scene scene = sceneWith(
       "[camera]\nzoom = 2\n[show]\nplane.opacity = 0.5\nheight = false\n[[view]]\n[[view]]\ntitle = \"B\"\n"
       "subtitle = \"b\"\ncamera = {zoom = 3, frame = \"body\"}\nshow.plane.grid = false\nshow.height = true\n");
@@ -52,7 +52,7 @@ TEST(Views, MayBeOverridden) {
   EXPECT_EQ(sceneWith("", {"camera.frames=[\"body\", \"space\"]"}).views.size(), 2u);
 }
 
-TEST(Views, StandWhereTheySayElseRightOfTheOneBefore) {
+TEST(Views, ArePlacedAtTheirCellOrRightOfTheLastView) {
   const Scene scene = sceneWith("[[view]]\nspan = [2, 1]\n[[view]]\n[[view]]\nat = [0, 1]\n[[view]]\n");
   const std::vector<std::array<int, 4>> expected = {{0, 0, 2, 1}, {2, 0, 1, 1}, {0, 1, 1, 1}, {1, 1, 1, 1}};
   ASSERT_EQ(scene.views.size(), expected.size());
@@ -62,7 +62,7 @@ TEST(Views, StandWhereTheySayElseRightOfTheOneBefore) {
   }
 }
 
-TEST(Views, OfFramesStandSideBySideWithHeadings) {
+TEST(Views, CameraFramesGiveViewsSideBySide) {
   const Scene scene = sceneWith("[camera]\nframes = [\"space\", \"body\", \"precession\"]\nzoom = 1.5\n");
   ASSERT_EQ(scene.views.size(), 3u);
   const char* titles[] = {"In space", "In the body", "With the precession"};
@@ -75,7 +75,7 @@ TEST(Views, OfFramesStandSideBySideWithHeadings) {
   EXPECT_EQ(sceneWith("[camera]\nframes = [\"body\"]\n").views[0].title, "");
 }
 
-TEST(Views, APresetSetsWhatIsNotGiven) {
+TEST(Views, TakeMissingKeysFromAPreset) {
   const Scene scene = sceneWith(
       "[camera]\npreset = \"front\"\nelevation = \"10 deg\"\n[[view]]\n[[view]]\ncamera.preset = "
       "\"top\"\n[[view]]\n"
@@ -86,8 +86,7 @@ TEST(Views, APresetSetsWhatIsNotGiven) {
   EXPECT_DOUBLE_EQ(scene.views[2].camera.azimuth_rad, 5 * kDegree);
 }
 
-// L is turned down where any view shows the plane: there is one motion.
-TEST(Views, StandBesideTheWayOfAThrownBody) {
+TEST(Views, LookAcrossThePathOfAThrownBody) {
   const auto azimuth_deg = [](const std::string& velocity, const std::vector<std::string>& more = {}) {
     std::vector<std::string> overrides = more;
     overrides.push_back("motion.flight.velocity=" + velocity);
@@ -97,38 +96,39 @@ TEST(Views, StandBesideTheWayOfAThrownBody) {
   EXPECT_NEAR(azimuth_deg("[0, 2, 3]"), 20, 1e-12);
   EXPECT_NEAR(azimuth_deg("[-2, 0, 3]"), 110, 1e-12);
   EXPECT_NEAR(azimuth_deg("[-1, -1, 3]"), -205, 1e-12);
-  EXPECT_NEAR(azimuth_deg("[0, 0, 3]"), 22, 1e-12);  // straight up: as any body
+  EXPECT_NEAR(azimuth_deg("[0, 0, 3]"), 22, 1e-12);  // straight up: the default azimuth
   EXPECT_NEAR(azimuth_deg("[2, 0, 3]", {"camera.azimuth=5 deg"}), 5, 1e-12);
   EXPECT_NEAR(azimuth_deg("[2, 0, 3]", {"camera.preset=side"}), 0, 1e-12);
 }
 
-TEST(Views, ShowWhatTheMotionHas) {
+TEST(Views, ShowTheConstructionOnlyIfLIsConstant) {
   const Scene scene = sceneWith("[[view]]\nshow.plane = false\n[[view]]\n[motion.drag]\nrate = 0.1\n");
   for (const View& view : scene.views) EXPECT_FALSE(view.show.plane.visible || view.show.ellipsoid.visible);
   EXPECT_THAT(messagesWith("[[view]]\n[[view]]\nshow.plane = true\n[motion.drag]\nrate = 0.1\n"),
               HasSubstr("view[1].show.plane.visible: under gravity, torque or drag L is not constant"));
 }
 
-TEST(Views, RefuseToCoverOneAnother) {
+TEST(Views, RejectOverlappingPanels) {
   EXPECT_EQ(messagesWith("[[view]]\n[[view]]\nat = [0, 0]\n"),
-            "view[1].at: the panel at [0, 0] would cover view[0]\n");
+            "view[1].at: the panel at [0, 0] would overlap view[0]; give another at\n");
   EXPECT_EQ(messagesWith("[[view]]\nspan = [2, 2]\n[[view]]\nat = [1, 1]\n"),
-            "view[1].at: the panel at [1, 1] would cover view[0]\n");
-  EXPECT_THAT(messagesWith("[[view]]\nspan = [8, 1]\n[[view]]\n"),
-              HasSubstr("view[1].at: the panel at [8, 0] would leave the grid, which has at most 8 columns"));
+            "view[1].at: the panel at [1, 1] would overlap view[0]; give another at\n");
+  EXPECT_THAT(
+      messagesWith("[[view]]\nspan = [8, 1]\n[[view]]\n"),
+      HasSubstr("view[1].at: the panel at [8, 0] would extend beyond the grid, which has at most 8 columns"));
 }
 
-TEST(Views, RefuseFramesBesideThem) {
+TEST(Views, RejectCameraFramesTogetherWithViews) {
   EXPECT_THAT(messagesWith("[camera]\nframes = [\"space\", \"body\"]\n[[view]]\n"),
               HasSubstr("camera.frames: each [[view]] has a camera.frame of its own"));
   EXPECT_THAT(messagesWith("[camera]\nframes = [\"space\", \"body\"]\nframe = \"body\"\n"),
-              HasSubstr("camera.frame: given beside camera.frames"));
+              HasSubstr("camera.frame: cannot be combined with camera.frames"));
   EXPECT_THAT(messagesWith("[camera]\nframes = [\"space\", \"space\"]\n"),
               HasSubstr("camera.frames: each word may be given once, got \"space\" again"));
   EXPECT_THAT(messagesWith("[[view]]\nshow.title = \"A\"\n"), HasSubstr("view[0].show.title: unknown key"));
 }
 
-TEST(Views, PrecessWithASymmetricFreeBodyOnly) {
+TEST(Views, PrecessionFrameNeedsAFreeSymmetricBody) {
   const std::string frame = "[camera]\nframe = \"precession\"\n";
   EXPECT_EQ(messagesWith(frame), "");
   EXPECT_THAT(messagesWith(frame + "[motion.drag]\nrate = 0.1\n"),
@@ -144,7 +144,7 @@ TEST(Views, PrecessWithASymmetricFreeBodyOnly) {
               HasSubstr("camera.frames: \"precession\" does not exist"));
 }
 
-TEST(Views, HaveTheirHeadingsChecked) {
+TEST(Views, CheckHeadingsAsTex) {
   const TextCheck check = [](std::string_view text) { return std::string(text == "bad" ? "no TeX" : ""); };
   EXPECT_THROW(parseScene(kTop + "[[view]]\nsubtitle = \"bad\"\n", "test.toml", {}, check), core::Error);
 }

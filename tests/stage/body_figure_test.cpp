@@ -14,8 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The uniform box with edges 3, 2, 1: moments m/12 (y² + z², ...) = m/12 (5, 10, 13).
-TEST(EquivalentBox, GivesTheBoxBack) {
+// The uniform box with edges 3, 2, 1 has moments m/12 (y² + z², ...) = m/12 (5, 10, 13).
+TEST(EquivalentBox, RecoversTheBoxFromItsMoments) {
   const Vector3d half = equivalentBox(physics::PrincipalMoments({5, 10, 13}));
   EXPECT_NEAR(half.y() / half.x(), 2.0 / 3, 1e-14);
   EXPECT_NEAR(half.z() / half.x(), 1.0 / 3, 1e-14);
@@ -26,24 +26,25 @@ TEST(EquivalentBox, KeepsALaminaVisible) {
   EXPECT_GT(half.minCoeff(), 0.05 * half.maxCoeff());
 }
 
-TEST(BodyFigure, FitsInsideTheEllipsoidItIsScaledTo) {
+TEST(BodyFigure, TouchesTheEllipsoidWithItsCornersFirst) {
   const BodyFigure figure(sample());
   const Vector3d semiAxes(1, 0.8, 0.6);
-  // A box touches first with its corner.
+  // The corner of a box touches first.
   EXPECT_DOUBLE_EQ(figure.reachIn(semiAxes), figure.reachAlongAxes().cwiseQuotient(semiAxes).norm());
   EXPECT_DOUBLE_EQ(figure.radius(), figure.reachAlongAxes().norm());
 }
 
-// Moments of a uniform cone about its apex, radius 0.45, height 1.7, per unit mass: table 3.1 of the project's
-// physics notes with eq 14, 0.13875 + (3h/4)², and 0.06075 about its axis.
-TEST(EquivalentCone, GivesTheConeBack) {
+// Moments of a uniform cone about its apex, radius 0.45, height 1.7, per unit mass. By table 3.1 and eq 14 of the
+// project's physics notes, they are 0.13875 + (3h/4)², and 0.06075 about the cone's axis.
+TEST(EquivalentCone, RecoversTheConeFromItsMoments) {
   const Vector3d lengths = equivalentCone(physics::PrincipalMoments({1.764375, 1.764375, 0.06075}), 2);
   EXPECT_NEAR(lengths.x() / lengths.z(), 0.45 / 1.7, 1e-14);
   EXPECT_NEAR(lengths.y() / lengths.z(), 0.45 / 1.7, 1e-14);
 }
 
-// An elliptic cone, base a, b across z, height h: I_x = 3/20 m b² + 3/5 m h² and so on, here along axis y.
-TEST(EquivalentCone, MayBeEllipticAndAboutAnyAxis) {
+// An elliptic cone of base a, b across z and height h has I_x = 3/20 m b² + 3/5 m h² and so on; its axis here is
+// y.
+TEST(EquivalentCone, RecoversAnEllipticConeAboutAnyAxis) {
   const double a = 0.7, b = 0.4, h = 1.1;  // a along z, b along x
   const Vector3d second(0.15 * b * b, 0.6 * h * h, 0.15 * a * a);
   const Vector3d moments = Vector3d::Constant(second.sum()) - second;
@@ -52,9 +53,9 @@ TEST(EquivalentCone, MayBeEllipticAndAboutAnyAxis) {
   EXPECT_NEAR(lengths.z() / lengths.y(), a / h, 1e-14);
 }
 
-// What is drawn for a bare tensor, turned against the axes it is given in, has a tensor in the same proportions:
-// of a box with half edges h_i along u_i it is m/3 Σ h_i² (1 - u_i u_iᵀ).
-TEST(BodyFigure, OfABareTensorIsTheBoxTurnedToItsAxes) {
+// The body drawn for a bare tensor, whose principal axes are turned, has a tensor in the same proportions. A box
+// with half edges h_i along u_i has the tensor m/3 Σ h_i² (1 - u_i u_iᵀ).
+TEST(BodyFigure, DrawsATensorWithoutShapeAsABoxAlongItsAxes) {
   const Eigen::Matrix3d R = Eigen::Quaterniond(0.5, 0.3, -0.7, 0.4).normalized().toRotationMatrix();
   const Eigen::Matrix3d inertia_B = R * Vector3d(2, 3, 4).asDiagonal() * R.transpose();
   scene::Scene scene = sample();
@@ -72,7 +73,7 @@ TEST(BodyFigure, OfABareTensorIsTheBoxTurnedToItsAxes) {
   EXPECT_LT(difference.norm(), 1e-6);  // measured 3e-8: floats
 }
 
-/// The farthest points of the body of a scene in 26 directions.
+/// Returns the farthest points of a scene's body in 26 directions.
 std::vector<Vector3d> farthestPoints(const std::string& body) {
   const BodyFigure figure(scene::parseScene(body + "[motion]\nomega_body = [0, 1, 2]\n", "test.toml"));
   std::vector<Vector3d> points;
@@ -80,9 +81,9 @@ std::vector<Vector3d> farthestPoints(const std::string& body) {
   return points;
 }
 
-// A mass and moments are drawn as the box that has them, at its size and in its place: that box, given as a shape,
-// is drawn so. Edges 3, 2, 1 m and 12 kg: moments (5, 10, 13) kg m².
-TEST(BodyFigure, OfAMassWithMomentsIsTheirBoxAtTheCentreOfMass) {
+// A mass with moments is drawn as the box that has them, at its size and place. The same box, given as a shape,
+// must look the same. Edges of 3, 2, 1 m and 12 kg give moments (5, 10, 13) kg m².
+TEST(BodyFigure, DrawsAMassWithMomentsAsABoxAtTheCentreOfMass) {
   const std::string box = "[body]\nmass = 12\nshape = 'box'\nsize = [3, 2, 1]\n", moments = "[body]\nmass = 12\n";
   const std::string own = "principal_moments = [5, 10, 13]\n", pivot = "pivot = [0.25, 0, -2]\n";
   const std::string tensor = "inertia = [[5, 0, 0], [0, 10, 0], [0, 0, 13]]\n";
@@ -96,8 +97,8 @@ TEST(BodyFigure, OfAMassWithMomentsIsTheirBoxAtTheCentreOfMass) {
   EXPECT_EQ(farthestPoints(shifted), farthestPoints(moments + own + pivot));
 }
 
-// All of the mass in one point, 2 m from the pivot: a small box there, and not one of no size.
-TEST(BodyFigure, OfAMassInOnePointCanBeSeen) {
+// All of the mass is in one point, 2 m from the pivot. A small box is drawn there, not a box of no size.
+TEST(BodyFigure, DrawsAMassInOnePointAsAVisibleBox) {
   const std::vector<Vector3d> points = farthestPoints(
       "[body]\nmass = 1\nprincipal_moments = [4, 4, 1e-12]\npivot = [0, 0, -2]\nmoments_about = 'pivot'\n");
   Eigen::AlignedBox3d box;
@@ -107,8 +108,7 @@ TEST(BodyFigure, OfAMassInOnePointCanBeSeen) {
   EXPECT_NEAR(box.sizes().maxCoeff(), 0.28, 2e-15);             // measured 2.2e-16
 }
 
-// A box turned in the body: the farthest corner under the map is the reach.
-TEST(BodyFigure, ReachesAsFarAsItsFarthestCorner) {
+TEST(BodyFigure, HasTheReachOfItsFarthestCorner) {
   const Eigen::Quaterniond q = Eigen::Quaterniond(0.8, 0.1, -0.5, 0.3).normalized();
   scene::Scene scene = sample();
   scene.body.parts = {scene::Part{physics::Solid(physics::Box{{0.6, 0.4, 1.2}}), 1, q, {0.3, -0.2, 0.1}}};
@@ -121,9 +121,9 @@ TEST(BodyFigure, ReachesAsFarAsItsFarthestCorner) {
   EXPECT_NEAR(BodyFigure(scene).reachIn(semiAxes), farthest, 1e-14);
 }
 
-// Five masses (the test system of the project's physics notes, centre of mass given there): balls of one density
-// at their places about the centre of mass, each on a rod from it.
-TEST(BodyFigure, OfPointMassesIsBallsOnRods) {
+// The five masses and their centre of mass are those of the project's physics notes. They are drawn as balls of
+// one density, each on a rod from the centre of mass.
+TEST(BodyFigure, DrawsPointMassesAsBallsOnRods) {
   const double masses[] = {1.5, 0.75, 2.25, 1.125, 0.375};
   const Vector3d places[] = {
       {0.5, -1.25, 0.75}, {-1, 0.25, 1.5}, {0.125, 0.875, -0.625}, {1.75, 0.5, -0.25}, {-0.5, -0.75, -1.125}};
@@ -136,7 +136,7 @@ TEST(BodyFigure, OfPointMassesIsBallsOnRods) {
   scene.body.mass = physics::combined(points);
   draw::DrawList list;
   BodyFigure(scene).add(list, {Eigen::Matrix3d::Identity(), 1}, palette(scene::Theme::kLight), 2);
-  ASSERT_EQ(list.ellipsoids.size(), 6u);  // and the joint in the middle
+  ASSERT_EQ(list.ellipsoids.size(), 6u);  // the sixth is the joint in the middle
   ASSERT_EQ(list.frustums.size(), 5u);
   const Vector3d centre(0.34375, 0.09375, 0.0234375);
   for (std::size_t i = 0; i < 5; ++i) {
@@ -149,8 +149,7 @@ TEST(BodyFigure, OfPointMassesIsBallsOnRods) {
   }
 }
 
-// A body on a pivot stands with the pivot at the origin.
-TEST(BodyFigure, StandsWithItsPivotAtTheOrigin) {
+TEST(BodyFigure, HasItsPivotAtTheOrigin) {
   scene::Scene scene = sample();
   scene.body.parts = {scene::Part{physics::Solid(physics::Rod{2}), 1}};
   scene.body.mass = physics::massProperties(physics::Rod{2}, 1);
@@ -160,7 +159,7 @@ TEST(BodyFigure, StandsWithItsPivotAtTheOrigin) {
   EXPECT_NEAR(figure.supportPoint({-1, 0, 0}).x(), 0, 1e-14);
 }
 
-TEST(BodyFigure, DrawsTheShapeAskedFor) {
+TEST(BodyFigure, DrawsTheRequestedShape) {
   const auto shapes = [](const std::string& shape) {
     draw::DrawList list;
     BodyFigure(sample("[show.body]\nshape = \"" + shape + "\"\n"))

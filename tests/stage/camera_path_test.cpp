@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a moving camera stands, and that what it sees stays in the frame at one scale.
+// Moving cameras: where they stand, and that their subject stays in the frame at one scale.
 #include "stage/camera_path.h"
 
 #include <gtest/gtest.h>
@@ -21,14 +21,14 @@ const std::string kMoves =
     "[camera]\nazimuth = \"20 deg\"\nelevation = \"10 deg\"\n[[timeline]]\nat = 2\nover = 4\n"
     "camera.azimuth = \"380 deg\"\n[[timeline]]\nat = 3\nover = 2\ncamera.elevation = \"60 deg\"\n"
     "[[timeline]]\nat = 7\ncamera.turn = \"-90 deg\"\n";
-const std::string kZoom = "camera.zoom = 2\n";  // of the last move
+const std::string kZoom = "camera.zoom = 2\n";  // added to the last move
 
 CameraPath pathOf(const std::string& text) {
   const scene::Scene scene = sample(text);
   return {scene.camera, scene.timeline, scene.time.duration_s};
 }
 
-TEST(CameraPath, StandsWhereNothingMovesIt) {
+TEST(CameraPath, StaysStillIfTheTimelineOnlyZooms) {
   const CameraPath path = pathOf("[[timeline]]\nat = 2\nspeed = 0.1\ncamera.zoom = 2\n");
   EXPECT_TRUE(path.still());
   EXPECT_EQ(path.directions().size(), 1u);
@@ -43,7 +43,7 @@ TEST(CameraPath, OrbitsSteadily) {
     EXPECT_NEAR(path.at(t).azimuth_rad - path.at(0).azimuth_rad, 36 * t * kDegree, 1e-15);
 }
 
-TEST(CameraPath, GoesTheWayTheNumberSays) {
+TEST(CameraPath, TurnsByTheGivenAngleEvenBeyondAFullTurn) {
   const CameraPath path = pathOf(kMoves + kZoom);
   EXPECT_DOUBLE_EQ(path.at(2).azimuth_rad, 20 * kDegree);
   EXPECT_DOUBLE_EQ(path.at(4).azimuth_rad, 200 * kDegree);  // half of once round
@@ -57,11 +57,11 @@ double distanceAt(const Stage& stage, double t) {
   return draw::depthOf(onlyList(stage, t, kSize).camera, glm::vec3(0));  // the target is as deep as the centre
 }
 
-TEST(MovingCamera, NeverBreathes) {
+TEST(MovingCamera, KeepsItsDistanceWhileItMoves) {
   for (const std::string& text : {kOrbit, kMoves}) {
     const Stage stage(sample(text));
     const double first = distanceAt(stage, 0);
-    // In float; measured: 2.3e-7 of the distance.
+    // Positions are floats; measured 2.3e-7 of the distance.
     for (double t = 0; t <= 10; t += 0.25) EXPECT_NEAR(distanceAt(stage, t), first, 1e-6 * first) << t;
   }
 }
@@ -74,14 +74,14 @@ TEST(MovingCamera, ZoomsByTheFactor) {
   EXPECT_NEAR(unit_px(8) / unit_px(0), 2, 1e-5);
 }
 
-TEST(MovingCamera, IsAsFarAsItsWorstDirectionNeeds) {
+TEST(MovingCamera, IsFarEnoughForEveryDirection) {
   const Stage moving(sample(kOrbit));
   double farthest = 0;
   for (int i = 0; i < 72; ++i) {
     const Stage still(sample("[camera]\nazimuth = \"" + std::to_string(5 * i - 180) + " deg\"\n"));
     farthest = std::max(farthest, distanceAt(still, 0));
   }
-  // The path's directions are other ones than these: measured 5.4e-5 of the distance.
+  // The path samples other directions than these: measured 5.4e-5 of the distance.
   EXPECT_NEAR(distanceAt(moving, 3), farthest, 2e-4 * farthest);
 }
 
@@ -107,7 +107,7 @@ TEST(MovingCamera, MovesWithoutJumps) {
     farthest = std::max(farthest, static_cast<double>(glm::distance(now, before)));
     before = now;
   }
-  // Fastest in the middle of a turn: 15/8 of once round in 4 s; and less than that of the zoom and the tilt.
+  // A turn is fastest in its middle, 15/8 of once round in 4 s. Zoom and tilt add less than that.
   EXPECT_LT(farthest, 2 * 15.0 / 8 * 2 * std::numbers::pi / 4 * h * distanceAt(stage, 0));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Captions: where they stand, when, in how many lines, and that nothing else moves for them.
+// Captions: their place, time and number of lines, and that nothing else moves for them.
 #include <gmock/gmock.h>
 
 #include "scene_samples.h"
@@ -24,7 +24,7 @@ std::vector<draw::Text> textsAt(const std::string& timeline, double t) {
 
 double width_px(const draw::Text& text) { return text.size_px * text::setTex(text.tex).width_em; }
 
-TEST(Captions, StandCentredNearTheBottom) {
+TEST(Captions, AreCentredNearTheBottom) {
   const auto texts = textsAt(caption(1, "Rolling"), 5);
   ASSERT_EQ(texts.size(), 1u);
   EXPECT_EQ(texts[0].tex, "Rolling");
@@ -43,7 +43,7 @@ TEST(Captions, AreBrokenIntoTwoLinesOutsideFormulas) {
   EXPECT_EQ(formula.size(), 1u);
 }
 
-TEST(Captions, AreSetSmallerWhereTwoLinesDoNotHoldThem) {
+TEST(Captions, AreSetSmallerIfTwoLinesAreTooShort) {
   std::string longest;
   while (longest.size() < 190) longest += "wide words ";
   const auto texts = textsAt(caption(1, longest), 5);
@@ -51,7 +51,7 @@ TEST(Captions, AreSetSmallerWhereTwoLinesDoNotHoldThem) {
   for (const draw::Text& text : texts) EXPECT_LE(width_px(text), 0.881 * kSize.x);
 }
 
-TEST(Captions, ComeAndGoSoftly) {
+TEST(Captions, FadeInAndOut) {
   const std::string timeline = caption(2, "A") + caption(6, "B");
   EXPECT_TRUE(textsAt(timeline, 1.9).empty());
   const auto opacityAt = [&](double t) { return textsAt(timeline, t).at(0).opacity; };
@@ -61,10 +61,10 @@ TEST(Captions, ComeAndGoSoftly) {
   EXPECT_EQ(textsAt(timeline, 5.99).at(0).tex, "A");
   EXPECT_TRUE(textsAt(timeline, 6).empty());
   EXPECT_EQ(textsAt(timeline, 6.3).at(0).tex, "B");
-  EXPECT_EQ(opacityAt(10), 1);  // the last one stands to the end
+  EXPECT_EQ(opacityAt(10), 1);  // the last caption stays to the end
 }
 
-TEST(Captions, OfAStillAreThereOrNot) {
+TEST(Captions, AreOpaqueOrAbsentInAStill) {
   const std::string timeline = caption(2, "A") + caption(6, "B");
   const auto still = [&](double t) { return Stage(sample(timeline)).compose(Moment(t, true), kSize).texts; };
   EXPECT_TRUE(still(1.99).empty());
@@ -75,7 +75,7 @@ TEST(Captions, OfAStillAreThereOrNot) {
   }
 }
 
-TEST(Captions, MoveNothingElse) {
+TEST(Captions, DoNotMoveTheViews) {
   const Stage stage(sample(caption(2, "A") + caption(6, kLong, "caption_for = 2\n")));
   const draw::Panel first = stage.compose(0, kSize).panels.at(0);
   for (const double t : {0.0, 3.0, 7.0, 9.0}) {
@@ -85,14 +85,14 @@ TEST(Captions, MoveNothingElse) {
   }
 }
 
-TEST(Captions, HaveTheirStripToThemselves) {
+TEST(Captions, HaveAStripBelowTheViews) {
   const draw::Picture picture = Stage(sample(caption(1, kLong))).compose(5, kSize);
   const float panelEnd = picture.panels.at(0).list.camera.size_px.y;
   EXPECT_LT(panelEnd, kSize.y);
   for (const draw::Text& text : picture.texts) EXPECT_GT(text.baseline_px.y - 0.7f * text.size_px, panelEnd);
 }
 
-TEST(Captions, TakeNoRoomWhereThereAreNone) {
+TEST(Captions, TakeNoRoomInAFilmWithoutCaptions) {
   EXPECT_EQ(
       Stage(sample("[[timeline]]\nat = 1\nspeed = 0.5\n")).compose(5, kSize).panels.at(0).list.camera.size_px,
       glm::vec2(kSize));

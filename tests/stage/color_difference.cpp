@@ -14,7 +14,7 @@ constexpr Matrix kDeuteranopia = {
     {{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}};
 constexpr Matrix kProtanopia = {
     {{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}};
-// IEC 61966-2-1; white is the sum of the columns.
+// Matrix of IEC 61966-2-1; white is the sum of the columns.
 constexpr Matrix kXyzFromRgb = {{{0.4124, 0.3576, 0.1805}, {0.2126, 0.7152, 0.0722}, {0.0193, 0.1192, 0.9505}}};
 
 double row(const Lab& row, const draw::Color& c) { return row[0] * c.r + row[1] * c.g + row[2] * c.b; }
@@ -27,7 +27,7 @@ double labRoot(double t) {
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-/// Chroma and hue (degrees, 0 to 360) with a* stretched by 1 + G.
+/// Chroma and hue (degrees, 0 to 360) of a colour with a* stretched by 1 + G.
 struct Polar {
   double C, h;
   Polar(const Lab& c, double G) : C(std::hypot((1 + G) * c[1], c[2])) {
@@ -68,7 +68,7 @@ Lab lab(const draw::Color& color) {
 
 double deltaE76(const Lab& a, const Lab& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
-// Equations 2 to 22 of the source, in its letters.
+// Evaluates equations 2 to 22 of the source, with the source's letters.
 double deltaE2000(const Lab& one, const Lab& two) {
   const double Cab = (std::hypot(one[1], one[2]) + std::hypot(two[1], two[2])) / 2;
   const double G = 0.5 * (1 - chromaShare(Cab));

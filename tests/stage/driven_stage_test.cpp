@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of motion under gravity, torque and energy loss, asserted on the draw list.
+// Pictures of motion under gravity, torque and energy loss, checked on the draw list.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ const std::string kBare =
     "[show]\nplane = false\nellipsoid = false\npolhode = false\nherpolhode = false\n"
     "contact = false\nheight = false\n";
 
-// The heavy symmetric top of the project's physics notes (2.7), its axis tilted 30 degrees.
+// Returns the heavy symmetric top of the project's physics notes (2.7), with its axis tilted by 30 degrees.
 scene::Scene top(const std::string& extra = kBare) {
   return scene::parseScene(
       "[body]\nprincipal_moments = [1.40625, 1.40625, 0.65625]\n[motion]\nomega_body = [0, 0, 9.15625]\n"
@@ -72,7 +72,7 @@ TEST(DrivenStage, EverythingIsInsideTheFrameAllTheTime) {
   }
 }
 
-// Its rim turns to every side; the frame must still be filled: the top is more than a third of it high.
+// The top's rim turns to every side. Still, the top and L must fill more than half of the picture's height.
 TEST(DrivenStage, ATopStandsOnAPedestalAndFillsThePicture) {
   const Stage stage(top());
   float highest = 1e9f, lowest = -1e9f;
@@ -91,9 +91,9 @@ TEST(DrivenStage, ATopStandsOnAPedestalAndFillsThePicture) {
   EXPECT_GT(lowest - highest, 0.5f * kSize.y);
 }
 
-// Its rim is below the point it stands on, but to the side: the pedestal, a cone of atan(0.18/0.34) = 27.9
-// degrees, has room under a wheel whose axis leans by up to 62.1.
-TEST(DrivenStage, ALeaningTopHasItsPedestalWhereThatHasRoom) {
+// The wheel's rim is below the point of support, but to the side. The pedestal is a cone of atan(0.18/0.34) = 27.9
+// degrees, so that it has room under a wheel whose axis leans by up to 62.1 degrees.
+TEST(DrivenStage, ALeaningTopHasAPedestalOnlyIfThereIsRoom) {
   for (const double tilt_deg : {55.0, 70.0}) {
     const double half = tilt_deg * std::acos(-1.0) / 360;
     const std::string turn = std::to_string(std::cos(half)) + ", " + std::to_string(std::sin(half)) + ", 0, 0]\n";
@@ -110,8 +110,8 @@ TEST(DrivenStage, ALeaningTopHasItsPedestalWhereThatHasRoom) {
   }
 }
 
-// A rod hung by its end swings below the pivot: no pedestal, a joint.
-TEST(DrivenStage, WhatHangsHasAJointAndNoPedestal) {
+// A rod hung by its end swings below the pivot.
+TEST(DrivenStage, AHangingBodyHasAJointAndNoPedestal) {
   const DrawList list = onlyList(Stage(scene::parseScene("[body]\nprincipal_moments = [1, 1, 0.2]\n[motion]\n"
                                                          "omega_body = [0.5, 0, 0.1]\norientation = [0, 1, 0, 0]\n"
                                                          "[motion.gravity]\nmgr_body = [0, 0, 3]\n" +
@@ -123,8 +123,7 @@ TEST(DrivenStage, WhatHangsHasAJointAndNoPedestal) {
   for (const auto& f : list.frustums) EXPECT_FALSE(f.fromRadius == f.toRadius && f.fromRadius > 0.1f);
 }
 
-// Under a constant torque in space from L0 along z, L = L0 + N t: its arrow is to scale with its longest, at the
-// end.
+// Under a constant torque N in space along z, L = L0 + N t. The arrow is to scale with its longest, at the end.
 TEST(DrivenStage, TheArrowOfLGrowsWithL) {
   const Stage stage(
       sample("orientation = [1, 0, 0, 0]\n[motion.torque]\nspace = [0, 0, 2]\n[time]\nspeed = 1\n"
@@ -137,9 +136,9 @@ TEST(DrivenStage, TheArrowOfLGrowsWithL) {
   }
 }
 
-// While energy is lost at constant L the ellipsoid shrinks and its plane comes nearer, and they touch at the tip
-// of omega all the time.
-TEST(DrivenStage, TheConstructionIsThatOfTheInstant) {
+// While energy is lost at constant L, the ellipsoid shrinks and its plane comes nearer. Both touch at the tip of
+// omega all the time.
+TEST(DrivenStage, TheConstructionFollowsTheEnergyLoss) {
   const Stage stage(sample("[motion.dissipation]\nalpha = 0.02\n[time]\nspeed = 1\n"));
   float height = 1e9f, size = 1e9f;
   for (const double t : kTimes) {

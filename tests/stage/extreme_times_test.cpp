@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures at every kind of film time, of every kind of motion: finite numbers, or the documented error. Each kind
-// is drawn in a process of its own, so that one that aborts does not hide the others.
+// Pictures of every kind of motion at extreme film times consist of finite numbers, or fail with the documented
+// error. Each kind is drawn in a process of its own, so that one that aborts does not hide the others.
 #include "support/extreme_times.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr glm::ivec2 kSize{64, 36};
 
-/// Looks at all numbers that place something. A class, so that each overload sees the others.
+/// Checks all numbers that place something. A class, so that each overload sees the others.
 struct Numbers {
   static bool finite(float x) { return std::isfinite(x); }
   static bool finite(const glm::vec2& v) { return finite(v.x) && finite(v.y); }
@@ -64,11 +64,11 @@ struct Numbers {
   }
 };
 
-/// A motion, and what else depends on the film's time.
+/// Motion, or another thing that depends on the film's time.
 struct Kind {
   const char* name;
   std::string scene;
-  bool everywhere = false;  ///< has pictures at far motion times, too
+  bool everywhere = false;  ///< whether far motion times have pictures, too
 };
 
 std::ostream& operator<<(std::ostream& out, const Kind& kind) { return out << kind.name; }
@@ -105,13 +105,12 @@ const Kind kKinds[] = {
     {"backwards", body("[1, 2, 3]", "[1, 2, 3]", "[time]\nspeed = -3\nstart = 5\n")},
 };
 
-/// Says what is wrong, and ends the process with 1.
+/// Prints what is wrong, and ends the process with 1.
 [[noreturn]] void fail(const std::string& where, const char* wrong) {
   std::fprintf(stderr, "%s: %s\n", where.c_str(), wrong);
   std::_Exit(1);
 }
 
-/// Draws at every film time.
 void drawAtAllTimes(const std::string& text) {
   const scene::Scene scene = scene::parseScene(text, "sample.toml");
   const Stage stage(scene);
@@ -132,7 +131,7 @@ void drawAtAllTimes(const std::string& text) {
     }
 }
 
-/// Draws the film's ends at far motion times: it starts there, or gets there.
+/// Draws both ends of films that start or end at far motion times.
 void drawFarMotions(const Kind& kind) {
   std::vector<const char*> far = {"1e20"};
   if (kind.everywhere) far.insert(far.end(), {"1e6", "-1e14", "9007199254740992.0", "1e18"});
@@ -171,7 +170,7 @@ TEST_P(ExtremeTimes, OfTheMotionGivePicturesOrTheDocumentedError) {
       ::testing::ExitedWithCode(0), "");
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, ExtremeTimes, ::testing::ValuesIn(kKinds), [](const auto& kind) {
+INSTANTIATE_TEST_SUITE_P(Each, ExtremeTimes, ::testing::ValuesIn(kKinds), [](const auto& kind) {
   std::string name = kind.param.name;
   std::erase_if(name, [](char c) { return c == ' ' || c == '-'; });
   return name;

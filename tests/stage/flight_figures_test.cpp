@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A thrown body, its parabola and momenta: expected values by hand, from the closed form of uniform acceleration
-// and from the sums over five masses in PHYSICS (eq 1 to 10).
+// Thrown bodies: the parabola and the momenta. Expected values are by hand, from the closed form of uniform
+// acceleration and from the sums over five masses in PHYSICS (eq 1 to 10).
 #include "stage/figures/flight_figures.h"
 
 #include <fmt/format.h>
@@ -24,7 +24,6 @@ constexpr glm::ivec2 kSize{960, 540};
 constexpr double kTimes_s[] = {0, 0.4, 1.3, 1.9};
 const Vector3d kStart(0.34375, 0.09375, 0.0234375), kVelocity(1.2, -0.7, 0.4), kGravity(0, 0, -9.81);
 
-// The film runs as the motion does.
 const std::string kFiveMasses = R"(
 [motion]
 omega_body = [0.6, -1.1, 0.8]
@@ -82,8 +81,8 @@ TEST(FlightFigure, ThePathIsTheParabolaOfTheCentreOfMass) {
   }
 }
 
-// A long fall would leave a speck of the body: 10 m/s^2 for 12 s are 700 m.
-TEST(FlightFigure, ALongPathIsMadeSmallerSoThatTheBodyIsSeen) {
+// A long fall would show the body as a speck: 10 m/s^2 for 12 s are 700 m.
+TEST(FlightFigure, ALongPathIsScaledDownToKeepTheBodyVisible) {
   const auto shareOfBody = [](const std::string& duration, const std::string& lines = "") {
     std::string text = kFiveMasses + kBare + lines;
     text.replace(text.find("duration = 2"), 12, "duration = " + duration);
@@ -100,7 +99,7 @@ TEST(FlightFigure, ALongPathIsMadeSmallerSoThatTheBodyIsSeen) {
   EXPECT_EQ(shareOfBody("12", "flight.scale = 1\n").first, 1);
 }
 
-TEST(FlightFigure, ArrowsArePlaceVelocityAndWeight) {
+TEST(FlightFigure, ArrowsShowPositionVelocityAndWeight) {
   const Scenery s(kFiveMasses + kBare);
   const FlightFigure figure(s.setting);
   for (const double t : kTimes_s) {
@@ -112,8 +111,8 @@ TEST(FlightFigure, ArrowsArePlaceVelocityAndWeight) {
   }
 }
 
-// Where the eye is in space does not depend on the time; the body, at V's origin, goes along the parabola.
-TEST(FlightFigure, TheCameraStandsStillInSpace) {
+// The eye's place in space does not depend on the time; the body, at V's origin, goes along the parabola.
+TEST(FlightFigure, TheCameraIsFixedInSpace) {
   const std::string text = kFiveMasses + kBare;
   const Scenery s(text);
   const Stage stage(scene::parseScene(text, "sample.toml"));
@@ -123,8 +122,7 @@ TEST(FlightFigure, TheCameraStandsStillInSpace) {
   for (const double t : kTimes_s) EXPECT_LT((eye_W(t) - eye_W(0)).norm(), 3e-6) << t;  // floats; measured 6e-7
 }
 
-// The body, at V's origin, stays where it is in the picture; space passes by, from the first instant to the last.
-TEST(FlightFigure, TheCameraGoesAlongWhereItFollows) {
+TEST(FlightFigure, TheFollowingCameraKeepsTheBodyInPlace) {
   const std::string text = kFiveMasses + "[camera]\nfollow = true\n";
   const Scenery s(text);
   const Stage stage(scene::parseScene(text, "sample.toml"));
@@ -145,8 +143,7 @@ TEST(FlightFigure, TheCameraGoesAlongWhereItFollows) {
   EXPECT_GT(unit_px(stage), 1.5f * unit_px(still));  // as near as the body allows; measured 2.4
 }
 
-// A camera that goes along shows the body as large as it can be, however long its way is.
-TEST(FlightFigure, IsToScaleWhereTheCameraFollows) {
+TEST(FlightFigure, KeepsTheScaleIfTheCameraFollows) {
   const auto shrinks = [&](const std::string& more) {
     const Scenery s(replaced(kFiveMasses + kBare + more, "duration = 2", "duration = 12"));
     return s.scales.flight < s.scales.body;
@@ -155,9 +152,9 @@ TEST(FlightFigure, IsToScaleWhereTheCameraFollows) {
   EXPECT_FALSE(shrinks("[camera]\nfollow = true\n"));
 }
 
-// 170 m behind the body, at its height: in the picture of an eye before the body; of one behind it the origin is
-// behind the eye, and has no name.
-TEST(FlightFigure, TheOriginMayBeBehindTheEye) {
+// The origin is 170 m behind the body, at its height. An eye in front of the body sees the origin. For an eye
+// behind the body, the origin is behind the eye and has no label.
+TEST(FlightFigure, LabelsTheOriginOnlyInFrontOfTheCamera) {
   for (const int azimuth_deg : {0, 90, 180, 270}) {
     const std::string follow =
         fmt::format("[camera]\nfollow = true\nelevation = 0\nazimuth = \"{} deg\"\n", azimuth_deg);
@@ -168,7 +165,7 @@ TEST(FlightFigure, TheOriginMayBeBehindTheEye) {
   }
 }
 
-TEST(FlightFigure, OnlyWhereSpaceStandsStill) {
+TEST(FlightFigure, IsDrawnOnlyInTheSpaceFrame) {
   for (const char* frame : {"body", "space"}) {
     const bool still = std::string(frame) == "space";
     const Scenery s(kFiveMasses + kBare + "[camera]\nframe = \"" + frame + "\"\n");
@@ -180,9 +177,9 @@ TEST(FlightFigure, OnlyWhereSpaceStandsStill) {
   EXPECT_FALSE(Scenery(kFiveMasses + kBare + "flight = false\n").motion.flight());
 }
 
-// Eq (5) and (8), numbers of the five masses: at the start, and half a second later, when the weight's torque has
-// changed R x P and nothing has changed L.
-TEST(TotalAngularMomentum, IsItsTwoPartsAndChangesByTheTorqueOfTheWeight) {
+// Eq (5) and (8) with the numbers of the five masses: at the start, and half a second later, when the weight's
+// torque has changed R x P, and L is still the same.
+TEST(TotalAngularMomentum, IsTheSumOfItsPartsAndChangesByTheWeightsTorque) {
   const Scenery s(kFiveMasses + kBare + "total_L = true\n");
   const TotalAngularMomentumFigure figure(s.setting);
   const Vector3d orbital(0.3234375, -0.65625, -2.11875), L(6.0150146484375, -7.01356201171875, 5.062939453125);
@@ -198,8 +195,8 @@ TEST(TotalAngularMomentum, IsItsTwoPartsAndChangesByTheTorqueOfTheWeight) {
   EXPECT_GT(torque.dot(expected), 0);
 }
 
-// V + omega x r (eq 4) is how fast the point's place changes: a difference of places over 2e-5 s.
-TEST(NamedVector, VelocityOfAThrownBodyIsThatOfThePointInSpace) {
+// V + omega x r (eq 4) is the rate of change of the point's place: a difference of places over 2e-5 s.
+TEST(NamedVector, VelocityOfAThrownBodyIsRelativeToSpace) {
   const Scenery s(kFiveMasses + kBare + "[[vector]]\nvelocity_of = [0.5, -1.25, 0.75]\n");
   const NamedVectorFigure figure(s.setting, s.scene.vectors.at(0));
   const auto place_W = [&](double t) {
@@ -215,7 +212,7 @@ TEST(NamedVector, VelocityOfAThrownBodyIsThatOfThePointInSpace) {
   }
 }
 
-TEST(GhostsFigure, OfAThrownBodyAreWhereItWas) {
+TEST(GhostsFigure, HasThePosesOfAThrownBody) {
   const Scenery s(kFiveMasses + kBare + "[show.ghosts]\nvisible = true\ntimes = [0.2, 1.2]\n");
   const GhostsFigure figure(s.setting);
   const double wanted[] = {0.2, 1.2};
@@ -225,8 +222,9 @@ TEST(GhostsFigure, OfAThrownBodyAreWhereItWas) {
   }
 }
 
-// And not where it will be: as many balls for each pose that has been as for the body; one more is the centre.
-TEST(GhostsFigure, OfAThrownBodyAppearWhenItHasBeenThere) {
+// Each pose that the body has reached adds as many balls as the body has; one more ball is the centre. Later poses
+// add none.
+TEST(GhostsFigure, AppearOnlyAfterAThrownBodyWasThere) {
   const Stage stage(scene::parseScene(
       kFiveMasses + kBare + "flight.position = false\n[show.ghosts]\nvisible = true\ntimes = [0.2, 1.2]\n",
       "sample.toml"));
@@ -237,9 +235,8 @@ TEST(GhostsFigure, OfAThrownBodyAppearWhenItHasBeenThere) {
   EXPECT_EQ(balls(1.5) - 1, 3 * body);
 }
 
-// Of a hammer, the end of the handle: 0.1 m of head one way, 0.8 m of handle the other, from the middle between
-// both.
-TEST(TraceFigure, OfAThrownBodyIsThatOfItsEnd) {
+// The end of a hammer's handle is traced: it is 0.1 m of head and 0.8 m of handle away from the head's middle.
+TEST(TraceFigure, TracesTheFarEndOfAThrownHammer) {
   const auto traced = [](const std::string& side) {
     const Scenery s(
         "[motion]\nomega_body = [0, 8, 0]\n[motion.flight]\nvelocity = [3, 0, 4]\n"
@@ -249,12 +246,12 @@ TEST(TraceFigure, OfAThrownBodyIsThatOfItsEnd) {
     const Vector3d end_B = TraceFigure(s.setting).point_V(s.motion.at(0)) / s.scales.body;
     return Vector3d(s.motion.at(0).R_VB.transpose() * end_B);
   };
-  const double centre = 0.5 * 0.5 / 2.5;  // of mass, from the head's middle
+  const double centre = 0.5 * 0.5 / 2.5;  // centre of mass, from the head's middle
   EXPECT_LT((traced("") - Vector3d(0, 0, 0.9 - centre)).norm(), 1e-14);
   EXPECT_LT((traced("-") + Vector3d(0, 0, 0.9 - centre)).norm(), 1e-14);
 }
 
-TEST(TraceFigure, OfAThrownBodyIsThePathInSpace) {
+TEST(TraceFigure, FollowsThePathOfAThrownBodyInSpace) {
   const std::string text =
       kFiveMasses + kBare + "flight.visible = false\n[show.trace]\nvisible = true\npoint = [0.5, -1.25, 0.75]\n";
   const std::string flying =
@@ -265,8 +262,8 @@ TEST(TraceFigure, OfAThrownBodyIsThePathInSpace) {
   const TraceFigure figure(s.setting);
   const auto list = onlyList(Stage(scene::parseScene(flying, "sample.toml")), 1.3, kSize);
   EXPECT_TRUE(list.glassEllipsoids.empty());
-  ASSERT_EQ(list.curves.size(), 5u);  // travelled, the last second, to come; of the centre of mass two
-  // Both ends of the path: where the point was at the start, and where it will be.
+  ASSERT_EQ(list.curves.size(), 5u);  // past, last second, future; two of the centre of mass
+  // The path ends where the point was at the start, and where it will be.
   const auto relative = [&](double t) {
     const Vector3d r_V = figure.point_V(s.motion.at(t));
     return toPicture(Vector3d(s.scales.flight * (centre_W(t) - centre_W(1.3)) + r_V));

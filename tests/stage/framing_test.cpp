@@ -38,7 +38,6 @@ Box pictureOf(const draw::Camera& camera, const std::vector<Vector3d>& points) {
   return box;
 }
 
-/// Points all over a ball about the centre.
 std::vector<Vector3d> ball(double radius) {
   std::vector<Vector3d> points;
   for (int i = 0; i < 200; ++i)
@@ -63,14 +62,14 @@ TEST(Framing, FillsTheWidthOrTheHeightUpToTheMargins) {
   EXPECT_NEAR(tall.bottom, 450, 0.1);
 }
 
-// The outline of a ball is farther out than its poles: points all over it must be inside, and reach the margin.
-TEST(Framing, HoldsABall) {
+// The outline of a ball is farther out than its poles: points all over the ball must be inside, and reach the
+// margin.
+TEST(Framing, FitsABallWithinTheMargins) {
   const Box box = pictureOf(frameAll(view(), {{}, 0.8}, {0.06, 0.06, 0.06, 0.06}, {1000, 500}), ball(0.8));
   EXPECT_NEAR(box.top, 30, 0.1);
   EXPECT_NEAR(box.bottom, 470, 0.1);
 }
 
-// What hangs over the centre is upright in the picture, wherever the rest of it is.
 TEST(Framing, KeepsTheVerticalThroughTheCentreUpright) {
   const auto lean_px = [](const std::vector<Vector3d>& points) {
     const draw::Camera camera = frameAll(view(), {points, 0.5}, {}, {1000, 500});
@@ -81,8 +80,7 @@ TEST(Framing, KeepsTheVerticalThroughTheCentreUpright) {
   EXPECT_NEAR(lean_px({{0, 20, 0}}), 0, 1e-3);
 }
 
-// A ball, and a point far to one side of it.
-TEST(Framing, HoldsABallBesideTheMiddle) {
+TEST(Framing, FitsABallThatIsNotInTheMiddle) {
   for (const double aside : {3.0, 20.0}) {
     std::vector<Vector3d> all = ball(0.8);
     const Vector3d far = aside * Vector3d(-std::sin(view().azimuth_rad), std::cos(view().azimuth_rad), 0);
@@ -104,8 +102,9 @@ TEST(Framing, ZoomEnlarges) {
   EXPECT_NEAR(width(near) / width(view()), 2, 0.02);
 }
 
-// As a longer lens: the picture is the same, larger. What the eye came near to by going there is still before it.
-TEST(Framing, ZoomKeepsThePictureAsItIs) {
+// Zoom works like a longer lens: the picture is the same, but larger. Points that the eye came near to stay in
+// front of the eye.
+TEST(Framing, ZoomScalesThePictureAboutItsMiddle) {
   std::vector<Vector3d> points = kWide;
   points.emplace_back(2.5 * cameraAxes_V(view()).col(2));  // towards the eye
   const draw::Camera whole = frameAll(view(), {points, 0}, {0.1, 0.05, 0.2, 0.1}, {1000, 500});
@@ -122,8 +121,7 @@ TEST(Framing, ZoomKeepsThePictureAsItIs) {
   }
 }
 
-// What passes by changes neither the eye nor the size; it is between near and far.
-TEST(Framing, WhatPassesByIsDrawnAndNotHeld) {
+TEST(Framing, IgnoresPassingPointsExceptForTheFarPlane) {
   const Vector3d far = -80 * cameraAxes_V(view()).col(2);
   const draw::Camera held = frameAll(view(), {kWide, 0}, {}, {1000, 500});
   const draw::Camera camera = frameAll(view(), {.points_V = kWide, .passing_V = {far}}, {}, {1000, 500});
@@ -153,8 +151,8 @@ TEST(ParallelFraming, FillsTheWidthOrTheHeightUpToTheMargins) {
   EXPECT_NEAR(tall.bottom, 450, 1e-3);
 }
 
-// The outline of a ball is its great circle: at 0.06 of 500 px from the border, whatever the direction.
-TEST(ParallelFraming, HoldsABall) {
+// The outline of a ball is a great circle, 0.06 of 500 px away from the border above and below.
+TEST(ParallelFraming, FitsABallWithinTheMargins) {
   const Box box = pictureOf(frameAll(parallelView(), {{}, 0.8}, {}, {1000, 500}), ball(0.8));
   EXPECT_NEAR(box.top, 30, 0.1);  // 200 x 400 points miss the outline by up to 0.03 px
   EXPECT_NEAR(box.bottom, 470, 0.1);
@@ -162,8 +160,8 @@ TEST(ParallelFraming, HoldsABall) {
   EXPECT_NEAR(box.right, 500 + 220, 0.1);
 }
 
-// A length has the same pixels wherever it is: near the eye, far from it, at the border. With a wide angle too,
-// which parallel rays do not have.
+// A length has the same pixels near the eye, far away and at the border. A wide angle of view changes nothing,
+// because parallel rays have none.
 TEST(ParallelFraming, KeepsEqualLengthsEqual) {
   scene::Camera camera = parallelView();
   const std::vector<Vector3d> corners{{-2, -2, -2}, {2, 2, 2}, {-2, 2, -2}, {2, -2, 2}, {-30, 0, 0}, {30, 0, 0}};
@@ -181,8 +179,7 @@ TEST(ParallelFraming, KeepsEqualLengthsEqual) {
   }
 }
 
-// What is long along the view stands before the eye, and between near and far, however small it is across.
-TEST(ParallelFraming, DrawsAllOfIt) {
+TEST(ParallelFraming, KeepsADeepSceneBetweenNearAndFar) {
   scene::Camera camera = parallelView();
   const double ca = std::cos(camera.azimuth_rad), sa = std::sin(camera.azimuth_rad);
   const double ce = std::cos(camera.elevation_rad), se = std::sin(camera.elevation_rad);
@@ -206,14 +203,14 @@ TEST(ParallelFraming, ZoomEnlarges) {
   EXPECT_FLOAT_EQ(unit(near) / unit(parallelView()), 2);
 }
 
-TEST(ParallelFraming, KnowsTheUnitsPixels) {
+TEST(ParallelFraming, ComputesThePixelsPerUnitOfLength) {
   const Extent extent{kWide, 1};
   const double unit = fittingUnit_px(parallelView(), extent, {}, {1000, 500});
   EXPECT_NEAR(frameAll(parallelView(), extent, {}, {1000, 500}).focal_px(), unit, 1e-3);
   EXPECT_NEAR(frameAll(parallelView(), extent, {}, {1000, 500}, unit / 3).focal_px(), unit / 3, 1e-3);
 }
 
-TEST(Framing, DrawsAllOfItBetweenNearAndFar) {
+TEST(Framing, KeepsAllPointsBetweenNearAndFar) {
   const draw::Camera camera = frameAll(view(), {kWide, 1}, {}, {1000, 500});
   for (const Vector3d& p : kWide) {
     EXPECT_GT(depthOf(camera, toPicture(p)), camera.near);

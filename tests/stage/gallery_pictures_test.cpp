@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What must hold of every picture of every film in scenes/, asserted on the draw lists: no GL, no pixels. The
-// rules are those of a page: type is apart and inside, everything is in its frame, and what stands still in space
-// stands still in the picture.
+// Checks every picture of every film in scenes/ on its draw lists: no GL, no pixels. The rules are those of a
+// page: type is apart and inside, everything is in its frame, and what stands still in space stands still in the
+// picture.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,9 +24,8 @@ using glm::vec3;
 
 constexpr glm::ivec2 kSize{1920, 1080};
 constexpr int kInstants = 40;
-constexpr float kSeen = 0.3f;  // opacity below which type is on its way out
+constexpr float kSeen = 0.3f;  // type of lower opacity is fading out
 
-/// The scenes of which something holds.
 template <class F>
 std::vector<std::string> namesWhere(F holds) {
   std::vector<std::string> names = galleryNames();
@@ -78,7 +77,7 @@ std::vector<SeenText> textsOf(const draw::Picture& picture) {
   return all;
 }
 
-TEST_P(GalleryPictures, TypeIsApartAndInside) {
+TEST_P(GalleryPictures, TextsAreInsideTheirPanelsAndDoNotOverlap) {
   atEachInstant([](const draw::Picture& picture) {
     const std::vector<SeenText> all = textsOf(picture);
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -91,7 +90,7 @@ TEST_P(GalleryPictures, TypeIsApartAndInside) {
   });
 }
 
-/// Points of the outermost surfaces and lines of a list.
+/// Returns points of the outermost surfaces and lines of a list.
 std::vector<vec3> outermost_W(const DrawList& list) {
   std::vector<vec3> points;
   const auto addBox = [&](const vec3& centre, const glm::mat3& axes) {
@@ -123,7 +122,7 @@ std::vector<vec3> outermost_W(const DrawList& list) {
 
 class WholePictures : public GalleryPictures {};
 
-TEST_P(WholePictures, EverythingIsInItsFrame) {
+TEST_P(WholePictures, ShowEverythingInsideTheFrame) {
   atEachInstant([](const draw::Picture& picture) {
     for (const draw::Panel& panel : picture.panels) {
       const vec2 size = panel.list.camera.size_px;
@@ -136,7 +135,6 @@ TEST_P(WholePictures, EverythingIsInItsFrame) {
   });
 }
 
-/// The shaft of the arrow of L, as the picture shows it.
 struct Shaft {
   vec2 foot_px, tip_px;
 };
@@ -150,8 +148,8 @@ std::optional<Shaft> shaftOfL(const DrawList& list, const draw::Color& color) {
 
 class PicturesOfL : public GalleryPictures {};
 
-// In space L stands still; here it points up or down the page.
-TEST_P(PicturesOfL, IsUprightAndStandsStillInSpace) {
+// L stands still in space, and points up or down the page here.
+TEST_P(PicturesOfL, LIsUprightAndFixedInSpace) {
   const scene::Scene& scene = stage_.scene();
   const draw::Color blue = palette(scene.style).L;
   std::vector<std::optional<Shaft>> first(scene.views.size());
@@ -172,8 +170,8 @@ TEST_P(PicturesOfL, IsUprightAndStandsStillInSpace) {
 
 class ConstructionPictures : public GalleryPictures {};
 
-/// Where the plane touches the ellipsoid: in both, and at the tip of omega.
-TEST_P(ConstructionPictures, TheContactIsOnThePlaneAndOnTheEllipsoid) {
+/// The plane touches the ellipsoid at the tip of omega, which lies on both.
+TEST_P(ConstructionPictures, TheContactPointIsOnThePlaneAndTheEllipsoid) {
   const draw::Color red = palette(stage_.scene().style).omega;
   atEachInstant([&](const draw::Picture& picture) {
     const DrawList& list = picture.panels.at(0).list;
@@ -187,7 +185,7 @@ TEST_P(ConstructionPictures, TheContactIsOnThePlaneAndOnTheEllipsoid) {
   });
 }
 
-/// Points of the outline of an arrow's head, across the picture.
+/// Returns points of the outline of an arrow's head: on its axis, and left and right of the axis in the picture.
 std::vector<vec2> outlineOf(const draw::Frustum& head, const draw::Camera& camera) {
   std::vector<vec2> points;
   for (int i = 0; i <= 10; ++i) {
@@ -200,8 +198,7 @@ std::vector<vec2> outlineOf(const draw::Frustum& head, const draw::Camera& camer
   return points;
 }
 
-// The name of omega is beside its arrow, not on it.
-TEST_P(ConstructionPictures, OmegasNameIsClearOfItsHead) {
+TEST_P(ConstructionPictures, TheLabelOfOmegaIsClearOfTheArrowHead) {
   const draw::Color red = palette(stage_.scene().style).omega;
   atEachInstant([&](const draw::Picture& picture) {
     const DrawList& list = picture.panels.at(0).list;

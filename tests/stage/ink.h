@@ -7,7 +7,7 @@
 
 namespace poinsot::stage {
 
-/// The ink of a text, in the picture or panel that it is placed in.
+/// Returns the bounds of a text's ink, in the picture or panel that holds the text.
 inline PixelBox inkOf(const draw::Text& text) {
   const text::GlyphRun run = text::setTex(text.tex);
   const double size = static_cast<double>(text.size_px);
@@ -16,7 +16,7 @@ inline PixelBox inkOf(const draw::Text& text) {
           at.y - size * run.inkBottom_em};
 }
 
-/// The same of a text of a panel, in the picture.
+/// Returns the bounds of the ink of a panel's text, in the picture.
 inline PixelBox inkOf(const draw::Text& text, glm::ivec2 panel_px) {
   const PixelBox ink = inkOf(text);
   const glm::dvec2 by(panel_px);

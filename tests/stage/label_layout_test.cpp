@@ -18,7 +18,7 @@ draw::DrawList picture() {
   return list;
 }
 
-TEST(LabelLayout, PutsALabelBesideItsAnchor) {
+TEST(LabelLayout, PutsALabelNextToItsAnchor) {
   draw::DrawList list = picture();
   addLabels(list, {{.tex = "$\\mathbf{L}$", .anchor_px = {400, 200}, .direction = {1, 0}, .gap_px = 10}}, {});
   const PixelBox ink = inkOf(list.texts.at(0));
@@ -26,8 +26,7 @@ TEST(LabelLayout, PutsALabelBesideItsAnchor) {
   EXPECT_NEAR(0.5 * (ink.top + ink.bottom), 200, 0.5);
 }
 
-// Type that stands still in a corner, at an edge: a label that would be on it is beside it.
-TEST(LabelLayout, LabelsGiveWayToWhatStandsStill) {
+TEST(LabelLayout, LabelsDoNotOverlapFixedText) {
   const std::vector<PixelBox> taken = {{20, 20, 220, 90}, {300, 400, 520, 440}, {700, 200, 780, 260}};
   for (const float x : {0.0f, 60.0f, 215.0f, 410.0f, 730.0f, 800.0f})
     for (const float y : {0.0f, 30.0f, 88.0f, 230.0f, 415.0f, 450.0f})
@@ -42,9 +41,9 @@ TEST(LabelLayout, LabelsGiveWayToWhatStandsStill) {
       }
 }
 
-// Type over the middle of the picture: a label goes round it by the shortest way and stays beside its arrow, which
-// here ends just left of the type.
-TEST(LabelLayout, LabelsKeepToTheirSideOfWhatLiesOverTheMiddle) {
+// Type lies over the middle of the picture. A label goes round the type by the shortest way and stays beside its
+// arrow, which ends just left of the type here.
+TEST(LabelLayout, LabelsStayNextToTheirArrowsDespiteFixedText) {
   const std::vector<PixelBox> taken = {{300, 205, 500, 245}};
   draw::DrawList list = picture();
   addLabels(list,
@@ -55,8 +54,8 @@ TEST(LabelLayout, LabelsKeepToTheirSideOfWhatLiesOverTheMiddle) {
   EXPECT_GT(inkOf(list.texts.at(1)).top, 245);
 }
 
-// At the border it is there, a type size outside it is not; between the two it fades.
-TEST(LabelLayout, NamesGoWithWhatLeavesThePicture) {
+// A label is opaque at the border, absent one type size outside, and fades between the two.
+TEST(LabelLayout, LabelsFadeOutWithAnchorsThatLeaveThePicture) {
   const auto opacity = [](glm::vec2 anchor_px) {
     draw::DrawList list = picture();
     addLabels(list, {{.tex = "$x$", .anchor_px = anchor_px, .size_px = 20}}, {});
@@ -70,7 +69,7 @@ TEST(LabelLayout, NamesGoWithWhatLeavesThePicture) {
   EXPECT_EQ(opacity({-900, 100}), 0);
 }
 
-/// A view from straight above, 100 px to a unit, the origin in the middle.
+/// Returns a shaft seen from straight above, 100 px to a unit, with the origin in the middle of the picture.
 draw::DrawList withShaft(glm::vec3 from_W, glm::vec3 to_W) {
   draw::DrawList list;
   list.camera = draw::orthographic(draw::lookAt({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 0.8f, {800, 450}), {0, 0, 0});
@@ -81,16 +80,16 @@ draw::DrawList withShaft(glm::vec3 from_W, glm::vec3 to_W) {
   return list;
 }
 
-// An upright shaft through x = 410 px, 6 px wide; the label wants to be at 400.
-TEST(LabelLayout, ALabelLeavesAShaftThatItWouldLieOn) {
+// An upright shaft, 6 px wide, runs through x = 410 px; the label would lie at 400 px.
+TEST(LabelLayout, ALabelMovesOffAnArrowShaft) {
   draw::DrawList list = withShaft({0.1f, -2, 0}, {0.1f, 2, 0});
   addLabels(list, {{.tex = "$\\mathbf{L}$", .anchor_px = {410, 200}, .direction = {-1, 0}, .gap_px = -4}}, {});
   EXPECT_LT(inkOf(list.texts.at(0)).right, 407);
 }
 
-// Six shafts in nearly one place, as L, omega and the axes in steady spin: the label leaves them, and is not
-// pushed away six times as far.
-TEST(LabelLayout, SeveralShaftsPushALabelNoFartherThanTwo) {
+// Six shafts are in nearly one place, as L, omega and the axes are in steady spin. The label leaves them, and is
+// not pushed away six times as far.
+TEST(LabelLayout, SeveralShaftsPushALabelOnlyAsFarAsTwo) {
   const auto leftOf = [](int shafts) {
     draw::DrawList list = withShaft({0.1f, -2, 0}, {0.1f, 2, 0});
     for (int i = 1; i < shafts; ++i) list.curves.push_back(list.curves.front());
@@ -101,7 +100,6 @@ TEST(LabelLayout, SeveralShaftsPushALabelNoFartherThanTwo) {
   EXPECT_EQ(leftOf(6), leftOf(2));
 }
 
-// The same beside the end of the shaft: it stays where it is.
 TEST(LabelLayout, ALabelAtTheTipStaysThere) {
   draw::DrawList list = withShaft({0, -2, 0}, {0, 0, 0});
   addLabels(list, {{.tex = "$\\mathbf{L}$", .anchor_px = {400, 225}, .direction = {0, -1}, .gap_px = 10}}, {});
@@ -110,7 +108,7 @@ TEST(LabelLayout, ALabelAtTheTipStaysThere) {
   EXPECT_NEAR(ink.bottom, 215, 0.5);
 }
 
-// A shaft sweeps over a label in steps of half a pixel: the label glides, it does not jump.
+// A shaft sweeps over a label in steps of half a pixel: the label glides without jumps.
 TEST(LabelLayout, LabelsGlideAsAShaftPasses) {
   double before = 0, worst = 0;
   for (int step = 0; step <= 160; ++step) {
@@ -126,8 +124,8 @@ TEST(LabelLayout, LabelsGlideAsAShaftPasses) {
   std::printf("largest step %g px\n", worst);
 }
 
-// Two names close side by side would read as a product.
-TEST(LabelLayout, NamesSideBySideStandWiderApartThanInAFormula) {
+// Two labels close side by side would read as a product.
+TEST(LabelLayout, LabelsSideBySideAreSpacedWiderThanAFormula) {
   draw::DrawList list = picture();
   addLabels(list,
             {{.tex = "$L$", .anchor_px = {400, 225}, .direction = {-1, 0}, .size_px = 40},
@@ -136,7 +134,7 @@ TEST(LabelLayout, NamesSideBySideStandWiderApartThanInAFormula) {
   EXPECT_NEAR(inkOf(list.texts.at(1)).left - inkOf(list.texts.at(0)).right, 0.6 * 40, 0.1);
 }
 
-TEST(LabelLayout, LabelsStayApartAndInside) {
+TEST(LabelLayout, LabelsStayInsideThePictureWithoutOverlap) {
   std::mt19937_64 engine(7);
   const auto uniform = [&](double most) {
     return static_cast<float>(most * static_cast<double>(engine() >> 11) * 0x1p-53);

@@ -11,15 +11,15 @@
 #include "stage/stage.h"
 #include "support/sanitized.h"
 
-// Each list of a scene may have thousands of elements: twice as many may take twice as long to read, to prepare
-// and to compose, not four times.
+// A list of a scene may have thousands of elements. Reading, preparing and composing twice as many may take twice
+// as long, not four times.
 namespace poinsot::stage {
 namespace {
 
 struct List {
   const char* name;
-  const char* element;  // {0}: its number; {1}: a film time; {2}: 0 and 1 in turn
-  int count = 2000;     // a tenth of a second or more of what is quadratic
+  const char* element;  // {0}: number of the element; {1}: a film time; {2}: 0 and 1 in turn
+  int count = 2000;     // quadratic work takes a tenth of a second or more
 };
 
 constexpr List kLists[] = {
@@ -50,8 +50,8 @@ std::string sceneOf(const List& list, int count) {
   return text;
 }
 
-/// Returns the CPU time, which others on the machine do not change, of reading and preparing a scene and composing
-/// its pictures.
+/// Returns the CPU time of reading and preparing a scene and composing its pictures. Other programs on the machine
+/// do not change CPU time.
 double seconds(const std::string& text, const std::vector<double>& times_s) {
   const std::clock_t begin = std::clock();
   const Stage stage(scene::parseScene(text, "list.toml"));
@@ -61,12 +61,12 @@ double seconds(const std::string& text, const std::vector<double>& times_s) {
 
 class LongLists : public testing::TestWithParam<List> {};
 
-TEST_P(LongLists, TakeTimeInProportion) {
+TEST_P(LongLists, TakeTimeInProportionToTheirLength) {
   const std::vector<double> times_s{0.0, 3.3, 9.9};
   const std::string once = sceneOf(GetParam(), GetParam().count),
                     twice = sceneOf(GetParam(), 2 * GetParam().count);
   double ratio = 0;
-  for (int attempt = 0; attempt < 4; ++attempt) {  // caches and a busy machine disturb one
+  for (int attempt = 0; attempt < 4; ++attempt) {  // caches and a busy machine disturb single attempts
     const double one = seconds(once, times_s), two = seconds(twice, times_s);
     ratio = attempt == 0 ? two / one : std::min(ratio, two / one);
     if (ratio < 3) return;
@@ -77,8 +77,8 @@ TEST_P(LongLists, TakeTimeInProportion) {
 INSTANTIATE_TEST_SUITE_P(Each, LongLists, testing::ValuesIn(kLists),
                          [](const auto& list) { return list.param.name; });
 
-// What `check` does, at sizes of which it took 14 to 39 s when each element was compared with all others. The
-// limit is the promise; measured: 0.12, 0.53 and 0.27 s.
+// Sizes at which `check` took 14 to 39 s when each element was compared with all others. The limit of 2 s is a
+// promise; measured: 0.12, 0.53 and 0.27 s.
 constexpr List kLongest[] = {{"caption", "[[timeline]]\nat = {1}\ncaption = 'a b {2}'\n", 10'000},
                              {"vector", "[[vector]]\ncomponents = [1, {2}, {0}]\n", 9000},
                              {"readout", "[[readout]]\nquantity = 'T'\n", 3000}};

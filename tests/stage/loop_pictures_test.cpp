@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of a film that repeats, the picture after the last is the first: trails and all.
+// In a film that repeats, the picture after the last equals the first, with its trails.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ float farthest(const draw::DrawList& a, const draw::DrawList& b) {
   return most;
 }
 
-TEST(LoopPictures, TheOneAfterTheLastIsTheFirst) {
+TEST(LoopPictures, ThePictureAfterOneLoopEqualsTheFirst) {
   for (const char* show : {"", "[show.trace]\npoint = [0.3, 0.2, 0.1]\n", "[camera]\nframe = \"body\"\n"}) {
     const std::string time = "[time]\nduration = 6\n";
     const Stage stage(sample(time + "loop = true\n" + show)), plain(sample(time + show));
@@ -41,16 +41,15 @@ TEST(LoopPictures, TheOneAfterTheLastIsTheFirst) {
   }
 }
 
-// All of the path has been travelled once before: nothing of it begins or ends at the first picture.
-TEST(LoopPictures, TrailsHaveNoBeginning) {
+// The whole path has been travelled once before, so that nothing of it begins or ends at the first picture.
+TEST(LoopPictures, PathsHaveNoVisibleStart) {
   const Stage stage(sample("[time]\nduration = 6\nloop = true\n"));
   std::vector<std::size_t> counts;
   for (const double t : {0.0, 0.1, 2.0, 5.0}) counts.push_back(onlyList(stage, t, kSize).curves.size());
   for (const std::size_t count : counts) EXPECT_EQ(count, counts.front());
 }
 
-// Nor have the curves of plots, whose cursor alone moves.
-TEST(LoopPictures, CurvesOfPlotsStandStill) {
+TEST(LoopPictures, CurvesOfPlotsDoNotChange) {
   const Stage stage(sample("[time]\nduration = 6\nloop = true\n[[plot]]\nquantities = [\"omega_1\"]\n"));
   const auto strokes = [&](double t) { return stage.compose(t, kSize).strokes; };
   const auto longest = [](const std::vector<draw::Stroke>& all) {

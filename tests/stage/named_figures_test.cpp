@@ -15,8 +15,8 @@
 #include "stage/palette.h"
 #include "stage/stage.h"
 
-// What a scene adds to its pictures: vectors, angles, the torque, the plane of L, poses at other times. Expected
-// values are the definitions, with the motion's own state.
+// Figures that a scene adds to its pictures: vectors, angles, the torque, the plane of L, poses at other times.
+// Expected values are the definitions, with the motion's own state.
 
 namespace poinsot::stage {
 namespace {
@@ -39,7 +39,7 @@ TEST(NamedVector, HasTheDirectionOfItsComponentsInItsAxes) {
   }
 }
 
-TEST(NamedVector, HasTheColourOfWhatItIsSaidToBe) {
+TEST(NamedVector, HasTheColourThatTheSceneNames) {
   const Palette colors = palette(scene::Style());
   const auto colorOf = [&](const std::string& color) {
     const Scenery s(kTop + "[[vector]]\nname = 'a'\ncomponents = [0, 0, 1]\n" + color);
@@ -55,7 +55,7 @@ TEST(NamedVector, HasTheColourOfWhatItIsSaidToBe) {
   EXPECT_EQ(colorOf("color = 'L'\n"), colors.L);
 }
 
-// The velocity of a point that is fixed in the body is omega x r: perpendicular to both, |omega| |r| sin long.
+// The velocity of a point that is fixed in the body is omega x r, perpendicular to both.
 TEST(NamedVector, VelocityIsOmegaCrossR) {
   const Scenery s(kTop + "[[vector]]\nvelocity_of = [0.5, -0.2, 1]\n[[vector]]\nposition_of = [0.5, -0.2, 1]\n");
   const NamedVectorFigure velocity(s.setting, s.scene.vectors.at(0)), position(s.setting, s.scene.vectors.at(1));
@@ -71,7 +71,7 @@ TEST(NamedVector, VelocityIsOmegaCrossR) {
   for (const double t : kTimes_s) EXPECT_NEAR(ratio(t) / ratio(0), 1, 1e-13) << t;
 }
 
-// cos(angle) = a·b of the arc's ends, all of it at one distance.
+// The arc ends on both directions, and all of its points have the same distance.
 TEST(Angle, IsAnArcFromOneDirectionToTheOther) {
   const Scenery s(kTop + "[[angle]]\nbetween = [\"omega\", \"e1\"]\n");
   const AngleFigure figure(s.setting, s.scene.angles.at(0));
@@ -85,8 +85,8 @@ TEST(Angle, IsAnArcFromOneDirectionToTheOther) {
   }
 }
 
-// Of a top under gravity the torque is M g r k x (-z): horizontal, across the axis, M g r sin(theta) large.
-TEST(Torque, OfATopIsHorizontalAndAcrossItsAxis) {
+// The torque of a top under gravity is M g r k x (-z): horizontal, across the axis, M g r sin(theta) large.
+TEST(Torque, IsHorizontalAndPerpendicularToTheAxisOfATop) {
   const Scenery s(
       "[body]\nprincipal_moments = [2, 2, 0.8]\n[motion]\nomega_body = [0.4, 0, 9]\n"
       "orientation = [0.9, 0.3, 0, 0]\n[motion.gravity]\nmgr_body = [0, 0, 3]\n"
@@ -105,14 +105,13 @@ TEST(Torque, OfATopIsHorizontalAndAcrossItsAxis) {
   EXPECT_GT(longest, 0.5);
 }
 
-TEST(Torque, IsNothingForAFreeBody) {
+TEST(Torque, IsZeroForAFreeBody) {
   const Scenery s(kTop + "[show.torque]\nvisible = true\n");
   EXPECT_TRUE(TorqueFigure(s.setting).outermostPoints(s.motion.at(1)).at(0).isZero(0));
 }
 
-// L, omega and the axis of a symmetric top are in one plane (lecture, eq 34), which the sheet is: inside its
-// edges.
-TEST(PlaneOfL, HoldsLOmegaAndTheAxis) {
+// L, omega and the axis of a symmetric top are in one plane (lecture, eq 34), inside the edges of the sheet.
+TEST(PlaneOfL, ContainsLOmegaAndTheAxis) {
   const Scenery s(kTop + "[show.plane_of_L]\nvisible = true\n");
   const PlaneOfLFigure figure(s.setting);
   for (const double t : kTimes_s) {
@@ -130,15 +129,14 @@ TEST(PlaneOfL, HoldsLOmegaAndTheAxis) {
   }
 }
 
-TEST(PlaneOfL, IsNotThereWhereLAndOmegaAreParallel) {
+TEST(PlaneOfL, IsAbsentIfLAndOmegaAreParallel) {
   const Scenery s(
       "[body]\nprincipal_moments = [1, 2, 3]\n[motion]\nomega_body = [0, 0, 2]\n"
       "[show.plane_of_L]\nvisible = true\n");
   EXPECT_TRUE(PlaneOfLFigure(s.setting).corners_V(s.motion.at(1)).empty());
 }
 
-// Each pose is the body's attitude at its time, a step from the one before.
-TEST(Ghosts, ArePosesOfTheMotion) {
+TEST(Ghosts, ShowThePosesAtTheGivenTimes) {
   const Scenery s(kTop +
                   "[show.ghosts]\nvisible = true\ntimes = [0.5, \"2 s\", 7]\nstep = [1, 0.5, "
                   "0]\n[camera]\nazimuth = 0\nelevation = 0\n");
@@ -149,13 +147,14 @@ TEST(Ghosts, ArePosesOfTheMotion) {
     const PictureState state = s.motion.at(times_s[i]);
     const GhostsFigure::Pose& pose = figure.poses()[i];
     EXPECT_LT((pose.R_WB - state.R_VW.transpose() * state.R_VB).norm(), 1e-15);
-    // The cylinder is 3 m long, its extent: a step is 3 m of the body. Seen from the x axis, y is to the right.
+    // The cylinder's extent is its length of 3 m, so that a step is 3 m of the body. Seen from the x axis, y
+    // points right.
     const Vector3d place = static_cast<double>(i + 1) * 3 * s.scales.body * Vector3d(0, 1, 0.5);
     EXPECT_LT((pose.place_V - place).norm(), 1e-14);
   }
 }
 
-TEST(Ghosts, WithoutTimesAreEvenOverTheFilm) {
+TEST(Ghosts, AreEvenlySpacedOverTheFilmIfNoTimesAreGiven) {
   const Scenery s(kTop + "[show.ghosts]\nvisible = true\ncount = 4\n[time]\nduration = 8\n");
   const GhostsFigure figure(s.setting);
   ASSERT_EQ(figure.poses().size(), 4u);
@@ -171,7 +170,7 @@ std::vector<std::string> labelsOf(const std::string& text) {
   return labels;
 }
 
-TEST(LabelTexts, AreTheScenesOwnOrTheUsualOnes) {
+TEST(LabelTexts, AreThoseOfTheSceneOrTheDefaults) {
   using ::testing::Contains;
   using ::testing::Not;
   const auto usual = labelsOf(kTop);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blocks of type at the nine places: where they stand, and that none covers another.
+// Blocks of type at the nine places: where they stand, and that no block covers another.
 #include "stage/type/note_layout.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,6 @@ using scene::Spot;
 constexpr glm::dvec2 kSize{1600, 900};
 constexpr double kEdge = 50;
 
-/// A block of one row.
 NoteBlock block(int place, double width, double height) {
   return {static_cast<Spot>(place), {{.pieces = {}, .width_px = width, .ascent_px = height, .descent_px = 0}}};
 }
@@ -38,8 +37,8 @@ TEST(NoteLayout, PutsNineBlocksInThreeRowsOfThree) {
   EXPECT_TRUE(leavesRoom(boxes, reach, kSize));
 }
 
-// A long title pushes what stands beside it downwards, a long footnote upwards.
-TEST(NoteLayout, WhatIsTooWideGivesWay) {
+// A long title pushes blocks beside it down, and a long footnote pushes them up.
+TEST(NoteLayout, MovesBlocksAwayFromALongBlock) {
   const auto top = placedBlocks({block(0, 1400, 60), block(1, 300, 40), block(2, 200, 40)}, kSize, kEdge);
   EXPECT_EQ(top[0].top, kEdge);
   EXPECT_GT(top[2].top, top[0].bottom);
@@ -50,7 +49,7 @@ TEST(NoteLayout, WhatIsTooWideGivesWay) {
   EXPECT_LT(bottom[1].bottom, bottom[0].top);
 }
 
-TEST(NoteLayout, NeverPutsOneOverAnother) {
+TEST(NoteLayout, NeverPutsABlockOverAnother) {
   std::mt19937 random(11);
   const auto below = [&](unsigned n) { return static_cast<double>(random() % n); };
   int roomy = 0;
@@ -63,11 +62,11 @@ TEST(NoteLayout, NeverPutsOneOverAnother) {
       for (std::size_t b = 0; b < a; ++b) EXPECT_FALSE(near(boxes[a], boxes[b])) << i;
     roomy += leavesRoom(boxes, reachOf(blocks, boxes, kSize), kSize);
   }
-  EXPECT_GT(roomy, 50);  // both answers are met
+  EXPECT_GT(roomy, 50);  // both answers occur
   EXPECT_LT(roomy, 450);
 }
 
-TEST(NoteLayout, SaysWhenThereIsNoRoom) {
+TEST(NoteLayout, ReportsWhenThereIsNoRoom) {
   const std::vector<NoteBlock> tall = {block(0, 100, 400)}, wide = {block(3, 700, 20)},
                                fits = {block(0, 100, 300)};
   for (const auto& [blocks, room] : {std::pair(tall, false), std::pair(wide, false), std::pair(fits, true)}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours by meaning stay apart, for every eye and in every theme.
+// Colours with different meanings stay apart, for every eye and in every theme.
 #include "stage/palette.h"
 
 #include <gtest/gtest.h>
@@ -24,14 +24,14 @@ using draw::Color;
 
 constexpr scene::Theme kThemes[] = {scene::Theme::kLight, scene::Theme::kDark, scene::Theme::kPrint};
 
-/// Those with a meaning of their own; tints and shades of one meaning are left out.
+/// Returns the colours with a meaning of their own, without tints and shades of one meaning.
 std::map<std::string, Color> meanings(const Palette& p) {
   return {{"ink", p.ink},          {"L", p.L},          {"omega", p.omega}, {"ellipsoid", p.ellipsoid},
           {"parts", p.omegaParts}, {"body", p.body},    {"axis", p.axis},   {"separatrix", p.separatrix},
           {"torque", p.torque},    {"vector", p.vector}};
 }
 
-/// Those that type is set in.
+/// Returns the colours that type is set in.
 std::map<std::string, Color> lettered(const Palette& p) {
   auto all = meanings(p);
   all.erase("ellipsoid");
@@ -41,9 +41,9 @@ std::map<std::string, Color> lettered(const Palette& p) {
   return all;
 }
 
-/// What shows of a sheet, which is a tint: a little of its colour, over paper.
+/// Returns the colour that a sheet shows, which is a tint: a little of the sheet's colour over paper.
 Color shown(const Palette& p, const Color& sheet) {
-  constexpr double kOpacity = 0.13;  // of the ellipsoid where a scene says nothing; of the plane 0.16
+  constexpr double kOpacity = 0.13;  // default of the ellipsoid; the plane has 0.16
   return glm::mix(p.paper, sheet, static_cast<float>(1 - std::pow(1 - kOpacity, p.sheetOpacity)));
 }
 
@@ -62,12 +62,12 @@ Closest closest(const std::map<std::string, Color>& colors, F difference) {
   return least;
 }
 
-class PaletteOf : public testing::TestWithParam<scene::Theme> {
+class ThemePalette : public testing::TestWithParam<scene::Theme> {
  protected:
   Palette colors_ = palette(GetParam());
 };
 
-TEST_P(PaletteOf, KeepsMeaningsApartForEveryEye) {
+TEST_P(ThemePalette, HasDistinctColorsAlsoForColorBlindEyes) {
   for (const Sight sight : {Sight::kNormal, Sight::kDeuteranopia, Sight::kProtanopia}) {
     const auto seen = [&](auto difference) {
       return closest(meanings(colors_), [&](const Color& a, const Color& b) {
@@ -84,8 +84,8 @@ TEST_P(PaletteOf, KeepsMeaningsApartForEveryEye) {
   }
 }
 
-// Three components of one vector in one plot: nobody takes one curve for another.
-TEST_P(PaletteOf, KeepsTheTonesOfAFamilyApart) {
+// Three components of one vector share a plot, and their curves must not be mistaken for each other.
+TEST_P(ThemePalette, HasDistinctTonesForComponentsOfAVector) {
   const auto all = scene::stateQuantities();
   const auto indexOf = [&](std::string_view name) {
     return static_cast<int>(std::ranges::find(all, name, &scene::StateQuantity::name) - all.begin());
@@ -105,14 +105,14 @@ TEST_P(PaletteOf, KeepsTheTonesOfAFamilyApart) {
   }
 }
 
-TEST_P(PaletteOf, KeepsLabelsLegibleOnThePaper) {
+TEST_P(ThemePalette, KeepsLabelsLegibleOnThePaper) {
   for (const auto& [name, color] : lettered(colors_)) EXPECT_GE(contrast(color, colors_.paper), 4.5) << name;
 }
 
-TEST_P(PaletteOf, KeepsThePlaneAndTheEllipsoidApartAsTheyShow) {
+TEST_P(ThemePalette, KeepsPlaneAndEllipsoidApartOverThePaper) {
   const Lab plane = lab(shown(colors_, colors_.plane)), ellipsoid = lab(shown(colors_, colors_.ellipsoid));
   const Lab paper = lab(colors_.paper);
-  // Of a just noticeable difference (2.3) almost twice.
+  // The limit is almost twice a just noticeable difference (2.3).
   EXPECT_GE(deltaE76(plane, ellipsoid), 4);
   EXPECT_GE(deltaE76(plane, paper), 4);
   EXPECT_GE(deltaE76(ellipsoid, paper), 4);
@@ -126,10 +126,10 @@ std::string nameOf(const testing::TestParamInfo<scene::Theme>& theme) {
   return kNames[static_cast<std::size_t>(theme.param)];
 }
 
-INSTANTIATE_TEST_SUITE_P(Themes, PaletteOf, testing::ValuesIn(kThemes), nameOf);
+INSTANTIATE_TEST_SUITE_P(Themes, ThemePalette, testing::ValuesIn(kThemes), nameOf);
 
-// After a photocopier, what is drawn alike (arrows; surfaces) differs in lightness alone.
-TEST(PrintPalette, StaysApartInGrey) {
+// In a photocopy, things that are drawn alike (arrows; surfaces) differ in lightness alone.
+TEST(PrintPalette, HasDistinctGreysInAPhotocopy) {
   const Palette p = palette(scene::Theme::kPrint);
   const std::map<std::string, Color> arrows{
       {"L", p.L}, {"axis", p.axis}, {"omega", p.omega}, {"torque", p.torque}, {"support", p.rod}};
@@ -159,7 +159,7 @@ TEST(PublishedStyles, AreLegible) {
   }
 }
 
-TEST(PublishedStyles, ChalkKeepsMeaningsApart) {
+TEST(PublishedStyles, ChalkboardHasDistinctColors) {
   const Palette colors = palette(published("chalkboard.toml"));
   for (const Sight sight : {Sight::kNormal, Sight::kDeuteranopia, Sight::kProtanopia}) {
     const Closest least = closest(meanings(colors), [&](const Color& a, const Color& b) {
@@ -176,13 +176,13 @@ scene::Style styled(const std::string& keys) {
       .style;
 }
 
-TEST(GivenColors, ReplaceTheThemes) {
+TEST(GivenColors, ReplaceColorsOfTheTheme) {
   const Palette given = palette(styled("theme = \"dark\"\ncolors.body = \"#123456\"\n"));
   EXPECT_EQ(given.body, draw::fromSrgb(0x123456));
   EXPECT_EQ(given.L, palette(scene::Theme::kDark).L);
 }
 
-TEST(GivenColors, AreFollowedByWhatIsATintOfThem) {
+TEST(GivenColors, AlsoChangeColorsDerivedFromThem) {
   const Palette theme = palette(scene::Theme::kLight), given = palette(styled("colors.omega = \"#008000\"\n"));
   const Color green = draw::fromSrgb(0x008000);
   EXPECT_EQ(given.polhode, green);
@@ -193,12 +193,12 @@ TEST(GivenColors, AreFollowedByWhatIsATintOfThem) {
             draw::fromSrgb(0x000080));
 }
 
-TEST(GivenColors, OfADarkPaperMakeSheetsThinner) {
+TEST(GivenColors, ReduceSheetOpacityOnADarkBackground) {
   EXPECT_EQ(palette(styled("colors.paper = \"#101010\"\n")).sheetOpacity,
             palette(scene::Theme::kDark).sheetOpacity);
 }
 
-TEST(GivenColors, CoverEveryMeaning) {
+TEST(GivenColors, ExistForEveryColorKey) {
   for (const scene::ColorKey& key : scene::colorKeys()) {
     const Palette theme = palette(scene::Theme::kLight);
     const Palette given = palette(styled("colors." + std::string(key.name) + " = \"#010203\"\n"));
@@ -206,10 +206,10 @@ TEST(GivenColors, CoverEveryMeaning) {
   }
 }
 
-// ---- the oracle's own tests ----
+// ---- tests of the reference itself ----
 
-// Pairs 1, 7, 9, 17, 20, 34 of the test data of Sharma, Wu and Dalal, to the four digits printed there.
-TEST(ColorDifference, IsThePublishedOne) {
+// Expected: pairs 1, 7, 9, 17, 20, 34 of the test data of Sharma, Wu and Dalal, to the four digits printed there.
+TEST(ColorDifference, MatchesThePublishedTestData) {
   EXPECT_NEAR(deltaE2000({50, 2.6772, -79.7751}, {50, 0, -82.7485}), 2.0425, 5e-5);
   EXPECT_NEAR(deltaE2000({50, 0, 0}, {50, -1, 2}), 2.3669, 5e-5);
   EXPECT_NEAR(deltaE2000({50, 2.49, -0.001}, {50, -2.49, 0.0009}), 7.1792, 5e-5);
@@ -219,8 +219,7 @@ TEST(ColorDifference, IsThePublishedOne) {
   EXPECT_NEAR(deltaE2000({2.0776, 0.0795, -1.1350}, {0.9033, -0.0636, -0.5514}), 0.9082, 5e-5);
 }
 
-// White, black, and the middle grey 119, whose L* is 50.03.
-TEST(ColorDifference, KnowsGreys) {
+TEST(ColorDifference, GivesGreysTheirKnownLightness) {
   EXPECT_NEAR(lab(Color(1))[0], 100, 1e-12);
   EXPECT_NEAR(lab(Color(0))[0], 0, 1e-12);
   const Lab grey = lab(draw::fromSrgb(0x777777));
@@ -229,16 +228,16 @@ TEST(ColorDifference, KnowsGreys) {
   EXPECT_DOUBLE_EQ(contrast(Color(0), Color(1)), 21);
 }
 
-TEST(ContrastRatio, IsThatOfTheGuidelines) {
+TEST(ContrastRatio, MatchesTheFormulaOfTheGuidelines) {
   const auto colors = palette(scene::Theme::kLight);
   for (const Color& color : {Color(0), Color(1), colors.ink, colors.L, colors.omega, colors.body})
     EXPECT_NEAR(contrastRatio(color, colors.paper), contrast(color, colors.paper),
                 2e-3);  // four digits of the source
 }
 
-// The rows of the published matrices sum to 1: greys stay, and red and green of one lightness come near each
+// The rows of the published matrices sum to 1, so that greys stay. Red and green of one lightness come near each
 // other.
-TEST(Simulation, KeepsGreysAndLosesRedAgainstGreen) {
+TEST(ColorBlindness, KeepsGreysAndBringsRedNearGreen) {
   for (const Sight sight : {Sight::kDeuteranopia, Sight::kProtanopia}) {
     const Color grey = simulated(Color(0.4f), sight);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(grey[i], 0.4f, 2e-6f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Views, plots, read-outs and notes in one picture, asserted as values: no GL, no pixels.
+// Views, plots, read-outs and notes in one picture, checked as values: no GL, no pixels.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ const std::string kWriting =
 const std::string kTitle = "[show]\ntitle = \"A title of some length\"\nsubtitle = \"and what is under it\"\n";
 const std::string kTime = "[time]\nduration = 10\nspeed = 1\n";
 
-/// Every text of the picture, those of its panels too.
+/// Returns the ink of every text of the picture and of its panels.
 std::vector<std::pair<std::string, PixelBox>> inks(const Picture& picture) {
   std::vector<std::pair<std::string, PixelBox>> all;
   for (const draw::Text& text : picture.texts) all.emplace_back(text.tex, inkOf(text));
@@ -50,8 +50,8 @@ void expectApartAndInside(const Picture& picture) {
   }
 }
 
-// A wide plot beside narrow ones: the numbers at all their axes are of one size, that of the narrowest.
-TEST(Panels, PlotsHaveTypeOfOneSize) {
+// A wide plot stands beside narrow ones: the numbers at all axes have one size, that of the narrowest plot.
+TEST(Panels, PlotsHaveNumbersOfOneSize) {
   const auto sizes = [](const std::string& plots) {
     std::set<float> all;
     for (const draw::Text& text : Stage(sample(kTime + plots)).compose(0, {1280, 720}).texts)
@@ -66,7 +66,7 @@ TEST(Panels, PlotsHaveTypeOfOneSize) {
   EXPECT_LT(*beside.begin(), *alone.begin());
 }
 
-TEST(Panels, TypeIsInsideThePictureAndApart) {
+TEST(Panels, TextsAreInsideThePictureWithoutOverlap) {
   for (const std::string& scene : {kTitle + kPlots + kWriting, kTitle + kWriting, kPlots + kWriting, kWriting})
     for (const glm::ivec2 size : kSizes)
       for (const double t : kTimes) {
@@ -75,7 +75,7 @@ TEST(Panels, TypeIsInsideThePictureAndApart) {
       }
 }
 
-TEST(Panels, PlotsStandBesideTheViewAndUnderOneAnother) {
+TEST(Panels, PlotsAreNextToTheViewInOneColumn) {
   const Picture picture = Stage(sample(kTime + kPlots)).compose(3, {1280, 720});
   ASSERT_EQ(picture.panels.size(), 1u);
   EXPECT_EQ(picture.panels[0].list.camera.size_px, glm::vec2(640, 360));
@@ -91,8 +91,7 @@ TEST(Panels, PlotsStandBesideTheViewAndUnderOneAnother) {
   EXPECT_GT(under, 5u);
 }
 
-// What is written takes its place from the panels, not over them.
-TEST(Panels, KeepClearOfWhatIsWritten) {
+TEST(Panels, KeepClearOfNotesAndReadouts) {
   const Picture bare = Stage(sample(kTime + kPlots)).compose(3, {1280, 720});
   const Picture written = Stage(sample(kTime + kPlots + kWriting)).compose(3, {1280, 720});
   const draw::Panel &before = bare.panels[0], &after = written.panels[0];
@@ -101,14 +100,14 @@ TEST(Panels, KeepClearOfWhatIsWritten) {
   EXPECT_LT(after.list.camera.size_px.y, before.list.camera.size_px.y - 30);
 }
 
-// Over one view alone nothing is taken from it: type stands in its corners.
+// Type over a single view stands in its corners and takes no room from the view.
 TEST(Panels, OneViewFillsThePicture) {
   const Picture picture = Stage(sample(kTime + kWriting)).compose(3, {1280, 720});
   EXPECT_EQ(picture.panels[0].list.camera.size_px, glm::vec2(1280, 720));
   for (const draw::Text& text : picture.texts) EXPECT_TRUE(text.halo) << text.tex;
 }
 
-TEST(Panels, PlotsAloneFillThePicture) {
+TEST(Panels, PlotsFillThePictureIfViewsAreHidden) {
   const Picture picture = Stage(sample(kTime + "[show]\nviews = false\n" + kPlots)).compose(3, {1280, 720});
   EXPECT_TRUE(picture.panels.empty());
   float left = 1e9f, right = 0;
@@ -119,11 +118,10 @@ TEST(Panels, PlotsAloneFillThePicture) {
   EXPECT_LT(left, 640);
   EXPECT_GT(right, 640);
   EXPECT_DOUBLE_EQ(Stage(sample("[show]\nviews = false\n" + kPlots)).speed(),
-                   Stage(sample(kPlots)).speed());  // chosen for the eye, with a view or without
+                   Stage(sample(kPlots)).speed());  // speeds are the same with and without a view
 }
 
-// A read-out's name, unit and decimal places do not move while its digits change.
-TEST(Panels, NothingBreathes) {
+TEST(Panels, TextsDoNotMoveWhileDigitsChange) {
   const Stage stage(sample(kTime + kTitle + kPlots + kWriting));
   const Picture first = stage.compose(0, {1280, 720});
   for (const double t : kTimes) {

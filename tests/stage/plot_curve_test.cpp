@@ -24,7 +24,7 @@ bool isAmong(const PlotPoint& p, const std::vector<PlotPoint>& points) {
       points, [&](const PlotPoint& q) { return p.filmTime_s == q.filmTime_s && p.x == q.x && p.y == q.y; });
 }
 
-TEST(PlotCurve, ABandOfFastWobblesKeepsItsHeight) {
+TEST(PlotCurve, KeepsTheHeightOfFastOscillations) {
   const auto points = wave(100'000, 2500);  // 25 waves in each of 100 columns
   const auto kept = perColumn(points, 100);
   EXPECT_LE(kept.size(), 4u * 101);
@@ -35,7 +35,7 @@ TEST(PlotCurve, ABandOfFastWobblesKeepsItsHeight) {
     for (const PlotPoint& p : kept)
       if (std::floor(100 * p.x) == column) low = std::min(low, p.y), high = std::max(high, p.y);
     EXPECT_LT(low,
-              0.0016);  // of 40 samples a wave one lies within pi/40 of its crest: (1 - cos(pi/40))/2 = 0.00154
+              0.0016);  // of 40 samples a wave, one is within pi/40 of the crest: (1 - cos(pi/40))/2 = 0.00154
     EXPECT_GT(high, 1 - 0.0016);
   }
   for (const PlotPoint& p : kept) EXPECT_TRUE(isAmong(p, points));
@@ -46,7 +46,7 @@ TEST(PlotCurve, IsSimplifiedWithinItsTolerance) {
   for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
     const auto kept = simplified(points, tolerance);
     EXPECT_LT(kept.size(), points.size() / 10);
-    // Oracle: straight lines between what is kept, against the sine.
+    // Expected: the sine, compared with straight lines between the points that are kept.
     std::size_t at = 0;
     double worst = 0;
     for (const PlotPoint& p : points) {
@@ -57,11 +57,11 @@ TEST(PlotCurve, IsSimplifiedWithinItsTolerance) {
       worst = std::max(worst, off);
     }
     EXPECT_LE(worst, tolerance);
-    EXPECT_GT(worst, 0.3 * tolerance);  // nor is more kept than needed
+    EXPECT_GT(worst, 0.3 * tolerance);  // no more points are kept than needed
   }
 }
 
-TEST(PlotCurve, EndsAtTheEdgesOfItsBand) {
+TEST(PlotCurve, IsClippedAtTheEdgesOfItsRange) {
   const std::vector<PlotPoint> points = {{0, 0, -1}, {1, 1, 2}, {2, 2, 0.5}, {3, 3, 0.5}, {4, 4, -0.5}};
   const PlotPath path = insideBand(points);
   ASSERT_EQ(path.size(), 2u);
@@ -84,7 +84,7 @@ TEST(PlotCurve, IsInterruptedWhereTheQuantityDoesNotExist) {
   EXPECT_EQ(path[1].size(), 1u);
 }
 
-TEST(PlotCurve, IsCutAtTheCursor) {
+TEST(PlotCurve, IsSplitAtTheCursor) {
   const auto points = wave(11, 1);
   const PlotPoint cursor{4.5, 0.45, 0.6};
   const auto past = before(points, cursor), future = after(points, cursor);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plots without pixels: what lies where.
+// Plots without pixels: the places of curves, dots and type.
 #include "stage/plot/plot_figure.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ std::vector<const draw::Text*> textsWith(const draw::Picture& picture, const std
   return found;
 }
 
-/// The strokes of that colour that are no dots.
+/// Returns the strokes of a colour that are not dots.
 std::vector<const draw::Stroke*> lines(const draw::Picture& picture, const draw::Color& color) {
   std::vector<const draw::Stroke*> found;
   for (const draw::Stroke& stroke : picture.strokes)
@@ -94,7 +94,7 @@ void expectDisjoint(const draw::Picture& picture) {
     }
 }
 
-// The frame's places, from what is drawn: the labels of two ticks say where values lie.
+// Places of values in the picture, derived from the labels of two ticks on each axis.
 struct Axes {
   double x0, perX, y0, perY;
 
@@ -104,7 +104,9 @@ struct Axes {
 double middleX(const draw::Text& text) { return 0.5 * (inkOf(text).left + inkOf(text).right); }
 double middleY(const draw::Text& text) { return 0.5 * (inkOf(text).top + inkOf(text).bottom); }
 
-/// For the sample's film of 10 s at speed 1 with ticks "0" and "5" below and "-1", "1" or so at the left.
+/// Returns the axes of a plot.
+/// @param x0,x1  labels of two ticks below the plot, which are `dx` apart
+/// @param y0,y1  labels of the ticks yLow and yHigh at the left
 Axes axesOf(const draw::Picture& picture, const char* x0, const char* x1, double dx, const char* y0,
             const char* y1, double yLow, double yHigh) {
   const double left = middleX(*textsWith(picture, x0).at(0)), right = middleX(*textsWith(picture, x1).at(0));
@@ -115,7 +117,7 @@ Axes axesOf(const draw::Picture& picture, const char* x0, const char* x1, double
 
 const char* kTenSeconds = "[time]\nduration = 10\nspeed = 1\n";
 
-TEST(PlotFigure, CurvesAndDotsLieWhereTheQuantityIs) {
+TEST(PlotFigure, CurvesAndDotsMatchTheQuantity) {
   const scene::Scene scene = sample(kTenSeconds);
   const scene::Plot plot = plotOf({"omega_1", "omega_2", "omega_3"});
   const auto motion = drawnMotion(scene);
@@ -135,7 +137,7 @@ TEST(PlotFigure, CurvesAndDotsLieWhereTheQuantityIs) {
       const double t = (static_cast<double>(p.x) - zero) / axes.perX;
       worst = std::max(worst, std::abs(static_cast<double>(p.y) - place(std::clamp(t, 0.0, 10.0)).y));
     }
-    EXPECT_LE(worst, 0.7);  // measured 0.4: half a pixel is how well the ink of a label tells its tick
+    EXPECT_LE(worst, 0.7);  // measured 0.4; the ink of a label gives the tick's place to half a pixel
     const glm::dvec2 dot(dots(picture).at(static_cast<std::size_t>(which)));
     EXPECT_NEAR(dot.x, place(now).x, 0.7);
     EXPECT_NEAR(dot.y, place(now).y, 0.7);
@@ -144,7 +146,7 @@ TEST(PlotFigure, CurvesAndDotsLieWhereTheQuantityIs) {
   }
 }
 
-TEST(PlotFigure, TheCursorStandsAtItsTime) {
+TEST(PlotFigure, TheCursorIsAtTheTimeOfThePicture) {
   const scene::Scene scene = sample(kTenSeconds);
   const scene::Plot plot = plotOf({"T"});
   for (const double now : {0.0, 2.5, 10.0}) {
@@ -161,7 +163,7 @@ TEST(PlotFigure, TheCursorStandsAtItsTime) {
   }
 }
 
-TEST(PlotFigure, KeepsItselfInsideItsPanelAndItsLabelsApart) {
+TEST(PlotFigure, StaysInsideItsPanelWithoutOverlappingLabels) {
   const scene::Scene free = sample(kTenSeconds);
   const scene::Scene earth = scene::parseScene(
       "[body]\nprincipal_moments = [8.01e37, 8.01e37, 8.034e37]\n[motion]\nomega_body = [3e-10, 0, 7.292e-5]\n"
@@ -188,7 +190,7 @@ TEST(PlotFigure, KeepsItselfInsideItsPanelAndItsLabelsApart) {
         }
 }
 
-TEST(PlotFigure, AGivenRangeCutsTheCurves) {
+TEST(PlotFigure, ClipsCurvesToAGivenRange) {
   const scene::Scene scene = sample(kTenSeconds);
   scene::Plot plot = plotOf({"omega_1", "omega_2"});
   plot.range = scene::PlotRange{0, 0.4};
@@ -206,7 +208,7 @@ TEST(PlotFigure, AGivenRangeCutsTheCurves) {
       }
 }
 
-TEST(PlotFigure, TheFutureIsThereUnlessItIsNotWanted) {
+TEST(PlotFigure, DrawsTheFutureUnlessTheSceneTurnsItOff) {
   const scene::Scene scene = sample(kTenSeconds);
   scene::Plot plot = plotOf({"omega_1"});
   const auto count = [&](double now) { return drawn(scene, plot, now).strokes.size(); };
@@ -216,9 +218,9 @@ TEST(PlotFigure, TheFutureIsThereUnlessItIsNotWanted) {
   EXPECT_EQ(count(10), with - 1);  // nothing is left to come
 }
 
-// The polhode is closed (eq 38, 39): its projection on two principal axes is an ellipse, and I1 (I3 - I1) omega_1²
-// + I2 (I3 - I2) omega_2² = 2 T I3 - L² (PHYSICS 2.2), so the ratio of its axes is sqrt(I2 (I3 - I2)/(I1 (I3 -
-// I1))).
+// The polhode is closed (eq 38, 39). Its projection on two principal axes is an ellipse with I1 (I3 - I1) omega_1²
+// + I2 (I3 - I2) omega_2² = 2 T I3 - L² (PHYSICS 2.2). The ratio of its axes is therefore sqrt(I2 (I3 - I2)/(I1
+// (I3 - I1))).
 TEST(PlotFigure, APhasePortraitOfAFreeBodyIsAClosedEllipse) {
   const scene::Scene scene = scene::parseScene(
       "[body]\nprincipal_moments = [2, 3, 4]\n[motion]\nomega_body = [0.5, 0.25, 1]\n[time]\n"
@@ -256,7 +258,6 @@ TEST(PlotFigure, AnHourOfFilmIsDrawnWithABoundedNumberOfPoints) {
   }
 }
 
-// Digits stand under digits from frame to frame: names and right ends of values do not move.
 TEST(PlotFigure, ValuesDoNotJitter) {
   const scene::Scene scene = sample(kTenSeconds);
   const scene::Plot plot = plotOf({"omega_1", "omega_2", "omega_3"});
@@ -279,7 +280,7 @@ TEST(PlotFigure, WritesTheDecimalSignOfTheStyle) {
   scene.style.decimalSign = scene::DecimalSign::kComma;
   const draw::Picture picture = drawn(scene, plotOf({"omega_1"}), 1);
   for (const draw::Text& text : picture.texts) EXPECT_EQ(text.tex.find('.'), std::string::npos) << text.tex;
-  // As wide as a point: a sign, no punctuation.
+  // The comma is as wide as a point, because it is a decimal sign and not punctuation.
   EXPECT_NEAR(text::setTex("$1{,}5$").width_em, text::setTex("$1.5$").width_em, 1e-9);
 }
 

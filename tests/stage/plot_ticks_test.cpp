@@ -19,7 +19,7 @@ std::vector<std::string> labels(const Ticks& ticks) {
   return all;
 }
 
-TEST(PlotTicks, AreWhereAPersonWouldPutThem) {
+TEST(PlotTicks, AreAtRoundNumbers) {
   EXPECT_EQ(labels(coveringTicks(-0.9, 1.4, 7)),
             (std::vector<std::string>{"-1.0", "-0.5", "0.0", "0.5", "1.0", "1.5"}));
   EXPECT_EQ(labels(coveringTicks(0, 18, 7)), (std::vector<std::string>{"0", "5", "10", "15", "20"}));
@@ -29,8 +29,8 @@ TEST(PlotTicks, AreWhereAPersonWouldPutThem) {
   EXPECT_EQ(labels(innerTicks(-1500, 1500, 5)), (std::vector<std::string>{"-1000", "0", "1000"}));
 }
 
-// By hand; the first three as in every plot of the gallery.
-TEST(UnitInFormula, IsUprightWithTheSpaceOfAProduct) {
+// Expected by hand; the first three units appear in every plot of the gallery.
+TEST(UnitInFormula, IsUprightWithThinSpacesBetweenFactors) {
   EXPECT_EQ(unitInFormula("rad/s"), "\\mathrm{rad/s}");
   EXPECT_EQ(unitInFormula("kg m^2/s"), "\\mathrm{kg\\,m^2/s}");
   EXPECT_EQ(unitInFormula("deg"), "\\degree");
@@ -54,7 +54,7 @@ void expectTicks(const Ticks& ticks) {
   EXPECT_TRUE(ticks.digit == 1 || ticks.digit == 2 || ticks.digit == 5);
   for (auto i = ticks.first; i <= ticks.last; ++i) {
     const std::string digits = tickDigits(ticks, i);
-    // Oracle: the C library's decimal conversion, which rounds correctly.
+    // Expected: the C library's decimal conversion, which rounds correctly.
     EXPECT_EQ(std::strtod(digits.c_str(), nullptr), ticks.at(i)) << digits;
     const std::size_t point = digits.find('.');
     EXPECT_EQ(point == std::string::npos ? 0 : digits.size() - point - 1,
@@ -62,7 +62,7 @@ void expectTicks(const Ticks& ticks) {
   }
 }
 
-TEST(PlotTicks, CoverAnyRangeWithFourToNine) {
+TEST(PlotTicks, CoverAnyRangeWithFourToNineTicks) {
   Random random;
   for (int trial = 0; trial < 20000; ++trial) {
     const double length = std::pow(10.0, random.uniform(-9, 9));
@@ -73,14 +73,14 @@ TEST(PlotTicks, CoverAnyRangeWithFourToNine) {
     EXPECT_LE(ticks.count(), 9);
     EXPECT_LE(ticks.at(ticks.first), low + 2e-9 * ticks.step());
     EXPECT_GE(ticks.at(ticks.last), high - 2e-9 * ticks.step());
-    // None could be left out.
+    // No tick could be left out.
     EXPECT_GT(ticks.at(ticks.first + 1), low);
     EXPECT_LT(ticks.at(ticks.last - 1), high);
     expectTicks(ticks);
   }
 }
 
-TEST(PlotTicks, StayInsideAnyRangeThreeToNine) {
+TEST(PlotTicks, StayInsideAnyRangeWithThreeToNineTicks) {
   Random random;
   for (int trial = 0; trial < 20000; ++trial) {
     const double length = std::pow(10.0, random.uniform(-9, 9));
@@ -88,7 +88,7 @@ TEST(PlotTicks, StayInsideAnyRangeThreeToNine) {
     const double low = fromZero ? 0 : random.uniform(-3, 2) * length, high = low + length;
     const Ticks ticks = innerTicks(low, high);
     SCOPED_TRACE(testing::Message() << low << " to " << high);
-    // 3 only where the range begins and ends between ticks: (0.6, 2.4) has 10 fifths and 3 halves.
+    // There are 3 only if the range begins and ends between ticks: (0.6, 2.4) has 10 fifths and 3 halves.
     EXPECT_GE(ticks.count(), fromZero ? 4 : 3);
     EXPECT_LE(ticks.count(), 9);
     EXPECT_GE(ticks.at(ticks.first), low - 2e-9 * ticks.step());

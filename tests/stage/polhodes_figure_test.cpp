@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Families of polhodes, Binet's construction and components, against the quadrics that they must lie on.
+// Families of polhodes, Binet's construction and components, compared with the quadrics that they must lie on.
 #include "stage/figures/polhodes_figure.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST(PolhodesFigure, EveryCurveIsOnTheEnergyEllipsoid) {
     for (const Vector3d& p : curve.points_P) {
       const Vector3d omega = p / s.scales.ellipsoid, m = kI.cwiseProduct(omega);
       EXPECT_NEAR(omega.dot(m) / twoT(), 1, 1e-13);  // measured 1.1e-15
-      // L² = 2 T I2 on the separatrix alone.
+      // L² = 2 T I2 holds on the separatrix alone.
       const double excess = m.squaredNorm() / (twoT() * kI[1]) - 1;
       if (curve.separatrix) {
         EXPECT_NEAR(excess, 0, 1e-13);  // measured 4e-16
@@ -72,7 +72,7 @@ TEST(PolhodesFigure, NeedsAFreeMotion) {
   EXPECT_THROW(BinetFigure{s.setting}, core::Error);
 }
 
-TEST(ComponentsFigure, TheirSumIsOmegaAndEachIsAlongItsAxis) {
+TEST(ComponentsFigure, ComponentsSumToOmegaAndLieAlongTheirAxes) {
   for (const char* more : {"", "[camera]\nframe = \"body\"\n"}) {
     const Scenery s = scenery(more);
     const ComponentsFigure figure(s.setting);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cones, decomposition and theta against the lecture's own relations, worked out here from omega and L alone: no
-// half-angle or rate is taken from what is drawn.
+// Cones, decomposition and theta, compared with the lecture's own relations. Expected values are worked out from
+// omega and L alone; no half-angle or rate is taken from the figures.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,7 +45,7 @@ TEST(ConesFigure, BothConesTouchAlongOmega) {
         const Vector3d cosines = onCone(cone, state.omega_V);
         EXPECT_NEAR(cosines.x(), cosines.y(), 1e-14) << text << t;  // measured 6e-16
       }
-      // Touching, not crossing: both axes and omega are in one plane.
+      // The cones touch without crossing: both axes and omega are in one plane.
       const double volume =
           figure.bodyCone(state).axis_V.dot(figure.spaceCone(state).axis_V.cross(state.omega_V.normalized()));
       EXPECT_NEAR(volume, 0, 1e-14) << text << t;  // measured 2.2e-16
@@ -53,8 +53,9 @@ TEST(ConesFigure, BothConesTouchAlongOmega) {
   }
 }
 
-// The lecture: outside each other for a prolate top, the space cone inside the body cone for an oblate one.
-TEST(ConesFigure, ProlateRollsOutsideOblateRollsAround) {
+// Lecture: the cones of a prolate top are outside each other; the space cone of an oblate top is inside its
+// body cone.
+TEST(ConesFigure, ConesTouchOutsideIfProlateInsideIfOblate) {
   const auto angleBetweenAxes = [](const Scenery& s, const ConesFigure& figure) {
     const PictureState state = s.motion.at(2);
     return std::acos(figure.bodyCone(state).axis_V.dot(figure.spaceCone(state).axis_V));
@@ -68,13 +69,14 @@ TEST(ConesFigure, ProlateRollsOutsideOblateRollsAround) {
               oblate.bodyCone(atO).halfAngle_rad - oblate.spaceCone(atO).halfAngle_rad, 1e-14);
 }
 
-TEST(ConesFigure, ABodyWithoutCones) {
+TEST(ConesFigure, RejectsBodiesAndMotionsWithoutCones) {
   EXPECT_THROW(ConesFigure(Scenery(top("[2, 3, 4]")).setting), core::Error);
   EXPECT_THROW(ConesFigure(Scenery(kProlate + "[motion.torque]\nbody = [0, 0, 1]\n").setting), core::Error);
 }
 
-// Eq 32 and 34: the parallelogram closes on omega, one side is along L and as long as |L|/I1, the other along k.
-TEST(DecompositionFigure, TheParallelogramCloses) {
+// Eq 32 and 34: the parallelogram closes on omega. One side is along L and as long as |L|/I1, the other along
+// k.
+TEST(DecompositionFigure, ThePartsSumToOmega) {
   for (const auto& [text, I1] : {std::pair{kProlate, 2.0}, {kOblate, 1.0}, {kBodyFrame, 2.0}, {kBackwards, 2.0}}) {
     const Scenery s(text, kAxisLengths);
     const DecompositionFigure figure(s.setting);
@@ -108,7 +110,8 @@ TEST(ThetaFigure, TheArcEndsOnBothArrows) {
 
 TEST(ThetaFigure, UnderGravityTheArcBeginsOnTheVertical) {
   const Scenery s(top("[2, 2, 0.8]", "[0, 0, 9]") + "[motion.gravity]\nmgr_body = [0, 0, 3]\n", kAxisLengths);
-  // The start is upright: tilted by the time at which the vertical and the axis differ, or not at all.
+  // The second scene starts tilted, so that the vertical and the axis differ. The first starts upright and has no
+  // arc.
   const Scenery tilted(
       "[body]\nprincipal_moments = [2, 2, 0.8]\n[motion]\nomega_body = [0, 0, 9]\norientation = [0.9, 0.3, 0, 0]\n"
       "[motion.gravity]\nmgr_body = [0, 0, 3]\n");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How things come and go: their presence over a film, and what it does to the draw list.
+// Things that come and go: their presence over a film, and its effect on the draw list.
 #include "stage/figures/presence.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ scene::Scene shownFrom(const std::string& thing, const std::string& more = "") {
   return sample("[[timeline]]\nat = 4\nover = 2\nshow = [\"" + thing + "\"]\n" + more);
 }
 
-TEST(PresencePlan, IsWholeWhereNothingIsSaid) {
+TEST(PresencePlan, AlwaysShowsObjectsWithoutEntries) {
   const PresencePlan none({});
   EXPECT_EQ(none.at("plane", 3), 1);
   const PresencePlan other(shownFrom("plane").timeline);
@@ -27,7 +27,7 @@ TEST(PresencePlan, IsWholeWhereNothingIsSaid) {
   EXPECT_EQ(other.at("no such thing", 0), 1);
 }
 
-TEST(PresencePlan, IsAbsentBeforeItIsShown) {
+TEST(PresencePlan, FadesInAnObjectThatIsShownLater) {
   const PresencePlan plan(shownFrom("plane").timeline);
   EXPECT_EQ(plan.at("plane", 0), 0);
   EXPECT_EQ(plan.at("plane", 4), 0);
@@ -36,7 +36,7 @@ TEST(PresencePlan, IsAbsentBeforeItIsShown) {
   EXPECT_EQ(plan.at("plane", 9), 1);
 }
 
-TEST(PresencePlan, IsThereBeforeItIsHidden) {
+TEST(PresencePlan, FadesOutAnObjectThatIsHiddenLater) {
   const PresencePlan plan(
       sample("[[timeline]]\nat = 3\nhide = [\"body\"]\n[[timeline]]\nat = 6\nshow = [\"body\"]\n").timeline);
   EXPECT_EQ(plan.at("body", 0), 1);
@@ -53,7 +53,7 @@ draw::Curve line(const std::vector<glm::vec3>& points_W, float width_px) {
   return curve;
 }
 
-/// One of each kind that is not the thing's own, then one of each that is.
+/// Draw list and labels to which each call of add() adds one thing of every kind.
 struct Sample {
   draw::DrawList list;
   std::vector<Label> labels;
@@ -76,7 +76,7 @@ struct Sample {
   }
 };
 
-TEST(DrawMark, LeavesWhatWasThereBefore) {
+TEST(DrawMark, LeavesEarlierObjectsUnchanged) {
   Sample faded, whole;
   faded.add();
   whole.add();
@@ -119,13 +119,13 @@ TEST(DrawMark, DrawsLinesOneAfterAnother) {
   ASSERT_EQ(half.curves.size(), 1u);
   EXPECT_EQ(half.curves[0].points_V, (std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}));
   EXPECT_EQ(half.curves[0].width_px, 2);
-  const draw::DrawList more = faded(0.875).list;  // the second line's half
+  const draw::DrawList more = faded(0.875).list;  // half of the second line
   ASSERT_EQ(more.curves.size(), 2u);
   EXPECT_EQ(more.curves[1].points_V, (std::vector<glm::vec3>{{0, 0, 0}, {0, 0, 0.5f}}));
-  EXPECT_FLOAT_EQ(faded(0.1).list.curves[0].width_px, 0.6f);  // the pen is put down softly
+  EXPECT_FLOAT_EQ(faded(0.1).list.curves[0].width_px, 0.6f);  // a line begins with a smaller width
 }
 
-TEST(DrawMark, DrawsAClosedLineRound) {
+TEST(DrawMark, OpensAClosedLineWhileItIsDrawn) {
   draw::DrawList list;
   std::vector<Label> labels;
   const DrawMark mark(list, labels);
@@ -136,7 +136,7 @@ TEST(DrawMark, DrawsAClosedLineRound) {
   EXPECT_EQ(list.curves[0].points_V.back(), glm::vec3(0, 0.5f, 0));
 }
 
-TEST(DrawMark, ThinsGlassAndType) {
+TEST(DrawMark, FadesGlassAndLabels) {
   const Sample sample = faded(0.5);
   const draw::GlassEllipsoid glass;
   const draw::Graticule lines;
@@ -150,7 +150,7 @@ TEST(DrawMark, ThinsGlassAndType) {
 
 // ---- the whole picture
 
-TEST(TimelinePicture, HasNothingOfWhatIsAbsent) {
+TEST(TimelinePicture, OmitsObjectsBeforeTheyAreShown) {
   const Stage stage(shownFrom("plane"));
   EXPECT_TRUE(onlyList(stage, 3.9, kSize).planes.empty());
   ASSERT_EQ(onlyList(stage, 5, kSize).planes.size(), 1u);
@@ -159,7 +159,7 @@ TEST(TimelinePicture, HasNothingOfWhatIsAbsent) {
   EXPECT_FLOAT_EQ(half, 0.5f * whole);
 }
 
-TEST(TimelinePicture, GrowsTheContactPointInItsPlace) {
+TEST(TimelinePicture, GrowsTheContactPointWithoutMovingIt) {
   const Stage stage(shownFrom("contact")), whole(sample());
   const draw::Ellipsoid dot = onlyList(stage, 5, kSize).ellipsoids.back();
   const draw::Ellipsoid full = onlyList(whole, 5, kSize).ellipsoids.back();
@@ -175,7 +175,7 @@ TEST(TimelinePicture, HidesLabelsAndTitle) {
   EXPECT_EQ(stage.compose(3, kSize).texts.at(0).opacity, 0);
 }
 
-/// What tells two pictures apart, to the bit.
+/// Returns the numbers of a picture, which tell two pictures apart to the bit.
 std::vector<float> numbersOf(const draw::Picture& picture) {
   std::vector<float> numbers;
   const draw::DrawList& list = picture.panels.at(0).list;
@@ -206,7 +206,7 @@ TEST(TimelinePicture, IsAPureFunctionOfTheTime) {
 
 // ---- speed
 
-TEST(TimelineMotion, IsThatOfThePlainFilmAtAnotherTime) {
+TEST(TimelineMotion, ShowsTheSameMotionAtAnotherSpeed) {
   const scene::Scene scene = shownFrom("plane", "speed = 0.25\n"), plain = sample();
   const PictureMotion slow(scene, drawnMotion(scene)), steady(plain, drawnMotion(plain));
   for (const double t : {1.0, 4.5, 6.0, 9.0}) {
@@ -217,7 +217,7 @@ TEST(TimelineMotion, IsThatOfThePlainFilmAtAnotherTime) {
   EXPECT_NEAR(slow.played_s(9), 4 + 2 * 0.625 + 3 * 0.25, 1e-14);
 }
 
-// A path of points that are the same in every picture cannot crawl, whatever the speed.
+// A path whose points are the same in every picture cannot crawl, at any speed.
 TEST(TimelineMotion, KeepsThePointsOfItsPaths) {
   const scene::Scene scene = shownFrom("plane", "speed = 0.25\n");
   const PictureMotion motion(scene, drawnMotion(scene));
@@ -226,14 +226,14 @@ TEST(TimelineMotion, KeepsThePointsOfItsPaths) {
   for (std::size_t i = 0; i + 1 < early.size(); ++i) EXPECT_EQ(early[i].omega_W, late[i].omega_W);
 }
 
-TEST(TimelineMotion, DrawsNoPathTwiceInAHold) {
+TEST(TimelineMotion, DrawsNoMorePathDuringAHold) {
   const Stage stage(sample("[[timeline]]\nat = 2\nover = 0.5\nhold = 3\n"));
   const auto points = [&](double t) {
     std::size_t sum = 0;
     for (const draw::Curve& c : onlyList(stage, t, kSize).curves) sum += c.points_V.size();
     return sum;
   };
-  // The bright end of the path, nine tenths of a second of film, has gone; the rest stands.
+  // The bright end of the path, 0.9 s of film, has gone; the rest stands still.
   EXPECT_EQ(points(4), points(5));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Type and lines in points, whatever the pixels.
+// Type and lines have sizes in points, independent of the number of pixels.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,30 +28,30 @@ std::vector<draw::Text> textsOf(const draw::Picture& picture) {
   return all;
 }
 
-/// Sizes of type in points of 1/72 inch.
+/// Returns the sizes of type in points of 1/72 inch.
 std::vector<double> sizes_pt(const draw::Picture& picture, double dpi) {
   std::vector<double> all;
   for (const draw::Text& text : textsOf(picture)) all.push_back(72 / dpi * static_cast<double>(text.size_px));
   return all;
 }
 
-TEST(Print, TypeIsAsLargeAsInABook) {
+TEST(Print, TextIsAsLargeAsInABook) {
   const auto sizes = sizes_pt(printed(600), 600);
   ASSERT_GT(sizes.size(), 6u);
   EXPECT_GE(*std::ranges::min_element(sizes), 6.499);
   EXPECT_LE(*std::ranges::max_element(sizes), 10);
 }
 
-TEST(Print, LinesAreAsInABook) {
+TEST(Print, LinesAreAsThickAsInABook) {
   for (const draw::Panel& panel : printed(600).panels)
     for (const draw::Curve& curve : panel.list.curves) {
       if (curve.radius_V > 0) continue;
       EXPECT_GE(curve.width_px * 72 / 600, 0.3f);
-      EXPECT_LE(curve.width_px * 72 / 600, 1.8f);  // the strongest: what the herpolhode has just travelled
+      EXPECT_LE(curve.width_px * 72 / 600, 1.8f);  // strongest: the newest part of the herpolhode
     }
 }
 
-TEST(Print, MoreDotsChangeNothingElse) {
+TEST(Print, ResolutionDoesNotChangeSizesOrPositions) {
   const auto coarse = textsOf(printed(150)), fine = textsOf(printed(600));
   ASSERT_EQ(coarse.size(), fine.size());
   for (std::size_t i = 0; i < fine.size(); ++i) {
@@ -60,14 +60,13 @@ TEST(Print, MoreDotsChangeNothingElse) {
   }
 }
 
-TEST(Print, TheStyleStillMultiplies) {
+TEST(Print, TextSizeOfTheStyleScalesAllText) {
   const auto plain = sizes_pt(printed(300), 300);
   const auto large = sizes_pt(printed(300, "[style]\ntext_size = 1.25\n"), 300);
   ASSERT_EQ(plain.size(), large.size());
   for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_NEAR(large[i], 1.25 * plain[i], 0.01);
 }
 
-// The title takes much of a small print: all that follows a thing stands below it.
 TEST(Print, NoLabelRunsIntoTheTitle) {
   const draw::Picture picture = printed(300);
   ASSERT_EQ(picture.texts.size(), 2u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every quantity against a closed form that its code does not use.
+// Compares every quantity with a closed form that its code does not use.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,8 +32,8 @@ double valueOf(std::string_view name, const physics::RigidBodyState& state, cons
   return scene::stateQuantity(indexOf(name)).value(state, basis);
 }
 
-// A state with L along z, made by hand: q turns by 120 degrees about (1, 1, 1), x to y to z to x.
-TEST(Quantities, AreTheComponentsAndLengthsOfAStateMadeByHand) {
+// The state is made by hand: q turns by 120 degrees about (1, 1, 1), x to y to z to x.
+TEST(Quantities, MatchAStateWorkedOutByHand) {
   physics::RigidBodyState s;
   s.t_s = 7;
   s.q_WB = Quaterniond(0.5, 0.5, 0.5, 0.5);
@@ -42,7 +42,7 @@ TEST(Quantities, AreTheComponentsAndLengthsOfAStateMadeByHand) {
   s.L_W = Vector3d(12, 2, 6);  // moments 2, 3, 4
   s.kineticEnergy = 0.5 * (2 * 1 + 3 * 4 + 4 * 9);
   physics::Forcing forcing;
-  forcing.gravity_B = Vector3d(5, 0, 0);  // its x points along the world's y: no height
+  forcing.gravity_B = Vector3d(5, 0, 0);  // body x points along the world's y: height 0
   const scene::QuantityBasis basis{physics::PrincipalMoments(Vector3d(2, 3, 4)), forcing, s.omega_B};
   const std::map<std::string_view, double> expected = {
       {"t", 7},
@@ -76,7 +76,7 @@ TEST(Quantities, AreTheComponentsAndLengthsOfAStateMadeByHand) {
       // About the vertical: the line of nodes z × x is y, and the first axis (y) lies on it.
       {"phi", std::numbers::pi / 2},
       {"psi", 0},
-      // The vertical and k are at right angles: omega_z and the component along k.
+      // The vertical and k are at right angles: the rates are omega_z and the component of omega along k.
       {"phi_rate", 2},
       {"psi_rate", 3}};
   const auto needsNothing = [](const auto& q) { return q.needs == scene::QuantityNeeds::kNothing; };
@@ -85,8 +85,7 @@ TEST(Quantities, AreTheComponentsAndLengthsOfAStateMadeByHand) {
     EXPECT_NEAR(valueOf(name, s, basis), value, 1e-14) << name;  // measured: at most 1.8e-15
 }
 
-// Eq (29), (32), (34) of a free symmetric body: omega = L/I1 - Omega_p k; and of any body the derivatives of the
-// angles, by differences of fourth order.
+// Eq (29), (32), (34): a free symmetric body has omega = L/I1 - Omega_p k.
 TEST(Quantities, RatesOfEulersAnglesAreThoseOfTheLecture) {
   const physics::FreeMotion symmetric(physics::PrincipalMoments(Vector3d(2, 2, 3)), Vector3d(0.5, 0, 1),
                                       Quaterniond::Identity());
@@ -115,15 +114,15 @@ TEST(Quantities, RatesAreTheDerivativesOfTheirAngles) {
 
 using LongVector = Eigen::Matrix<long double, 3, 1>;
 
-/// Rodrigues' formula for the shortest turn of the unit vector a onto b, applied to v. 1/(1 + c) is (1 - c)/n².
+/// Applies to v the shortest turn of the unit vector a onto b, by Rodrigues' formula. 1/(1 + c) is (1 - c)/n².
 LongVector turnedTheShortestWay(const LongVector& a, const LongVector& b, const LongVector& v) {
   const LongVector n = a.cross(b);
   const long double c = a.dot(b), factor = c > 0 ? 1 / (1 + c) : (1 - c) / n.squaredNorm();
   return v + n.cross(v) + factor * n.cross(n.cross(v));
 }
 
-/// A state whose pole is L and whose third axis is perpendicular to it, with the line of nodes at phi from the
-/// meridian x of that pole.
+/// Returns a state with L along the pole, the third axis perpendicular to the pole, and the line of nodes at phi
+/// from the meridian x of the pole.
 physics::RigidBodyState stateAt(long double phi, const LongVector& pole, const LongVector& x) {
   const LongVector nodes = std::cos(phi) * x + std::sin(phi) * pole.cross(x);
   Eigen::Matrix<long double, 3, 3> R;
@@ -134,9 +133,9 @@ physics::RigidBodyState stateAt(long double phi, const LongVector& pole, const L
   return s;
 }
 
-// phi counts from the world's x turned with z onto the pole, or, within 1.4e-6 of -z, with -z onto the pole. The
-// oracle turns in 64-bit mantissas. Measured: 3.4e-16 rad.
-TEST(Quantities, PhiIsExactForAPoleNearTheDownwardVertical) {
+// phi counts from the world's x turned with z onto the pole, or, within 1.4e-6 of -z, with -z onto the pole.
+// Expected values are turned with 64-bit mantissas. Measured: 3.4e-16 rad.
+TEST(Quantities, PhiIsExactForAnAxisNearTheDownwardVertical) {
   const scene::QuantityBasis basis{physics::PrincipalMoments(Vector3d(2, 2, 3)), {}, Vector3d::UnitZ()};
   for (const long double tilt : {0.0L, 1e-9L, 1e-7L, 1.3e-6L, 1.5e-6L, 1e-4L, 1.0L})
     for (const long double side : {0.3L, 2.9L, 4.1L}) {
@@ -149,8 +148,9 @@ TEST(Quantities, PhiIsExactForAPoleNearTheDownwardVertical) {
     }
 }
 
-// The five masses of the lecture's eq (2) to (12) in flight, their sums by hand (PHYSICS, eq 1 to 10): 6 kg.
-TEST(Quantities, OfAThrownBody) {
+// The five masses of the lecture's eq (2) to (12) in flight, 6 kg in total. Their sums are by hand (PHYSICS, eq 1
+// to 10).
+TEST(Quantities, MatchSumsByHandForAThrownBody) {
   physics::RigidBodyState s;
   s.t_s = 0.5;
   s.L_W = Vector3d(6.0150146484375, -7.01356201171875, 5.062939453125);
@@ -173,13 +173,13 @@ TEST(Quantities, OfAThrownBody) {
                                                        {"T_cm", 3 * (1.44 + 0.49 + 4.505 * 4.505)},
                                                        {"T_total", 7.68713928222656 + 3 * (1.93 + 4.505 * 4.505)},
                                                        {"V", 58.86 * (0.2234375 - 9.81 / 8)},
-                                                       // Nothing is lost: that of the start.
+                                                       // No energy is lost: E keeps its value at the start.
                                                        {"E", 13.95713928222656 + 58.86 * 0.0234375}};
   for (const auto& [name, value] : expected)
     EXPECT_NEAR(valueOf(name, s, basis), value, 3e-14) << name;  // measured: at most 1.5e-14
 }
 
-TEST(Quantities, OfAThrownBodyWithoutMassHaveNoMomentum) {
+TEST(Quantities, HaveNoMomentumForAThrownBodyWithoutMass) {
   const scene::QuantityBasis basis{
       physics::PrincipalMoments(Vector3d(2, 3, 4)), {}, Vector3d(1, 2, 3), scene::ThrownBody{}};
   physics::RigidBodyState s;
@@ -189,7 +189,7 @@ TEST(Quantities, OfAThrownBodyWithoutMassHaveNoMomentum) {
   for (const char* name : {"E", "T"}) EXPECT_EQ(valueOf(name, s, basis), 2) << name;
 }
 
-TEST(Quantities, DoNotExistOfABodyAtRestWhereTheyNeedL) {
+TEST(Quantities, AreUndefinedForABodyAtRestIfTheyNeedL) {
   const scene::QuantityBasis basis{physics::PrincipalMoments(Vector3d(2, 3, 4)), {}, Vector3d::Zero()};
   for (const char* name : {"theta", "theta_omega", "h", "rho"})
     EXPECT_TRUE(std::isnan(valueOf(name, {}, basis))) << name;
@@ -203,9 +203,8 @@ scene::Scene symmetricTop() {
       "sample.toml");
 }
 
-// phi turns at L/I1 (eq 34), psi at -Omega_p (eq 21), theta stays: the lecture's numbers, by hand.
-// Books of tops count theta from the vertical, those of free bodies from L.
-TEST(Quantities, OfATopAreCalledByItsVertical) {
+// Books about tops count theta from the vertical, books about free bodies from L.
+TEST(Quantities, NameTheThetaOfATopFromTheVertical) {
   physics::Forcing gravity;
   gravity.gravity_B = {0, 0, 0.3};
   const auto called = [](const char* name, const physics::Forcing& forcing) {
@@ -218,7 +217,8 @@ TEST(Quantities, OfATopAreCalledByItsVertical) {
   EXPECT_EQ(called("phi", gravity), called("phi", {}));
 }
 
-TEST(QuantityTrack, EulersAnglesOfASymmetricTopTurnSteadilyThroughAllTurns) {
+// Expected from the lecture's numbers: phi turns at L/I1 (eq 34), psi at -Omega_p (eq 21), and theta is constant.
+TEST(QuantityTrack, EulersAnglesOfATopGrowBeyondFullTurns) {
   const scene::Scene scene = symmetricTop();
   const QuantityTrack track(scene, drawnMotion(scene), {indexOf("phi"), indexOf("psi"), indexOf("theta")});
   const double precession = 1.95 / 1.5, spin = 0.8, theta = std::atan2(1.5 * 0.5, 0.9 * 2);
@@ -236,7 +236,7 @@ TEST(QuantityTrack, EulersAnglesOfASymmetricTopTurnSteadilyThroughAllTurns) {
   }
 }
 
-// q and -q are one attitude: along the film the sign is kept, so that no part jumps.
+// q and -q are one attitude. The track keeps the sign along the film, so that no component jumps.
 TEST(QuantityTrack, QuaternionsAreContinuous) {
   const scene::Scene scene = symmetricTop();
   const QuantityTrack track(scene, drawnMotion(scene),
@@ -246,14 +246,14 @@ TEST(QuantityTrack, QuaternionsAreContinuous) {
     for (std::size_t part = 0; part < 4; ++part)
       largest = std::max(largest, std::abs(track.sample(part, i) - track.sample(part, i - 1)));
   for (std::size_t part = 0; part < 4; ++part) square += std::pow(track.at(part, 13.3), 2);
-  // |dq| = |omega| dt/2 at most.
+  // |dq| is at most |omega| dt/2.
   const double step_s = 3 * track.filmTime_s(1);
   EXPECT_LE(largest, 0.5 * std::sqrt(4.25) * step_s * 1.001);
   EXPECT_NEAR(square, 1, 1e-14);
   EXPECT_LT(track.range(0).low, -0.1);  // it does change sign
 }
 
-TEST(QuantityTrack, TakesFourSamplesAPixelAndABoundedNumberOfAnHour) {
+TEST(QuantityTrack, TakesFourSamplesPerPixelUpToABound) {
   scene::Scene scene = symmetricTop();
   EXPECT_GE(QuantityTrack(scene, drawnMotion(scene), {0}).samples(), 4u * 1920);
   scene.time.duration_s = 3600;
@@ -261,10 +261,10 @@ TEST(QuantityTrack, TakesFourSamplesAPixelAndABoundedNumberOfAnHour) {
   EXPECT_EQ(QuantityTrack(scene, drawnMotion(scene), {0}).samples(), QuantityTrack::kMostSamples);
 }
 
-TEST(QuantityTrack, KnowsItsRange) {
+TEST(QuantityTrack, ReportsItsRange) {
   const scene::Scene scene = symmetricTop();
   const QuantityTrack track(scene, drawnMotion(scene), {indexOf("omega_1"), indexOf("omega_3")});
-  // omega_1 = 0.5 cos: its ends are met between samples, to half the square of their step.
+  // omega_1 = 0.5 cos: samples meet its ends to half the square of their step.
   EXPECT_NEAR(track.range(0).low, -0.5, 1e-5);
   EXPECT_NEAR(track.range(0).high, 0.5, 1e-5);
   EXPECT_NEAR(track.range(1).high - track.range(1).low, 0, 1e-14);

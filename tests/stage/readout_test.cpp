@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Read-outs against numbers worked out by hand from the lecture's formulas.
+// Read-outs, compared with numbers worked out by hand from the lecture's formulas.
 #include "stage/type/readout_board.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,9 @@ namespace {
 
 using scene::QuantityUnit;
 
-// I = (1.5, 1.5, 0.9) kg·m², omega = (0.5, 0, 2) rad/s: |L| = 1.95, 2T = 3.975, theta = atan2(0.75, 1.8), and in
-// the body omega goes round at Omega_p = (I3/I1 - 1) omega_3 = -0.8 rad/s (lecture, eq 29).
+// Returns a symmetric top with I = (1.5, 1.5, 0.9) kg·m² and omega = (0.5, 0, 2) rad/s: |L| = 1.95, 2T = 3.975,
+// theta = atan2(0.75, 1.8). In the body, omega goes round at Omega_p = (I3/I1 - 1) omega_3 = -0.8 rad/s (lecture,
+// eq 29).
 scene::Scene top(const std::string& more) {
   return scene::parseScene(
       "[body]\nprincipal_moments = [1.5, 1.5, 0.9]\n[motion]\nomega_body = [0.5, 0, 2]\n[time]\nduration = 10\n"
@@ -35,7 +36,7 @@ std::vector<ReadoutText> textsAt(const scene::Scene& scene, double filmTime_s) {
 
 double widthOf(const std::string& tex) { return text::setTex(tex).width_em; }
 
-TEST(Readouts, WriteTheQuantitiesOfTheInstant) {
+TEST(Readouts, ShowTheQuantitiesAtTheTimeOfThePicture) {
   const auto texts = textsAt(top(kFive), 3.7);
   ASSERT_EQ(texts.size(), 5u);
   EXPECT_EQ(texts[0].name + texts[0].value + texts[0].unit, "$t\\,=$$3.70$$\\,\\mathrm{s}$");
@@ -49,7 +50,7 @@ TEST(Readouts, WriteTheQuantitiesOfTheInstant) {
   EXPECT_EQ(textsAt(top(kFive), 0)[1].value, "$0.500$");
 }
 
-TEST(Readouts, KeepTheirWidthAllFilmLong) {
+TEST(Readouts, KeepTheirWidthThroughoutTheFilm) {
   const ReadoutBoard board(top(kFive), drawnMotion(top(kFive)), palette(scene::Theme::kLight));
   const auto first = board.at(0);
   bool signs = false;
@@ -76,7 +77,8 @@ std::string written(QuantityUnit unit, const QuantityRange& range, double si) {
   return format.tex(si, scene::DecimalSign::kPoint) + unitSuffix(format.unit);
 }
 
-// A few hundred values over the film, or four digits of what stands still; four at most.
+// A value has enough decimals for a few hundred steps over the film, or four digits if it stands still, but at
+// most four digits.
 TEST(Readouts, HaveAsManyDecimalsAsTheFilmNeeds) {
   EXPECT_EQ(written(QuantityUnit::kSecond, {0, 60, 1}, 12.345), "$12.3$$\\,\\mathrm{s}$");
   EXPECT_EQ(written(QuantityUnit::kAngle, {0, 6.28, 1}, 1), "$57$$\\degree$");
@@ -88,8 +90,8 @@ TEST(Readouts, HaveAsManyDecimalsAsTheFilmNeeds) {
   EXPECT_EQ(written(QuantityUnit::kAngle, {0, 1, 1}, std::nan("")), "$--$$\\degree$");
 }
 
-// omega_3 is 2 rad/s all along, which has four digits by itself.
-TEST(Readouts, HaveTheDigitsOfTheFilmsThatTheyAreComparedWith) {
+// omega_3 is 2 rad/s all along; alone, it would have four digits.
+TEST(Readouts, HaveAsManyDecimalsAsOtherCellsNeed) {
   const scene::Scene scene = top("[[readout]]\nquantity = \"omega_3\"\n");
   const QuantityRange others[] = {{0, 60, 60}};
   const ReadoutBoard board(scene, drawnMotion(scene), palette(scene.style.theme), others);
@@ -99,8 +101,8 @@ TEST(Readouts, HaveTheDigitsOfTheFilmsThatTheyAreComparedWith) {
   EXPECT_EQ(board.ranges().at(0).high, 60);
 }
 
-// A spin of 1 rad/s is 30/pi turns a minute; one unit is asked for, and no power of ten comes with it.
-TEST(Readouts, AreInTheUnitThatWasAskedFor) {
+// A spin of 1 rad/s is 30/pi turns a minute. A requested unit has no power of ten.
+TEST(Readouts, UseTheRequestedUnit) {
   const auto inUnit = [](QuantityUnit unit, const QuantityRange& range, const std::string& asked, double si) {
     const ReadoutFormat format = readoutFormat(unit, range, asked);
     return format.tex(si, scene::DecimalSign::kPoint) + unitSuffix(format.unit);

@@ -6,13 +6,13 @@
 
 namespace poinsot::stage {
 
-/// A scene from a few lines of its file.
+/// Returns a simple scene, with `extra` lines of a scene file.
 inline scene::Scene sample(const std::string& extra = "") {
   return scene::parseScene("[body]\nprincipal_moments = [2, 3, 4]\n[motion]\nomega_body = [1, 0.5, 1.6]\n" + extra,
                            "sample.toml");
 }
 
-/// What a picture of one view shows.
+/// Returns the draw list of a picture of one view.
 inline draw::DrawList onlyList(const Stage& stage, const Moment& moment, glm::ivec2 size_px) {
   return stage.compose(moment, size_px).panels.at(0).list;
 }

@@ -10,7 +10,7 @@
 
 namespace poinsot::stage {
 
-/// What the actors of a scene are made for, without pictures.
+/// Inputs that the actors of a scene are made from, without pictures.
 struct Scenery {
   scene::Scene scene;
   PictureMotion motion;
@@ -27,7 +27,7 @@ struct Scenery {
         construction(showsConstruction(scene.show, motion) ? std::optional(Construction(motion, scales))
                                                            : std::nullopt),
         setting{scene, motion, body, scales, construction ? &*construction : nullptr, axisLengths} {}
-  Scenery(const Scenery&) = delete;  // the setting points into it
+  Scenery(const Scenery&) = delete;  // setting refers to the other members
 };
 
 }  // namespace poinsot::stage

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every solid as drawn, in metres and in the body's own axes: how far it reaches, where its centre of mass is,
-// that its marks lie on it. The oracles are the solids' dimensions and surfaces written out here.
+// Every solid as drawn, in metres and in the body's own axes: how far it reaches, where its centre of mass is, and
+// that its marks lie on it. Expected values come from the solids' dimensions, and from surfaces written out here.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,19 +16,19 @@
 namespace poinsot::stage {
 namespace {
 
-using namespace physics;  // its solids, by the dozen
+using namespace physics;  // for its many solids
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 scene::Scene sceneOf(const Solid& solid) {
   scene::Scene scene = sample();
   scene.body.mass = massProperties(solid, 2);
-  scene.body.axes = PrincipalMoments({2, 3, 4});  // B itself, whatever the solid's: figures are looked at in B
+  scene.body.axes = PrincipalMoments({2, 3, 4});  // equal to B, in which figures are checked
   scene.body.parts = {scene::Part{solid, 2}};
   return scene;
 }
 
-/// 2000 pixels to a metre.
+/// Returns the draw list of a scene's body, with 2000 pixels to a metre.
 draw::DrawList drawn(const scene::Scene& scene) {
   draw::DrawList list;
   list.camera.size_px = {4000, 4000};
@@ -36,7 +36,7 @@ draw::DrawList drawn(const scene::Scene& scene) {
   return list;
 }
 
-/// Points all over what is drawn.
+/// Returns points all over the drawn surfaces.
 std::vector<Vector3d> cloudOf(const draw::DrawList& list) {
   std::vector<Vector3d> cloud;
   const auto add = [&](const glm::vec3& p) { cloud.push_back(fromPicture(p)); };
@@ -65,7 +65,7 @@ std::vector<Vector3d> cloudOf(const draw::DrawList& list) {
   return cloud;
 }
 
-/// The farthest that is drawn in a direction; tubes are balls moved along a curve.
+/// Returns the farthest that is drawn in a direction; tubes count as balls moved along a curve.
 double drawnReach(const draw::DrawList& list, const std::vector<Vector3d>& cloud, const Vector3d& direction) {
   double farthest = -1e300;
   for (const Vector3d& p : cloud) farthest = std::max(farthest, p.dot(direction));
@@ -109,9 +109,9 @@ const std::pair<const char*, Solid> kSolids[] = {
 };
 static_assert(std::size(kSolids) >= std::variant_size_v<Solid>);
 
-// Measured over all solids: the drawn points end at most 4e-4 of the radius inside the reach (the sampling of a
-// circle), and 1e-7 outside (floats).
-TEST(SolidFigures, LieWithinTheirReachAndTouchIt) {
+// Measured over all solids: the drawn points end at most 4e-4 of the radius inside the reach (from sampling a
+// circle), and at most 1e-7 outside (floats).
+TEST(SolidFigures, ReachAsFarAsTheirSupportPoints) {
   for (const auto& [name, solid] : kSolids) {
     const scene::Scene scene = sceneOf(solid);
     const BodyFigure figure(scene);
@@ -129,7 +129,7 @@ TEST(SolidFigures, LieWithinTheirReachAndTouchIt) {
   }
 }
 
-// Extents along x, y, z from the dimensions; 0 where the solid has none and is drawn with a little.
+// Extents along x, y, z from the dimensions; 0 marks a solid without thickness, which is drawn with a little.
 TEST(SolidFigures, HaveTheSolidsDimensions) {
   const double phi = std::numbers::phi;
   const std::pair<const char*, Vector3d> extents[] = {
@@ -173,8 +173,9 @@ TEST(SolidFigures, HaveTheSolidsDimensions) {
   }
 }
 
-// Where the centre of mass is from the solid's ends: textbook values and table 3.1 of the project's physics notes.
-TEST(SolidFigures, StandWithTheCentreOfMassAtTheOrigin) {
+// Distances of the centre of mass from the solid's ends: textbook values and table 3.1 of the project's physics
+// notes.
+TEST(SolidFigures, HaveTheCentreOfMassAtTheOrigin) {
   const auto below = [](const Solid& solid, const Vector3d& direction) {
     return direction.dot(BodyFigure(sceneOf(solid)).supportPoint(direction));
   };
@@ -190,18 +191,18 @@ TEST(SolidFigures, StandWithTheCentreOfMassAtTheOrigin) {
   EXPECT_NEAR(below(Racket{0.68, 0.26}, -x), 0.385151515152, 1e-12);  // balance from the butt
 }
 
-/// How far a point is off a surface, in S, in the solid's size.
+/// Surface of a solid; off() returns how far a point is off the surface, in S, in the solid's size.
 struct Surface {
   const char* name;
   Solid solid;
-  Vector3d centre_S;  // the centre of mass, where not the origin
+  Vector3d centre_S;  // centre of mass, if not the origin
   std::function<double(const Vector3d&)> off;
 };
 
 double across(const Vector3d& p) { return std::hypot(p.x(), p.y()); }
 
-// Marks are chords of the curves they follow, and some follow a mesh: measured 6e-4 of the size at most.
-TEST(SolidFigures, BearTheirMarksOnTheirSurface) {
+// Marks are chords of the curves they follow, and some lie on a mesh: measured 6e-4 of the size at most.
+TEST(SolidFigures, HaveTheirMarksOnTheirSurface) {
   const double r = 0.45, h = 0.85;
   const Surface surfaces[] = {
       {"cylinder",
@@ -255,8 +256,8 @@ TEST(SolidFigures, BearTheirMarksOnTheirSurface) {
   }
 }
 
-// One meridian is heavier than the others: without it, a turn by 120 degrees would not show.
-TEST(SolidFigures, OfRevolutionBearAHeavyMeridian) {
+// One meridian is heavier than the others; without it, a turn by 120 degrees would not show.
+TEST(SolidFigures, HaveOneBoldMeridianIfRotationallySymmetric) {
   for (const auto& [name, solid] : kSolids) {
     const std::string known = "cylinder tube cylinder shell disc hoop cone cone shell torus torus shell capsule";
     if (known.find(name) == std::string::npos) continue;
@@ -268,9 +269,9 @@ TEST(SolidFigures, OfRevolutionBearAHeavyMeridian) {
   }
 }
 
-// The lines are 2 pixels wide: a part of 5 has none, one of 7 has; a thin plate is a thousand wide. Strings are no
-// lines on something.
-TEST(SolidFigures, OfFewPixelsHaveNoMarks) {
+// The lines are 2 pixels wide. A part that is 5 pixels wide has no lines, a part of 7 has lines; a thin plate is a
+// thousand wide. Strings of a racket do not count as marks.
+TEST(SolidFigures, HaveNoMarksIfTheyAreFewPixelsWide) {
   const auto marks = [](const physics::Solid& solid) {
     const auto list = drawn(sceneOf(solid));
     return std::ranges::count_if(list.curves, [](const draw::Curve& curve) { return curve.radius_V == 0; });

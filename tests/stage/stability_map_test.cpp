@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stability map as values: which colour a direction of L has, against Euler's equations integrated here.
+// The stability map as values: the colour of a direction of L, compared with Euler's equations integrated here.
 #include "stage/stability_map.h"
 
 #include <gmock/gmock.h>
@@ -23,7 +23,6 @@ using testing::HasSubstr;
 constexpr glm::ivec2 kSize{1280, 720};
 const Vector3d kMoments(2, 3, 4), kOmega(1, 0.5, 1.6);  // of sample()
 
-/// Whether a point is in a polygon, by the even-odd rule.
 bool contains(const std::vector<glm::vec2>& polygon, glm::vec2 p) {
   bool inside = false;
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
@@ -33,7 +32,7 @@ bool contains(const std::vector<glm::vec2>& polygon, glm::vec2 p) {
   return inside;
 }
 
-/// Time between two sign changes of L's middle component, by Runge and Kutta's fourth order.
+/// Returns the time between two sign changes of L's middle component, by the Runge-Kutta method of fourth order.
 double integratedInterval(Vector3d m) {
   const auto rate = [](const Vector3d& v) -> Vector3d { return v.cross(v.cwiseQuotient(kMoments)); };
   constexpr double h = 1e-3;
@@ -47,7 +46,8 @@ double integratedInterval(Vector3d m) {
   return crossings[1] - crossings[0];
 }
 
-/// The globe of the map: its rim is the first area. The eye stands 0.66 rad aside from e2 and 0.42 rad above.
+/// Returns the globe of the map, whose rim is the first area. The eye stands 0.66 rad aside from e2 and 0.42 rad
+/// above.
 Globe globeOf(const draw::Picture& picture) {
   glm::dvec2 low(1e9), high(0);
   for (const glm::vec2& p : picture.areas.front().points_px) {
@@ -65,7 +65,7 @@ draw::Color colorAt(const draw::Picture& picture, glm::vec2 at) {
   return color;
 }
 
-/// How far a colour is along magma, in its entries.
+/// Returns the index of a colour in the magma table, or -1.
 int entryOf(const draw::Color& color) {
   for (std::size_t i = 0; i < 256; ++i) {
     const auto rgb = core::magma(i);
@@ -76,7 +76,7 @@ int entryOf(const draw::Color& color) {
   return -1;
 }
 
-TEST(StabilityMap, ColoursAreTheTimesOfEulersEquations) {
+TEST(StabilityMap, ColoursMatchIntegratedEulerEquations) {
   const scene::Scene scene = sample();
   const StabilityMap map(scene);
   const draw::Picture picture = map.compose(0, kSize);
@@ -91,7 +91,7 @@ TEST(StabilityMap, ColoursAreTheTimesOfEulersEquations) {
       ++seen;
       const double share = map.scale().share(integratedInterval(L * d));
       told += share < 1;
-      // Bands are 2.4 entries wide, and entries are whole: the colour is right to three of them.
+      // Bands are 2.4 entries wide, and entries are whole, so that the colour is right to three entries.
       const double expected = 255 * (0.1 + 0.9 * std::min(share, 1.0));
       EXPECT_NEAR(entryOf(colorAt(picture, globe.at_px(d))), expected, 3) << d.transpose();
     }
@@ -99,11 +99,12 @@ TEST(StabilityMap, ColoursAreTheTimesOfEulersEquations) {
   EXPECT_GE(told, 30);
 }
 
-// pi over the rate of circling about the axes of smallest and of largest moment; a degree from the middle one.
-TEST(StabilityScale, GoesFromTheShorterSteadySpinToADegreeFromTheMiddle) {
+// The scale begins at pi over the faster rate of circling about the axis of smallest or largest moment. It ends at
+// the longer time for a direction one degree from the middle axis.
+TEST(StabilityScale, RangesFromSteadySpinToOneDegreeFromTheMiddle) {
   const double L = 5;
   const StabilityScale scale(physics::PrincipalMoments(kMoments), L);
-  // Linearised Euler's equations: w² (I_k - I_i)(I_k - I_j)/(I_i I_j).
+  // Linearised Euler's equations: w² = (I_k - I_i)(I_k - I_j)/(I_i I_j) times the square of the spin.
   const double about1 = 3.14159265358979 / (L / 2 * std::sqrt(1.0 * 2.0 / 12));
   const double about3 = 3.14159265358979 / (L / 4 * std::sqrt(1.0 * 2.0 / 6));
   EXPECT_NEAR(scale.least_s(), std::min(about1, about3), 1e-12);
@@ -115,8 +116,8 @@ TEST(StabilityScale, GoesFromTheShorterSteadySpinToADegreeFromTheMiddle) {
   EXPECT_EQ(scale.color(0.5), scale.color(0.5));
 }
 
-// A degree's neighbourhood of equal moments: the times differ so much that their logarithms are even.
-TEST(StabilityScale, IsLogarithmicWhereTimesDifferMuch) {
+// Two moments are nearly equal. The times differ so much that the scale is even in their logarithms.
+TEST(StabilityScale, IsLogarithmicIfTimesDifferMuch) {
   const StabilityScale near(physics::PrincipalMoments({1, 1.001, 1.9}), 1);
   EXPECT_TRUE(near.isLogarithmic());
   EXPECT_NEAR(near.timeAt(0.5), std::sqrt(near.least_s() * near.most_s()), 1e-9 * near.most_s());
@@ -128,8 +129,9 @@ TEST(StabilityScale, IsLogarithmicWhereTimesDifferMuch) {
   EXPECT_GE(near.ticks(1).size(), 2u);
 }
 
-// Two great circles through the middle axis, m_3/m_1 = ± sqrt(I3 (I2 - I1)/(I1 (I3 - I2))) = ± sqrt 2.
-TEST(StabilityMap, TheSeparatrixIsDrawnWhereItIs) {
+// The separatrix is two great circles through the middle axis, m_3/m_1 = ± sqrt(I3 (I2 - I1)/(I1 (I3 - I2))) = ±
+// sqrt 2.
+TEST(StabilityMap, DrawsTheSeparatrixAsTwoGreatCircles) {
   const draw::Picture picture = StabilityMap(sample()).compose(0, kSize);
   const Globe globe = globeOf(picture);
   const draw::Color color = palette(scene::Theme::kLight).separatrix;
@@ -144,7 +146,7 @@ TEST(StabilityMap, TheSeparatrixIsDrawnWhereItIs) {
   }
 }
 
-TEST(StabilityMap, TheScenesOwnLIsMarkedAndItsAxesAreNamed) {
+TEST(StabilityMap, MarksTheScenesLAndNamesTheAxes) {
   for (const char* omega : {"[1, 0.5, 1.6]", "[-1, 0.5, -1.6]", "[0.01, -4, -0.01]"}) {
     const scene::Scene scene = scene::parseScene(
         "[body]\nprincipal_moments = [2, 3, 4]\n[motion]\nomega_body = " + std::string(omega), "sample.toml");
@@ -161,7 +163,7 @@ TEST(StabilityMap, TheScenesOwnLIsMarkedAndItsAxesAreNamed) {
   }
 }
 
-TEST(StabilityMap, StandsStillAndFitsIntoAnyPicture) {
+TEST(StabilityMap, IsTheSameAtAllTimesAndFitsAnyPicture) {
   const StabilityMap map(sample());
   EXPECT_EQ(map.compose(0, kSize).areas.size(), map.compose(9, kSize).areas.size());
   for (const glm::ivec2 size : {glm::ivec2(500, 800), glm::ivec2(800, 200), glm::ivec2(16, 16)}) {
@@ -172,8 +174,8 @@ TEST(StabilityMap, StandsStillAndFitsIntoAnyPicture) {
   EXPECT_NEAR(map.sceneTime_s() / integratedInterval(kMoments.cwiseProduct(kOmega)), 1, 1e-6);
 }
 
-// Bodies at the ends of what a scene may say: nearly symmetric ones, rods, planets, grains, slow and fast.
-TEST(StabilityMap, IsMadeOfAnyBodyThatFlips) {
+// Bodies at the limits of what a scene may have: nearly symmetric ones, rods, planets, grains, slow and fast.
+TEST(StabilityMap, WorksForAnyBodyThatFlips) {
   for (const char* text : {"[1, 1.000000000001, 2]\n[motion]\nomega_body = [1, 0.5, 1.6]",
                            "[1, 1.999999999999, 2]\n[motion]\nomega_body = [0, 1, 0]",
                            "[1e-9, 1, 1.0000000005]\n[motion]\nomega_body = [1, 1, 1]",
@@ -202,7 +204,7 @@ std::string refusal(const std::string& text) {
   return "none";
 }
 
-TEST(StabilityMap, BodiesThatDoNotFlipHaveNone) {
+TEST(StabilityMap, RejectsBodiesThatDoNotFlip) {
   const std::string nothing =
       "L = false\nomega = false\nellipsoid = false\nplane = false\ncontact = false\npolhode = false\n"
       "herpolhode = false\nheight = false\n";
@@ -217,8 +219,9 @@ TEST(StabilityMap, BodiesThatDoNotFlipHaveNone) {
               HasSubstr("not free"));
 }
 
-// A circle round the eye is whole, one round a point of the rim is half, one behind is not there.
-TEST(Globe, ShowsWhatIsBeforeTheRim) {
+// A circle round the eye's direction is whole, a circle round a point of the rim is half, and a circle behind is
+// absent.
+TEST(Globe, ClipsCirclesAtItsRim) {
   const Globe globe(Vector3d::UnitX(), Vector3d::UnitZ(), {100, 100}, 50);
   const auto circle = [](const Vector3d& about, double angle) {
     const Vector3d u = about.unitOrthogonal(), v = about.cross(u);
@@ -243,10 +246,10 @@ TEST(Globe, ShowsWhatIsBeforeTheRim) {
   constexpr double kPi = 3.14159265358979;
   EXPECT_NEAR(part(Vector3d::UnitX(), 0.5), kPi * std::pow(50 * std::sin(0.5), 2), 6);
   EXPECT_EQ(part(-Vector3d::UnitX(), 0.5), 0);
-  // Of a cap of angle a round a point of the rim: the segment that a chord at cos a cuts off the disc.
+  // A cap of angle a round a point of the rim shows the segment that a chord at cos a cuts off the disc.
   const double segment = 2500 * (0.5 - std::sin(0.5) * std::cos(0.5));
   EXPECT_NEAR(part(Vector3d::UnitY(), 0.5), segment, 3);
-  // All but such a cap: the other way along the rim.
+  // The globe without such a cap goes the other way along the rim.
   EXPECT_NEAR(part(-Vector3d::UnitY(), kPi - 0.5), kPi * 2500 - segment, 12);
   EXPECT_EQ(globe.at_px(Vector3d::UnitZ()), glm::vec2(100, 50));
   EXPECT_EQ(globe.at_px(Vector3d::UnitY()), glm::vec2(150, 100));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a picture shows, asserted on the draw list: no GL, no pixels.
+// Contents of a picture, checked on the draw list: no GL, no pixels.
 #include "stage/stage.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ using glm::vec3;
 constexpr glm::ivec2 kSize{960, 540};
 const double kTimes[] = {0, 0.7, 3.3, 5, 9.9};
 
-// The point of contact is the only solid ellipsoid of these scenes.
+// Returns the point of contact, which is the only solid ellipsoid of these scenes.
 vec3 contact(const DrawList& list) { return list.ellipsoids.at(0).centre_V; }
 
 TEST(Stage, ContactPointLiesOnThePlaneAndOnTheEllipsoid) {
@@ -38,7 +38,7 @@ TEST(Stage, ContactPointLiesOnThePlaneAndOnTheEllipsoid) {
   }
 }
 
-// L is normal to the ellipsoid at the point of contact (eq 39): the plane touches there and nowhere else.
+// L is normal to the ellipsoid at the point of contact (eq 39), so that the plane touches there and nowhere else.
 TEST(Stage, ThePlaneIsTangentToTheEllipsoid) {
   const Stage stage(sample());
   for (const double t : kTimes) {
@@ -72,7 +72,7 @@ TEST(Stage, TheArrowOfOmegaEndsAtThePointOfContact) {
   }
 }
 
-TEST(Stage, APictureDependsOnItsTimeAlone) {
+TEST(Stage, APictureDependsOnlyOnItsTime) {
   const Stage stage(sample());
   const DrawList first = onlyList(stage, 4, kSize);
   onlyList(stage, 9, kSize);
@@ -86,7 +86,7 @@ TEST(Stage, APictureDependsOnItsTimeAlone) {
     EXPECT_EQ(first.texts[i].baseline_px, again.texts[i].baseline_px);
 }
 
-TEST(Stage, TheCameraDoesNotBreathe) {
+TEST(Stage, TheCameraIsFixed) {
   const Stage stage(sample());
   const auto camera = onlyList(stage, 0, kSize).camera;
   for (const double t : kTimes) {
@@ -120,8 +120,8 @@ TEST(Stage, EverythingIsInsideTheFrameAllTheTime) {
   }
 }
 
-// The same motion in other units is the same picture: moments a million times larger, time ten times slower.
-TEST(Stage, MagnitudesDoNotShow) {
+// The same motion in other units gives the same picture: moments a million times larger, time ten times slower.
+TEST(Stage, UnitsDoNotChangeThePicture) {
   const auto scaled = scene::parseScene(
       "[body]\nprincipal_moments = [2e6, 3e6, 4e6]\n[motion]\nomega_body = [0.1, 0.05, 0.16]\n[time]\nspeed = "
       "10\n",
@@ -134,7 +134,7 @@ TEST(Stage, MagnitudesDoNotShow) {
   for (int i = 0; i < 3; ++i) EXPECT_LT(glm::distance(a.boxes[0].halfAxes_V[i], b.boxes[0].halfAxes_V[i]), 1e-6f);
 }
 
-TEST(Stage, AutomaticSpeedIsTheBodysOwnWhereTheEyeCanFollow) {
+TEST(Stage, AutomaticSpeedIsOneUnlessTheMotionIsTooSlow) {
   EXPECT_EQ(Stage(sample()).speed(), 1);
   const auto earth = scene::parseScene(
       "[body]\nprincipal_moments = [8.0e37, 8.0e37, 8.03e37]\n[motion]\nomega_body = [1e-10, 0, 7.3e-5]\n",
@@ -142,7 +142,7 @@ TEST(Stage, AutomaticSpeedIsTheBodysOwnWhereTheEyeCanFollow) {
   EXPECT_NEAR(Stage(earth).speed() * 7.3e-5, 2.1, 1e-3);
 }
 
-TEST(Stage, TheBodyStandsStillInItsOwnFrame) {
+TEST(Stage, TheBodyIsFixedInTheBodyFrame) {
   const Stage stage(sample("[camera]\nframe = \"body\"\n"));
   const glm::mat3 start = onlyList(stage, 0, kSize).boxes.at(0).halfAxes_V;
   for (const double t : kTimes) {
@@ -151,7 +151,7 @@ TEST(Stage, TheBodyStandsStillInItsOwnFrame) {
   }
 }
 
-TEST(Stage, ExaggerationIsDrawnAndSaid) {
+TEST(Stage, ExaggerationIsDrawnAndStatedInThePicture) {
   const std::string wobble =
       "[body]\nprincipal_moments = [2, 2, 3]\n[motion]\nomega_body = [0.001, 0, 1]\n[show]\nexaggerate_angles = "
       "100\n"
@@ -161,14 +161,14 @@ TEST(Stage, ExaggerationIsDrawnAndSaid) {
   bool said = false;
   for (const auto& text : picture.texts) said |= text.tex.find("100 times larger") != std::string::npos;
   EXPECT_TRUE(said);
-  // omega = (0.1, 0, 1) is drawn: tan of its angle to e3, the third column of the body's axes.
+  // The drawn omega is (0.1, 0, 1); the third column of the body's axes is e3.
   const vec3 axis = glm::normalize(list.boxes.at(0).halfAxes_V[2]);
   const float cosine = glm::dot(glm::normalize(contact(list)), axis);
   EXPECT_NEAR(std::acos(cosine), std::atan(0.1), 1e-4);
 }
 
 TEST(Stage, ExaggerationIntoAnotherKindOfMotionIsRefused) {
-  // Ten times the transverse part of (0.3, 0, 1) would be the larger one.
+  // Ten times the transverse part of (0.3, 0, 1) would be larger than the part along the axis.
   const auto scene = scene::parseScene(
       "[body]\nprincipal_moments = [2, 2, 3]\n[motion]\nomega_body = [0.3, 0, 1]\n[show]\nexaggerate_angles = "
       "10\n",
@@ -176,16 +176,16 @@ TEST(Stage, ExaggerationIntoAnotherKindOfMotionIsRefused) {
   EXPECT_THROW(Stage{scene}, core::Error);
 }
 
-// A film of an hour at a turn a second: the curves show the turns around now, and stay smooth. (Edges of the body
-// are curves of few points.)
-TEST(Stage, LongFilmsDrawTheNearestTurns) {
+// A film lasts an hour at a turn a second: the curves show the turns around the present, and stay smooth. Edges of
+// the body are curves of few points.
+TEST(Stage, LongFilmsDrawOnlyTheTurnsAroundThePresent) {
   const Stage stage(sample("[time]\nduration = 3600\nfps = 10\nspeed = 3\n"));
   for (const auto& curve : onlyList(stage, 1800, kSize).curves)
     for (std::size_t i = 0; i + 1 < curve.points_V.size(); ++i)
       ASSERT_LT(glm::distance(curve.points_V[i], curve.points_V[i + 1]), curve.points_V.size() > 8 ? 0.1f : 10.0f);
 }
 
-// From frame to frame labels glide. The fastest are those of the racket's axes, which swing through 8 degrees a
+// Labels glide from frame to frame. The fastest are the labels of the racket's axes, which swing by 8 degrees a
 // frame.
 TEST(Stage, LabelsDoNotJumpInAnyFilmOfTheGallery) {
   for (const char* name : {"tennis_racket", "poinsot_rolling", "football", "chandler_wobble"}) {
@@ -195,7 +195,7 @@ TEST(Stage, LabelsDoNotJumpInAnyFilmOfTheGallery) {
       std::map<std::string, draw::Text> now;
       for (const auto& text : onlyList(stage, k / 30.0, kSize).texts) {
         now[text.tex] = text;
-        // One that changes places fades from one to the other.
+        // A label that changes places fades from one to the other.
         if (!before.count(text.tex) || std::min(text.opacity, before[text.tex].opacity) < 0.4f) continue;
         const float most = text.tex.find("omega") != std::string::npos ? 0.04f : 0.12f;
         const float step = glm::distance(before[text.tex].baseline_px, text.baseline_px) / kSize.y;
@@ -206,9 +206,9 @@ TEST(Stage, LabelsDoNotJumpInAnyFilmOfTheGallery) {
   }
 }
 
-// What is faint for a while in a film, on its way to another place or behind the body, is no half-tone of a
-// figure.
-TEST(Stage, LabelsOfAStillAreThereOrNot) {
+// In a film, a label may be faint for a while, on its way to another place or behind the body. A still has no such
+// half-tones.
+TEST(Stage, LabelsOfAStillAreOpaqueOrAbsent) {
   int faint = 0, hidden = 0;
   for (const char* name : {"tennis_racket", "poinsot_rolling", "football"}) {
     const Stage stage(scene::loadScene(std::string(POINSOT_SOURCE_DIR "/scenes/") + name + ".toml"));
@@ -217,7 +217,7 @@ TEST(Stage, LabelsOfAStillAreThereOrNot) {
       for (const auto& text : onlyList(stage, t_s, kSize).texts) film[text.tex] = text.opacity;
       for (const auto& text : onlyList(stage, {t_s, true}, kSize).texts) still[text.tex] = text.opacity;
       for (const auto& [tex, opacity] : film) {
-        const bool omega = tex.find("omega") != std::string::npos;  // nothing hides it
+        const bool omega = tex.find("omega") != std::string::npos;  // omega is never hidden
         faint += omega && opacity < 0.9f;
         hidden += !omega && opacity < 0.5f;
         ASSERT_EQ(still.count(tex), omega || opacity >= 0.5f)
@@ -230,7 +230,7 @@ TEST(Stage, LabelsOfAStillAreThereOrNot) {
   EXPECT_GT(hidden, 0);
 }
 
-TEST(Stage, WithoutLabelsAllElseIsThere) {
+TEST(Stage, HidingLabelsChangesNothingElse) {
   for (const char* name : {"tennis_racket", "poinsot_rolling", "football", "thrown_baton"}) {
     const std::string file = std::string(POINSOT_SOURCE_DIR "/scenes/") + name + ".toml";
     const Stage with(scene::loadScene(file)), without(scene::loadScene(file, {"show.labels=false"}));
@@ -243,7 +243,7 @@ TEST(Stage, WithoutLabelsAllElseIsThere) {
   }
 }
 
-TEST(Stage, WhatIsNotShownIsNotThere) {
+TEST(Stage, HiddenObjectsAreNotDrawn) {
   const DrawList list =
       onlyList(Stage(sample("[show]\nbody = false\nprincipal_axes = false\nL = false\nomega = false\n"
                             "ellipsoid = false\nplane = false\npolhode = false\nherpolhode = false\n"
@@ -253,8 +253,9 @@ TEST(Stage, WhatIsNotShownIsNotThere) {
   EXPECT_TRUE(list.glassEllipsoids.empty() && list.planes.empty() && list.texts.empty());
 }
 
-// Half-way the travelled part of the herpolhode ends at the point of contact, and the faint part begins there.
-TEST(Stage, TheHerpolhodeIsCutAtThePointOfContact) {
+// Half-way through the film, the travelled part of the herpolhode ends at the point of contact, and the faint part
+// begins there.
+TEST(Stage, TheHerpolhodeIsSplitAtTheContactPoint) {
   const DrawList list = onlyList(Stage(sample()), 5, kSize);
   int ends = 0, starts = 0;
   for (const auto& c : list.curves) {

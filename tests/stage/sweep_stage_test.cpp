@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small multiples as values: where cells and labels lie, and what cells have in common.
+// Small multiples as values: the places of cells and labels, and what cells have in common.
 #include "stage/sweep_stage.h"
 
 #include <gmock/gmock.h>
@@ -20,7 +20,7 @@ struct Made {
   SweepStage stage;
 };
 
-/// The sample with -D words, of which one or two are ranges.
+/// Returns the sample with -D words, one or two of which are ranges.
 Made swept(const std::string& extra, const std::vector<std::string>& words, int columns = 0) {
   std::vector<scene::SweepAxis> axes;
   for (const std::string& word : words) axes.push_back(scene::sweepAxis(word).value());
@@ -46,7 +46,7 @@ const std::vector<std::string> kOne{"motion.omega_body=[0.1..0.5:5, 1, 0]"};
 const std::vector<std::string> kTwo{"motion.omega_body=[0.1..0.5:3, 1, 0]", "camera.azimuth=0..30 deg:2"};
 constexpr glm::ivec2 kSizes[] = {{1280, 720}, {961, 541}, {500, 800}, {160, 90}, {16, 16}};
 
-TEST(SweepStage, CellsAreOfOneSizeInsideThePictureAndApart) {
+TEST(SweepStage, CellsHaveOneSizeAndDoNotOverlap) {
   for (const std::string& extra : {std::string(), kWritten})
     for (const auto& words : {kOne, kTwo})
       for (const glm::ivec2 size : kSizes) {
@@ -67,7 +67,7 @@ TEST(SweepStage, CellsAreOfOneSizeInsideThePictureAndApart) {
       }
 }
 
-TEST(SweepStage, TypeIsInsideThePictureAndOffTheCells) {
+TEST(SweepStage, TextsAreInsideThePictureAndOutsideTheCells) {
   for (const auto& words : {kOne, kTwo})
     for (const glm::ivec2 size : {kSizes[0], kSizes[1], kSizes[2]}) {
       const draw::Picture picture = swept(kWritten, words).stage.compose(2, size);
@@ -87,7 +87,6 @@ TEST(SweepStage, TypeIsInsideThePictureAndOffTheCells) {
     }
 }
 
-// Over its cell, or over its column and beside its row.
 TEST(SweepStage, EachValueIsWrittenAtItsCells) {
   const auto baseline = [](const draw::Picture& picture, const std::string& tex) {
     const auto found = std::ranges::find(picture.texts, tex, &draw::Text::tex);
@@ -110,7 +109,7 @@ TEST(SweepStage, EachValueIsWrittenAtItsCells) {
   }
 }
 
-TEST(SweepStage, WhatIsWrittenOverAllStandsOnce) {
+TEST(SweepStage, TitleNotesAndCaptionsAppearOnce) {
   const draw::Picture picture = swept(kWritten, kOne).stage.compose(2, {1280, 720});
   const auto count = [&](const std::string& tex) {
     return std::ranges::count(picture.texts, tex, &draw::Text::tex);
@@ -121,8 +120,7 @@ TEST(SweepStage, WhatIsWrittenOverAllStandsOnce) {
   EXPECT_EQ(count("A caption"), 1);
 }
 
-// What a cell shows is the picture of its scene, at the cell's size: the motion at the same instant.
-TEST(SweepStage, ACellIsTheStageOfItsScene) {
+TEST(SweepStage, ACellShowsThePictureOfItsScene) {
   const Made made = swept("", kOne);
   const draw::Picture picture = made.stage.compose(3.3, {1280, 720});
   std::set<float> directions;
@@ -140,8 +138,8 @@ TEST(SweepStage, ACellIsTheStageOfItsScene) {
   EXPECT_EQ(directions.size(), 5u);  // five motions
 }
 
-// The box is as large in all cells: half its longest edge in pixels, across the view at its centre.
-TEST(SweepStage, BodiesHaveOneScale) {
+// The box is as large in all cells; measured as half its longest edge in pixels, across the view at its centre.
+TEST(SweepStage, BodiesHaveTheSameScaleInAllCells) {
   const draw::Picture picture = swept("", kOne).stage.compose(0, {1280, 720});
   const auto edge_px = [](const draw::DrawList& list) {
     const draw::Box& box = list.boxes.at(0);
@@ -153,11 +151,11 @@ TEST(SweepStage, BodiesHaveOneScale) {
   for (const draw::Panel& panel : picture.panels) EXPECT_NEAR(edge_px(panel.list) / first, 1, 1e-3);
 }
 
-// Each cell by itself would have axes of its own: omega_1 is 0.1 to 0.5 at the start and goes round an axis.
+// Each cell alone would have other axes: omega_1 is 0.1 to 0.5 at the start and goes round an axis.
 TEST(SweepStage, PlotsHaveTheSameAxes) {
   const std::string plot = "[show]\nviews = false\n[[plot]]\nquantities = [\"omega_1\"]\n";
   const draw::Picture picture = swept(plot, kOne, 5).stage.compose(2, {1600, 400});
-  const draw::Color ofAxes = palette(scene::Theme::kLight).quietInk;  // values are of omega's colour
+  const draw::Color ofAxes = palette(scene::Theme::kLight).quietInk;  // values have omega's colour
   std::map<std::string, int> numbers;
   for (const draw::Text& text : picture.texts)
     if (text.color == ofAxes && text.tex.starts_with("$") &&
@@ -167,7 +165,7 @@ TEST(SweepStage, PlotsHaveTheSameAxes) {
   for (const auto& [tex, count] : numbers) EXPECT_EQ(count % 5, 0) << tex << " " << count;
 }
 
-// I1 = (2^2 + 1^2)/12 = 5/12 kg·m²; each cell by itself would have four digits.
+// I1 = (2^2 + 1^2)/12 = 5/12 kg·m². Each cell alone would have four digits.
 TEST(SweepStage, ReadOutsHaveTheSameDigits) {
   const auto values = [](const std::string& word) {
     std::vector<std::string> all;
@@ -182,7 +180,7 @@ TEST(SweepStage, ReadOutsHaveTheSameDigits) {
               testing::ElementsAre("$4.167$", "$4.167$"));  // thousandths
 }
 
-TEST(SweepStage, TheGridOfOneRangeHasTheColumnsAskedForOrTheBest) {
+TEST(SweepStage, GridOfOneRangeHasTheRequestedOrBestColumns) {
   const auto columnsOf = [](const draw::Picture& picture) {
     std::set<int> left;
     for (const draw::Panel& panel : picture.panels) left.insert(panel.origin_px.x);
@@ -195,7 +193,7 @@ TEST(SweepStage, TheGridOfOneRangeHasTheColumnsAskedForOrTheBest) {
   EXPECT_EQ(columnsOf(swept("", kTwo, 1).stage.compose(0, {1280, 720})), 3u);  // of two ranges it is the first's
 }
 
-TEST(SweptName, IsTheSymbolOfABookOrTheWordsOfTheKey) {
+TEST(SweptName, IsATextbookSymbolOrTheWordsOfTheKey) {
   const scene::Scene aligned = sample();
   const auto name = [&](const std::string& word) { return sweptName(scene::sweepAxis(word).value(), aligned); };
   EXPECT_EQ(name("motion.omega_body=[1,1..2:2,0]"), "$\\omega_2$");
@@ -207,11 +205,11 @@ TEST(SweptName, IsTheSymbolOfABookOrTheWordsOfTheKey) {
   EXPECT_EQ(name("body.size=[1,1..2:2,3]"), "$\\text{size}_2$");
 }
 
-TEST(SweepLabels, SetNumbersAndUnitsAsABookDoes) {
+TEST(SweepLabels, TypesetNumbersWithUprightUnits) {
   const auto last = [](const std::string& word) {
     const scene::Scene scene = sample();
     const auto labels = sweepLabels({scene::sweepAxis(word).value()}, {}, scene);
-    text::setTex(labels[0].whole.back());  // throws if it cannot be set
+    text::setTex(labels[0].whole.back());  // throws if the label cannot be set
     return labels[0].values.back();
   };
   EXPECT_EQ(last("motion.omega_body=[0,1..30 rpm:2,0]"), "$30\\,\\mathrm{rpm}$");

@@ -10,7 +10,7 @@
 namespace poinsot::stage {
 namespace {
 
-TEST(TimedMotion, IsTheMotionItTimes) {
+TEST(TimedMotion, ReturnsTheStatesOfTheMotionItTimes) {
   physics::Forcing forcing;
   forcing.dissipation = 0.05;
   const auto motion = std::make_shared<const physics::DrivenMotion>(

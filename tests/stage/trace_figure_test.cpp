@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The trace of a body point, in closed form where there is one: the axis of a free symmetric top goes round L in a
-// circle (lecture, eq 20).
+// The trace of a body point. Expected in closed form if there is one: the axis of a free symmetric top goes round
+// L in a circle (lecture, eq 20).
 #include "stage/figures/trace_figure.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(TraceFigure, LiesOnItsSphereAndEndsAtThePoint) {
       const float radius = glm::length(list.glassEllipsoids[0].semiAxes_V[0]);
       const glm::vec3 dot = list.ellipsoids[0].centre_V;
       EXPECT_NEAR(glm::length(dot), radius, 2e-6);
-      ASSERT_EQ(list.curves.size(), 3u);  // to come, travelled, the last second
+      ASSERT_EQ(list.curves.size(), 3u);  // future, past, last second
       for (const auto& curve : list.curves)
         for (const auto& p : curve.points_V) ASSERT_NEAR(glm::length(p), radius, 2e-6);  // measured 1.2e-7
       EXPECT_LT(glm::distance(list.curves[0].points_V.front(), dot), 2e-6f);
@@ -43,21 +43,20 @@ TEST(TraceFigure, LiesOnItsSphereAndEndsAtThePoint) {
 
 TEST(TraceFigure, TheAxisOfAFreeTopDrawsACircleAboutL) {
   const auto list = onlyList(Stage(scene::parseScene(kTop, "t.toml")), 3, kSize);
-  // theta from the start: tan theta = I1 w/(I3 omega_3).
+  // At the start, tan theta = I1 w/(I3 omega_3), where w is the part of omega across the axis.
   const double theta = std::atan2(2 * std::hypot(1.1, 0.3), 0.8 * 2),
                radius = glm::length(list.ellipsoids[0].centre_V);
   for (const auto& curve : list.curves)
     for (const auto& p : curve.points_V) EXPECT_NEAR(p.z, radius * std::cos(theta), 3e-6);  // measured 6e-9
 }
 
-// Its place at the start is the one that the start says.
-TEST(TraceFigure, APointOfTheBody) {
+TEST(TraceFigure, AppliesTheInitialOrientationToThePoint) {
   const std::string text =
       "[body]\nprincipal_moments = [2, 3, 4]\n[motion]\nomega_body = [1.1, 0.3, 2]\n"
       "orientation = [1, 0, 0, 1]\n[show.trace]\nvisible = true\npoint = [0.1, 0.2, -0.3]\n";
   const Scenery s(text);
   const TraceFigure figure(s.setting);
-  // A quarter turn about z: x to y, y to -x.
+  // The orientation is a quarter turn about z: x to y, y to -x.
   EXPECT_LT((figure.point_V(s.motion.at(0)) - s.scales.body * Vector3d(-0.2, 0.1, -0.3)).norm(), 1e-15);
 }
 

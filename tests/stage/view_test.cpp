@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of several panels, asserted as values: no GL, no pixels.
+// Pictures of several panels, checked as values: no GL, no pixels.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using glm::vec3;
 constexpr glm::ivec2 kSize{960, 540};
 const double kTimes[] = {0, 0.7, 3.3, 5, 9.9};
 
-// A symmetric top that starts away from time 0, so that its axis is somewhere on its way round L.
+// Returns a symmetric top that starts away from time 0, so that its axis is somewhere on its way round L.
 scene::Scene top(const std::string& extra) {
   return scene::parseScene(
       "[body]\nshape = \"cylinder\"\nradius = 1\nheight = 3\nmass = 1\n[motion]\nomega_body = [0.6, 0.3, 2]\n"
@@ -35,7 +35,7 @@ const std::string kThree = "[camera]\nframes = [\"space\", \"body\", \"precessio
 
 const draw::Color kBlue = palette(scene::Theme::kLight).L, kVermilion = palette(scene::Theme::kLight).omega;
 
-/// The direction of the arrow of that colour: its head ends at its tip.
+/// Returns the direction of an arrow's tip; the arrow is found by its colour.
 vec3 arrow(const DrawList& list, const draw::Color& color) {
   for (const draw::Frustum& f : list.frustums)
     if (f.material.color == color && f.toRadius == 0) return glm::normalize(f.to_V);
@@ -43,10 +43,9 @@ vec3 arrow(const DrawList& list, const draw::Color& color) {
   return vec3(0);
 }
 
-/// The axis of the cylinder, the first of the solids.
 vec3 axisOf(const DrawList& list) { return glm::normalize(list.frustums.at(0).to_V - list.frustums.at(0).from_V); }
 
-TEST(Views, InSpaceLStandsStillInTheBodyItsAxesWithThePrecessionBoth) {
+TEST(Views, EachFrameKeepsItsReferenceDirectionsFixed) {
   const Stage stage(top(kThree));
   const Picture start = stage.compose(0, kSize);
   ASSERT_EQ(start.panels.size(), 3u);
@@ -69,9 +68,9 @@ TEST(Views, InSpaceLStandsStillInTheBodyItsAxesWithThePrecessionBoth) {
   }
 }
 
-// In the frame that precesses, the body itself turns about its axis at -Omega_p = (1 - I3/I1) omega_3 (lecture, eq
-// 29): here I1 = (3·1 + 9)/12 = 1, I3 = 1/2, omega_3 = 2, so 1 rad/s.
-TEST(Views, WithThePrecessionTheBodyTurnsAboutItsAxisAtMinusOmegaP) {
+// In the precessing frame, the body turns about its axis at -Omega_p = (1 - I3/I1) omega_3 (lecture, eq 29). Here
+// I1 = (3·1 + 9)/12 = 1, I3 = 1/2 and omega_3 = 2, which gives 1 rad/s.
+TEST(Views, PrecessingFrameShowsTheBodyTurnAtMinusOmegaP) {
   const Stage stage(top(kThree));
   const auto e1 = [&](double t) {
     const DrawList list = stage.compose(t, kSize).panels.at(2).list;
@@ -90,7 +89,7 @@ TEST(Views, WithThePrecessionTheBodyTurnsAboutItsAxisAtMinusOmegaP) {
   }
 }
 
-// Angles between L, omega and the axis are those of the instant, whoever looks.
+// All frames show the same angles between L, omega and the axis.
 TEST(Views, ShowTheSameInstant) {
   const Stage stage(top(kThree));
   for (const double t : kTimes) {
@@ -120,7 +119,7 @@ bool overlap(const Rectangle& a, const Rectangle& b) {
   return glm::all(glm::lessThan(a.low, b.high)) && glm::all(glm::lessThan(b.low, a.high));
 }
 
-// Sizes that no grid divides.
+// No grid divides these sizes.
 TEST(Views, FillThePictureBelowItsTitleWithoutOverlap) {
   const std::string grid =
       "[[view]]\nspan = [2, 1]\n[[view]]\nspan = [1, 2]\n[[view]]\nat = [0, 1]\n[[view]]\nat = [1, 1]\n";
@@ -149,7 +148,7 @@ TEST(Views, LabelsStayInTheirPanelBelowItsHeading) {
     const Picture picture = stage.compose(t, kSize);
     for (std::size_t i = 0; i < picture.panels.size(); ++i) {
       const auto& panel = picture.panels[i];
-      double heading = 0;  // its lowest ink
+      double heading = 0;  // lowest ink of the heading
       for (const draw::Text& text : picture.texts) {
         const PixelBox ink = inkOf(text);
         const bool here = ink.left >= panel.origin_px.x &&
@@ -178,8 +177,8 @@ TEST(Views, HeadingsAreCentredOverTheirPanels) {
   }
 }
 
-// Type in half a width is not half as large, and the body is as large in both panels.
-TEST(Views, KeepTypeLegibleAndBodiesAlike) {
+// Type in half the width is more than half as large, and the body is as large in both panels.
+TEST(Views, KeepTextLegibleAndBodiesOfOneSize) {
   const auto largestType = [](const DrawList& list) {
     return std::ranges::max(list.texts, {}, &draw::Text::size_px).size_px;
   };
@@ -192,7 +191,7 @@ TEST(Views, KeepTypeLegibleAndBodiesAlike) {
   EXPECT_NEAR(unit_px(two.panels[0].list) / unit_px(two.panels[1].list), 1, 1e-5);
 }
 
-TEST(Views, AreParted) {
+TEST(Views, AreSeparatedByLines) {
   EXPECT_TRUE(Stage(top("")).compose(0, kSize).strokes.empty());
   const Picture picture = Stage(top(kThree)).compose(0, kSize);
   ASSERT_EQ(picture.strokes.size(), 2u);
@@ -200,7 +199,7 @@ TEST(Views, AreParted) {
     for (const vec2& p : picture.strokes[i].points_px) EXPECT_EQ(p.x, 320.0f * static_cast<float>(i + 1));
 }
 
-// However small: nothing divides by a panel without pixels.
+// In the smallest picture, panels may have no pixels; nothing may divide by their size.
 TEST(Views, FitIntoTheSmallestPicture) {
   std::string grid = "title = \"A title\"\n";
   for (int i = 0; i < 8; ++i)
@@ -212,8 +211,8 @@ TEST(Views, FitIntoTheSmallestPicture) {
   }
 }
 
-// As technical drawings are laid out.
-TEST(Views, FromTheTopXIsToTheRightAndYUp) {
+// The layout follows technical drawings.
+TEST(Views, TopPresetShowsXToTheRightAndYUp) {
   const draw::Camera camera = onlyList(Stage(top("[camera]\npreset = \"top\"\n")), 0, kSize).camera;
   const vec2 centre = project(camera, vec3(0));
   const vec2 x = project(camera, vec3(0.1f, 0, 0)) - centre, y = project(camera, vec3(0, 0.1f, 0)) - centre;

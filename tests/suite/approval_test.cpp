@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing but the picture that was drawn and compared becomes a reference.
+// Only the picture that was drawn and compared may become a reference.
 #include "suite/approval.h"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-/// Rows of samples that count upwards.
 template <class Picture>
 Picture counting(image::PixelSize size, int channels) {
   Picture picture(size, channels);
@@ -27,7 +26,7 @@ Picture counting(image::PixelSize size, int channels) {
   return picture;
 }
 
-TEST(PixelDigest, TellsPicturesApartAndSurvivesThePng) {
+TEST(PixelDigest, DistinguishesPicturesAndIsUnchangedByPng) {
   const ScratchFolder folder;
   image::Image changed = counting<image::Image>({4, 6}, 3);
   changed.pixels.back() ^= 1;
@@ -47,7 +46,7 @@ TEST(PixelDigest, TellsPicturesApartAndSurvivesThePng) {
 
 class GoldenApprovalTest : public ::testing::Test {
  protected:
-  /// A new picture as a run leaves it.
+  /// Returns the outcome of a new picture, as a run leaves it.
   compare::Outcome drawn(const std::string& name, int size) const {
     const auto picture = counting<image::Image>({size, size}, 3);
     compare::Outcome outcome;
@@ -64,9 +63,9 @@ class GoldenApprovalTest : public ::testing::Test {
   fs::path references_ = folder_ / "ref";
 };
 
-TEST_F(GoldenApprovalTest, RefusesAPictureThatIsNoLongerTheOneDrawn) {
+TEST_F(GoldenApprovalTest, RejectsAPictureThatChangedAfterComparison) {
   const compare::Outcome a = drawn("a", 4), b = drawn("b", 5);
-  drawn("b", 6);  // over it
+  drawn("b", 6);  // replaces the picture
   GoldenApproval approval(references_, false);
   approval.add(nameOf(a), a);
   try {
@@ -91,8 +90,8 @@ TEST_F(GoldenApprovalTest, ChangesNothingBeforeItIsCommitted) {
   EXPECT_TRUE(fs::exists(references_ / "a.json"));
 }
 
-// A test a@x has the file that a reference of a for a renderer x would have.
-TEST_F(GoldenApprovalTest, LeavesTheReferencesOfOtherTestsAlone) {
+// The file of the test a@x has the name that a reference of the test a for the renderer x would have.
+TEST_F(GoldenApprovalTest, KeepsTheReferencesOfOtherTests) {
   compare::Outcome other = drawn("a@x", 4), mine = drawn("a", 5);
   other.origin.renderer = "x";
   mine.origin.renderer = "y";
@@ -102,7 +101,7 @@ TEST_F(GoldenApprovalTest, LeavesTheReferencesOfOtherTestsAlone) {
   first.add(name, mine);
   first.commit();
   EXPECT_EQ(referencesOf(references_, name).size(), 1U);
-  EXPECT_EQ(referencesOf(references_, nameOf(mine)).size(), 2U);  // were there no test a@x
+  EXPECT_EQ(referencesOf(references_, nameOf(mine)).size(), 2U);  // if there were no test a@x
 
   mine.origin.renderer = "x";
   GoldenApproval second(references_, true);
@@ -112,7 +111,7 @@ TEST_F(GoldenApprovalTest, LeavesTheReferencesOfOtherTestsAlone) {
   } catch (const core::Error& error) {
     EXPECT_EQ(error.kind(), core::ErrorKind::kUsage);
     EXPECT_THAT(error.what(),
-                HasSubstr("ref/a@x.png: is the reference of the test 'a@x', and that of 'x' would have"));
+                HasSubstr("ref/a@x.png: is the reference of the test 'a@x'; the reference of 'x' would have"));
   }
   GoldenApproval third(references_, false);
   EXPECT_TRUE(third.add(name, mine).removed.empty());

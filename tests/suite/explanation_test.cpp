@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said about the keys of a golden.toml, held against the reader of such files and the page of the docs.
+// Compares what poinsot explains about keys of golden.toml with the reader of such files and with the page in
+// docs/.
 #include "suite/explanation.h"
 
 #include <gmock/gmock.h>
@@ -27,7 +28,7 @@ std::vector<std::string> titles(std::string_view word) {
   return all;
 }
 
-/// A whole manifest around a key with its example.
+/// Returns a whole manifest around a key with its example.
 std::string manifestWith(const GoldenKey& key) {
   const std::string line = std::string(key.name) + " = " + key.example + "\n", table = key.table;
   const std::string image = "[[test]]\nimage = 'x.png'\n", scene = "[[test]]\nscene = 'scenes/a.toml'\n";
@@ -39,17 +40,17 @@ std::string manifestWith(const GoldenKey& key) {
   return (ofScenes ? scene : image) + line;
 }
 
-TEST(GoldenExplanation, ExamplesAreTaken) {
+TEST(GoldenExplanation, ExamplesAreAccepted) {
   const ScratchFolder folder;
   std::filesystem::create_directory(folder / "scenes");
   folder.put("scenes/a.toml", "");
   for (const GoldenKey& key : goldenKeys()) {
-    if (!*key.example) continue;  // of [[test]], which all have
+    if (!*key.example) continue;  // [[test]] itself, which every manifest has
     EXPECT_NO_THROW(parseGoldenManifest(manifestWith(key), folder / "golden.toml")) << manifestWith(key);
   }
 }
 
-TEST(GoldenExplanation, HasEveryKeyByItsPathAndByItsName) {
+TEST(GoldenExplanation, FindsEveryKeyByItsPathAndByItsName) {
   for (const GoldenKey& key : goldenKeys()) {
     EXPECT_THAT(titles(pathOf(key)), ::testing::Contains(pathOf(key)));
     EXPECT_THAT(titles(key.name), ::testing::Contains(pathOf(key)));
@@ -61,15 +62,14 @@ TEST(GoldenExplanation, HasEveryKeyByItsPathAndByItsName) {
   for (const char* word : {"golden", "golden.toml"}) EXPECT_THAT(titles(word), ElementsAre("golden.toml"));
   EXPECT_THAT(titles("[[test]]"), ElementsAre("[[test]] of golden.toml", "golden.test"));
   EXPECT_THAT(titles("rule"), ElementsAre("[rule] of golden.toml", "golden.rule", "golden.test.rule"));
-  EXPECT_THAT(titles("golden.flip_max"), IsEmpty());  // is not at the top
+  EXPECT_THAT(titles("golden.flip_max"), IsEmpty());  // not a key at the top
   EXPECT_THAT(titles("camera"), IsEmpty());
 }
 
-constexpr const char* kUpdate =
-    "POINSOT_UPDATE_DOCS=1 ctest --test-dir build -R GoldenExplanation.IsWhatThePageSays";
+constexpr const char* kUpdate = "POINSOT_UPDATE_DOCS=1 ctest --test-dir build -R GoldenExplanation.MatchesTheDocs";
 
-// docs/golden.md is committed, so that it can be read without building; this keeps its table true.
-TEST(GoldenExplanation, IsWhatThePageSays) {
+// docs/golden.md is committed, so that it can be read without building. This test keeps its table of keys correct.
+TEST(GoldenExplanation, MatchesTheDocs) {
   const std::string path = POINSOT_SOURCE_DIR "/docs/golden.md", begin = "<!-- golden keys -->\n",
                     end = "<!-- end -->";
   std::string page = textOf(path);

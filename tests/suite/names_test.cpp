@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// No two files of a golden suite may be one. Suites of two tests are drawn at random from all kinds of names; the
-// verdict comes from the definition: the files of both tests are listed, and no path may stand there twice.
+// No two files of a golden suite may be one. The test draws suites of two tests at random from all kinds of names.
+// The expected verdict comes from the definition: no path may appear twice in the list of both tests' files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,10 +18,10 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// One [[test]], and what docs/golden.md says of its files.
+/// One [[test]], with its files by docs/golden.md.
 struct Kind {
   std::string name;
-  std::string extension;  ///< of its image; "toml": a scene
+  std::string extension;  ///< of its image; ".toml" for a scene
   std::vector<std::string> times;
   std::string variant;
 
@@ -44,7 +44,7 @@ struct Kind {
     return names;
   }
 
-  /// Files below the folder of references.
+  /// Returns the files below the folder of references.
   std::vector<std::string> references() const {
     std::vector<std::string> files;
     const auto add = [&](const std::string& picture, const std::string& mark) {
@@ -58,7 +58,7 @@ struct Kind {
     return files;
   }
 
-  /// Files below the folder of new pictures.
+  /// Returns the files below the folder of new pictures.
   std::vector<std::string> written() const {
     std::vector<std::string> files;
     for (const std::string& one : cases()) {
@@ -85,7 +85,6 @@ std::vector<Kind> allKinds() {
 
 class GoldenNames : public ::testing::Test {
  protected:
-  /// Returns the error of a suite; empty if there is none.
   std::string errorOf(const std::string& suite) const try {
     const GoldenManifest manifest =
         parseGoldenManifest("references = 'ref'\n" + suite, folder_.path() / "golden.toml");
@@ -98,7 +97,7 @@ class GoldenNames : public ::testing::Test {
     return error.what();
   }
 
-  /// Compares verdicts on `count` suites of two tests.
+  /// Compares verdicts on `count` random suites of two tests with the definition.
   void compare(int count, bool ignoresCase) const {
     const auto isOneFile = [&](std::vector<std::string> files, const std::vector<std::string>& more) {
       files.insert(files.end(), more.begin(), more.end());
@@ -126,10 +125,10 @@ class GoldenNames : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(GoldenNames, AreRefusedWhereTwoFilesWouldBeOne) { compare(4000, false); }
+TEST_F(GoldenNames, AreRejectedIfTwoTestsWouldShareAFile) { compare(4000, false); }
 
-// A second name of each folder in other letters stands in for a file system that takes both for the same.
-TEST_F(GoldenNames, AreComparedWithoutCaseWhereTheFileSystemDoes) {
+// A second name of each folder, in capitals, stands in for a file system that ignores case.
+TEST_F(GoldenNames, AreComparedWithoutCaseIfTheFileSystemIgnoresIt) {
   for (const char* const names : {"ref REF", "out OUT"}) {
     const std::string both = names;
     std::filesystem::create_directory(folder_.path() / both.substr(0, 3));
@@ -138,7 +137,7 @@ TEST_F(GoldenNames, AreComparedWithoutCaseWhereTheFileSystemDoes) {
   compare(1000, true);
 }
 
-TEST_F(GoldenNames, AreToldWithTheirLines) {
+TEST_F(GoldenNames, ErrorsNameTheLinesOfBothTests) {
   const std::string scene = "scene = 's.toml'\n";
   EXPECT_THAT(
       errorOf("[[test]]\nname = 'a'\ntimes = [0, 0.3]\n" + scene + "[[test]]\nname = 'a_t0'\n" + scene),
@@ -151,7 +150,7 @@ TEST_F(GoldenNames, AreToldWithTheirLines) {
 }
 
 // A link in the folder of new pictures gives one file two names.
-TEST_F(GoldenNames, AreComparedWithLinksFollowed) {
+TEST_F(GoldenNames, AreComparedAfterResolvingLinks) {
   std::filesystem::create_directories(folder_.path() / "out/x");
   std::filesystem::create_directory_symlink("x", folder_.path() / "out/y");
   const std::string x = "[[test]]\nname = 'x/a'\nscene = 's.toml'\n",

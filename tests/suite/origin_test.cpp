@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a reference was made with: its description, and how a new picture's origin differs from it.
+// Origins of references: how they are read from descriptions, and how a new picture's origin differs.
 #include <gtest/gtest.h>
 
 #include "suite/reference.h"
@@ -12,7 +12,7 @@ const compare::PictureOrigin kThen{"llvmpipe (LLVM 15.0.6, 128 bits)", "Mesa 22.
 TEST(PictureOrigin, NamesOnlyFactsThatDiffer) {
   compare::PictureOrigin now = kThen;
   EXPECT_EQ(compare::originChange(kThen, now), "");
-  now.scene = "60";  // what is drawn is no fact of what draws
+  now.scene = "60";  // the scene is not part of the comparison
   EXPECT_EQ(compare::originChange(kThen, now), "");
   now.software = "poinsot 0.2.0";
   EXPECT_EQ(compare::originChange(kThen, now), "approved by poinsot 0.1.0, drawn by poinsot 0.2.0");
@@ -23,7 +23,7 @@ TEST(PictureOrigin, NamesOnlyFactsThatDiffer) {
   EXPECT_EQ(compare::originChange(kThen, now), "approved by llvmpipe (LLVM 15.0.6, 128 bits), drawn by softpipe");
 }
 
-TEST(PictureOrigin, LeavesOutFactsThatOnlyOneOfTheTwoHas) {
+TEST(PictureOrigin, IgnoresFactsThatOnlyOnePictureHas) {
   compare::PictureOrigin now = kThen;
   now.driver = now.software = "";
   EXPECT_EQ(compare::originChange(kThen, now), "");
@@ -31,7 +31,7 @@ TEST(PictureOrigin, LeavesOutFactsThatOnlyOneOfTheTwoHas) {
   EXPECT_EQ(compare::originChange({}, kThen), "");
 }
 
-// An image's texts are a stranger's.
+// The texts of an image may come from a stranger.
 TEST(PictureOrigin, PrintsNoControlCharacters) {
   compare::PictureOrigin now = kThen;
   now.software = "x\33[2J";

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Debian's Chromium without a screen, by Debian's selenium."""
+"""Starts Debian's headless Chromium with Debian's selenium."""
 
 from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 
 
 def browser(width, height):
-    """Keeps what pages complain of: get_log('browser')."""
+    """Starts a browser. get_log('browser') returns the error messages of its pages."""
     options = webdriver.ChromeOptions()
     for word in ('--headless=new', '--no-sandbox', f'--window-size={width},{height}'):
         options.add_argument(word)

@@ -10,8 +10,8 @@
 
 namespace poinsot::physics {
 
-/// Expected values from an evaluation to 50 digits by two other methods, made before this code; rounded to the 16
-/// digits given.
+/// Free motion and its expected values. The values come from an evaluation to 50 digits by two other methods, made
+/// before this code, and are rounded to the 16 digits given.
 struct Example {
   const char* name;
   Eigen::Vector3d I, omega0;

@@ -6,7 +6,7 @@
 
 namespace poinsot {
 
-/// Times from the smallest double to the largest, infinity and NaN, of both signs: 41.
+/// Returns 41 times: from the smallest double to the largest, infinity and NaN, of both signs.
 inline std::vector<double> extremeTimes() {
   using Limits = std::numeric_limits<double>;
   std::vector<double> all{Limits::quiet_NaN()};

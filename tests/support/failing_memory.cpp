@@ -8,7 +8,7 @@
 #include <cstring>
 
 extern "C" {
-// glibc's own, for those who stand in for them.
+// Functions of glibc that the replacements below call.
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* block, std::size_t size);
@@ -23,7 +23,7 @@ std::size_t count = 0, failAtCount = 0;
 std::ptrdiff_t keptBlocks = 0;
 bool failOnwards = false;
 
-/// Where the code of a library, or of the program, which has no name, lies.
+/// Addresses of the code of a library, or of the program, whose name is empty.
 struct Range {
   std::uintptr_t begin = 0, end = 0;
   bool holds(const void* address) const {
@@ -52,13 +52,13 @@ Range codeOf(const char* library) {
   return search.found;
 }
 
-Range program, standardLibrary;  // which has operator new
+Range program, standardLibrary;  // standardLibrary has operator new
 bool failOwnOnly = false;
 
-/// For a debugger to stop at: who asked.
+/// Fails an allocation. A debugger can stop here to see who allocated.
 [[gnu::noinline]] void allocationFails() { errno = ENOMEM; }
 
-/// Whether the one that is asked for from there fails.
+/// Returns whether the allocation made by `caller` fails.
 [[maybe_unused]] bool fails(const void* caller) {
   if (!watching || (failOwnOnly && !program.holds(caller) && !standardLibrary.holds(caller))) return false;
   ++count;
@@ -78,7 +78,8 @@ bool failOwnOnly = false;
 
 }  // namespace
 
-// Sanitizers have functions of their own here, and ask for memory before a thread has its variables.
+// Sanitizers replace these functions themselves, and allocate memory before a thread has its thread-local
+// variables.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 extern "C" {
 

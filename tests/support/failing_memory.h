@@ -3,25 +3,25 @@
 
 #include <cstddef>
 
-/// Replaces malloc and its kin in a test program: allocations of the thread that watches are counted and
-/// remembered, and can be made to fail. Costs the others nothing they would notice.
+/// Replaces malloc and its kin in a test program, to count allocations of the watching thread and to make them
+/// fail. Other threads see no noticeable cost.
 namespace poinsot {
 
-/// Which allocations fail: all, or those of the program and of C++ itself, not those of other libraries.
+/// Allocations that can fail: all of them, or only those made by the program and by libstdc++.
 enum class Whose { kAll, kOwn };
 
-/// From its construction on, until its end.
+/// Watches the allocations of the current thread for as long as the object lives.
 class MemoryWatch {
  public:
-  /// @param failAt  which allocation fails, from 1; 0 for none
-  /// @param onwards  all later ones as well
+  /// @param failAt  number of the allocation that fails, from 1; 0 for none
+  /// @param onwards  whether all later allocations fail as well
   explicit MemoryWatch(std::size_t failAt = 0, bool onwards = false, Whose whose = Whose::kAll);
   ~MemoryWatch();
   MemoryWatch(const MemoryWatch&) = delete;
 
   std::size_t allocations() const;
-  /// Blocks that were taken since its begin less those given back, of which some may be older: libraries put a new
-  /// one in the place of what they keep.
+  /// Returns the number of allocated minus freed blocks since the watch began. Freed blocks may be older, because
+  /// libraries replace blocks that they keep.
   std::ptrdiff_t kept() const;
 };
 

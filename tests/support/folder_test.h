@@ -19,7 +19,7 @@ namespace poinsot {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// A test with a folder of its own, removed at its end.
+/// Fixture with a temporary folder, which is removed when the test ends.
 class FolderTest : public ::testing::Test {
  protected:
   std::filesystem::path in(const std::string& name) const { return folder_ / name; }
@@ -33,7 +33,7 @@ class FolderTest : public ::testing::Test {
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
-  /// Names of all entries, sorted: nothing temporary may be among them.
+  /// Returns the names of all entries, sorted; nothing temporary may be among them.
   std::vector<std::string> names() const {
     std::vector<std::string> all;
     for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
@@ -46,7 +46,8 @@ class FolderTest : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-/// The message of the core::Error of that kind that the call throws; empty if it throws none.
+/// Returns the message of the core::Error that `call` throws, and checks its kind. Returns "" if `call` throws
+/// none.
 template <class Call>
 std::string messageOf(core::ErrorKind kind, Call call) {
   try {

@@ -8,7 +8,7 @@
 
 #include "scene/scene_file.h"
 
-/// The scenes of the gallery: as `poinsot gallery` finds them, every NAME.toml in scenes/.
+/// Scenes of the gallery: every NAME.toml in scenes/, as `poinsot gallery` finds them.
 namespace poinsot {
 
 inline std::filesystem::path galleryFolder() { return std::filesystem::path(POINSOT_SOURCE_DIR) / "scenes"; }
@@ -17,7 +17,6 @@ inline scene::Scene galleryScene(const std::string& name) {
   return scene::loadScene(galleryFolder() / (name + ".toml"));
 }
 
-/// Sorted.
 inline std::vector<std::string> galleryNames() {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(galleryFolder()))

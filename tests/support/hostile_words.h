@@ -6,7 +6,7 @@
 
 namespace poinsot {
 
-/// Names and values that mean something else to a shell than themselves.
+/// Names and values that a shell misreads unless they are quoted.
 inline const std::vector<std::string> kHostileWords{"",
                                                     "a b",
                                                     "it's",

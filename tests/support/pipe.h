@@ -10,7 +10,6 @@
 
 namespace poinsot {
 
-/// Both ends of a pipe.
 struct Pipe {
   core::FileHandle read, write;
   Pipe() {

@@ -27,11 +27,12 @@ int openStdout(const std::filesystem::path& file, Stdout to) {
   if (to != Stdout::kBrokenPipe && to != Stdout::kUnread) return openOutput(file);
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
-  if (to == Stdout::kBrokenPipe) close(ends[0]);  // the other stays, until this test ends
+  if (to == Stdout::kBrokenPipe) close(ends[0]);  // the write end stays open until the test ends
   return ends[1];
 }
 
-/// The program, or what starts it where POINSOT_RUN_UNDER says so (valgrind and its options): see docs/testing.md.
+/// Returns the program and its arguments, after the words of POINSOT_RUN_UNDER if that is set (valgrind and its
+/// options): see docs/testing.md.
 std::vector<std::string> commandLine(const std::vector<std::string>& arguments) {
   const char* under = std::getenv("POINSOT_RUN_UNDER");
   std::istringstream stream(under ? under : "");

@@ -11,31 +11,29 @@
 
 namespace poinsot {
 
-/// What became of a run.
 struct RunResult {
-  int exitCode = -1;  ///< 1000 + signal if a signal killed it: no run should end that way
+  int exitCode = -1;  ///< 1000 + signal number if a signal killed the program, which should not happen
   std::string out, err;
 };
 
-/// Where the program's stdout leads: kUnread is a pipe whose reader never reads.
+/// Target of the program's stdout. kUnread is a pipe whose reader never reads.
 enum class Stdout { kFile, kClosed, kBrokenPipe, kUnread, kFull };
 
-/// The built program as a process of its own group, in a folder of its own.
+/// Process of the built program, in a process group of its own and in a scratch folder.
 class ProgramRun {
  public:
-  /// Starts it. @param folder  working folder; stdout and stderr are kept in it under hidden names.
-  /// `environment`: "NAME=value", on top of this process's own.
+  /// Starts the program.
+  /// @param folder  working folder; also keeps stdout and stderr under hidden names
+  /// @param environment  entries "NAME=value", added to this process's own environment
   ProgramRun(const ScratchFolder& folder, const std::vector<std::string>& arguments,
              Stdout stdoutTo = Stdout::kFile, const std::vector<std::string>& environment = {});
-  /// Kills it if it still runs.
+  /// Kills the process group if the process still runs.
   ~ProgramRun();
   ProgramRun(const ProgramRun&) = delete;
 
   pid_t pid() const { return pid_; }
   void signal(int number) const;
-  /// What it wrote to stderr so far.
   std::string errSoFar() const;
-  /// Waits for its end.
   RunResult wait();
 
  private:
@@ -43,17 +41,17 @@ class ProgramRun {
   pid_t pid_ = -1;
 };
 
-/// Runs it to the end.
+/// Starts the program and waits for its end.
 RunResult run(const ScratchFolder& folder, const std::vector<std::string>& arguments,
               Stdout stdoutTo = Stdout::kFile, const std::vector<std::string>& environment = {});
 
-/// All bytes of a file; fails the test if it cannot be read.
+/// Returns all bytes of a file; fails the test if the file cannot be read.
 std::string bytesOf(const std::filesystem::path& file);
 
-/// Names in a folder that are not the harness's own, sorted.
+/// Returns the sorted names in a folder, without the hidden files of the harness.
 std::vector<std::string> namesIn(const std::filesystem::path& folder);
 
-/// A good scene of 4 s at 30 fps, 160x90.
+/// Valid scene of 4 s at 30 fps, 160 x 90 pixels.
 extern const char* const kGoodScene;
 
 }  // namespace poinsot

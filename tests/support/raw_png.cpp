@@ -31,7 +31,7 @@ Bytes header(const RawPng& file) {
                   joined({bigEndian(file.width), bigEndian(file.height), {file.depth, file.colorType, 0, 0, 0}}));
 }
 
-/// The rows with filter type 0 before each, in a zlib stream.
+/// Returns the rows as a zlib stream, each row after filter type 0.
 Bytes packed(const RawPng& file, const Bytes& samples) {
   const std::size_t row = (std::size_t{file.width} * file.depth * kChannels[file.colorType] + 7) / 8;
   Bytes rows;

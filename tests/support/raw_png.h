@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG files of every kind, written chunk by chunk after the specification, so that they owe nothing to the
-// program.
+// Writes PNG files of every kind, chunk by chunk from the specification and without the program's own code.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +11,8 @@ namespace poinsot {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// A chunk with its length and checksum.
 Bytes pngChunk(const std::string& type, const Bytes& data);
 
-/// Properties of a file besides its pixels.
 struct RawPng {
   std::uint32_t width = 1, height = 1;
   std::uint8_t depth = 8;
@@ -23,15 +20,17 @@ struct RawPng {
   std::vector<Bytes> chunks = {};  ///< between IHDR and the pixels
 };
 
-/// A file of samples as they are stored: rows from the top, without filter bytes.
+/// Returns a PNG file.
+/// @param samples  as stored: rows from the top, without filter bytes
 Bytes pngBytes(const RawPng& file, const Bytes& samples);
 
-/// An animation of such pictures, each shown for so many milliseconds. @pre as many delays as pictures.
-/// @param defaultPicture  shown by viewers that know no animation; empty for the first of the pictures
+/// Returns an animated PNG that shows each picture for its delay.
+/// @param defaultPicture  shown by viewers without support for animation; if empty, the first picture is shown
+/// @pre as many delays as pictures
 Bytes apngBytes(const RawPng& file, const std::vector<Bytes>& pictures,
                 const std::vector<std::uint16_t>& delays_ms, const Bytes& defaultPicture = {});
 
-/// Writes a file, and the folders above it.
+/// Writes a file, and creates the folders above it.
 void saveBytes(const std::filesystem::path& file, const Bytes& bytes);
 
 }  // namespace poinsot

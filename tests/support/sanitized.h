@@ -3,8 +3,8 @@
 
 namespace poinsot {
 
-/// Whether the program and its tests are built with AddressSanitizer or ThreadSanitizer. Both lay out terabytes of
-/// address space and double what is held, so that limits on memory say nothing of the program.
+/// Whether the program and its tests are built with AddressSanitizer or ThreadSanitizer. Both reserve terabytes of
+/// address space and double the memory in use, so that limits on memory mean nothing there.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool kSanitized = true;
 #else
@@ -13,6 +13,6 @@ inline constexpr bool kSanitized = false;
 
 }  // namespace poinsot
 
-/// In a test that no sanitizer can watch.
+/// Skips a test that cannot run under a sanitizer.
 #define POINSOT_NOT_SANITIZED(why) \
   if (poinsot::kSanitized) GTEST_SKIP() << "under a sanitizer: " << (why)

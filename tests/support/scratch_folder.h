@@ -10,7 +10,7 @@
 
 namespace poinsot {
 
-/// A folder of this test's own, removed at its end.
+/// Temporary folder, removed when the object is destroyed.
 class ScratchFolder {
  public:
   ScratchFolder() {

@@ -8,7 +8,7 @@
 
 namespace poinsot {
 
-/// All of a file; empty if it cannot be read.
+/// Returns the whole text of a file; empty if the file cannot be read.
 inline std::string textOf(const std::filesystem::path& file) {
   std::ostringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();

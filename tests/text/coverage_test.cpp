@@ -32,8 +32,8 @@ Moments momentsOf(const CoverageMap& map) {
   return m;
 }
 
-// Oracle: shoelace area of the outline, flattened by the test, from the font's file. Measured: 4.2e-4 at worst,
-// from rounding to bytes; bound 2e-3.
+// Expected: the shoelace area of the outline, which the test reads from the font's file and flattens. Measured:
+// 4.2e-4 at worst, from rounding to bytes; bound 2e-3.
 TEST(Coverage, SumsToTheAreaOfTheOutlines) {
   const testing::FontOracle font;
   for (const char* tex :
@@ -49,7 +49,7 @@ TEST(Coverage, SumsToTheAreaOfTheOutlines) {
     }
 }
 
-TEST(Coverage, LiesWhereTheInkIs) {
+TEST(Coverage, HasTheBoundsOfTheInk) {
   const GlyphRun run = setTex("$\\hat{\\mathbf{e}}_1$");
   const double size_px = 50, x_px = 100.25, y_px = 60.5;
   const CoverageMap map = rasterize(run, size_px, x_px, y_px);
@@ -59,8 +59,8 @@ TEST(Coverage, LiesWhereTheInkIs) {
   EXPECT_EQ(map.top + map.height, static_cast<int>(std::ceil(y_px - size_px * run.inkBottom_em)));
 }
 
-// A pixel's ink counts at its centre, so the centroid of an upright stem w pixels wide is itself off by up to
-// 1/(8 w); hence large type. Measured: 0.0051 px at worst; bound 0.01.
+// A pixel's ink counts at its centre, so that the centroid of an upright stem w pixels wide is off by up to 1/(8
+// w). Large type keeps that small. Measured: 0.0051 px at worst; bound 0.01.
 TEST(Coverage, FollowsSubPixelShifts) {
   for (const char* tex : {"$\\mathbf{L}$", "$\\boldsymbol{\\omega}$", "$\\hat{\\mathbf{e}}_1$"}) {
     const GlyphRun run = setTex(tex);
@@ -71,7 +71,7 @@ TEST(Coverage, FollowsSubPixelShifts) {
   }
 }
 
-TEST(Coverage, WholePixelsMoveItUnchanged) {
+TEST(Coverage, IsUnchangedByShiftsOfWholePixels) {
   const GlyphRun run = setTex("$\\hat{\\mathbf{e}}_1 = 2T/L$");
   const CoverageMap here = rasterize(run, 33.3, 20.37, 50.81, 2.5);
   const CoverageMap there = rasterize(run, 33.3, 20.37 + 512, 50.81 - 256, 2.5);
@@ -80,8 +80,8 @@ TEST(Coverage, WholePixelsMoveItUnchanged) {
   EXPECT_EQ(there.values, here.values);
 }
 
-// A rectangle of known place: coverage is a product of lengths.
-TEST(Coverage, OfARuleIsExact) {
+// The rectangle's place is known, so that coverage is a product of lengths.
+TEST(Coverage, IsExactForARectangularRule) {
   GlyphRun run;
   run.rules.push_back({0, 0, 1, 0.5});
   const CoverageMap map = rasterize(run, 8, 10.25, 20.5);  // x 10.25..18.25, y 16.5..20.5
@@ -105,13 +105,13 @@ TEST(Coverage, DoesNotCountInkTwice) {
   EXPECT_EQ(rasterize(once, 16, 3, 40).values, rasterize(twice, 16, 3, 40).values);
 }
 
-TEST(Coverage, OfNothingIsEmpty) {
+TEST(Coverage, IsEmptyForBlanks) {
   EXPECT_TRUE(rasterize(setTex("  "), 40, 0, 0).values.empty());
   EXPECT_EQ(rasterize(setTex(""), 40, 0, 0, 3).width, 0);
   EXPECT_EQ(CoverageMap{}.at(0, 0), 0);
 }
 
-TEST(Coverage, HoldsItsCallersToTheContract) {
+TEST(Coverage, RejectsArgumentsOutOfRange) {
   const GlyphRun run = setTex("L");
   EXPECT_THROW(rasterize(run, 0, 0, 0), std::logic_error);
   EXPECT_THROW(rasterize(run, std::nan(""), 0, 0), std::logic_error);

@@ -54,7 +54,7 @@ Trace trace(FT_Face face, unsigned glyph) {
     static_cast<Trace*>(user)->lineTo(static_cast<double>(to->x), static_cast<double>(to->y));
     return 0;
   };
-  funcs.conic_to = [](const FT_Vector*, const FT_Vector*, void*) { return 1; };  // a CFF font has none
+  funcs.conic_to = [](const FT_Vector*, const FT_Vector*, void*) { return 1; };  // a CFF font has no conics
   funcs.cubic_to = [](const FT_Vector* a, const FT_Vector* b, const FT_Vector* to, void* user) {
     static_cast<Trace*>(user)->cubicTo(*a, *b, *to);
     return 0;

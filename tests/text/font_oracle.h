@@ -15,8 +15,8 @@ struct Ink {
   double top = 0;
 };
 
-/// A font of Latin Modern read from its file with FreeType and HarfBuzz directly: what the text layer is checked
-/// against. Lengths in em.
+/// Font of Latin Modern, read from its file with FreeType and HarfBuzz directly; reference for the text layer.
+/// Lengths are in em.
 class FontOracle {
  public:
   explicit FontOracle(const char* file = POINSOT_MATH_FONT);
@@ -24,16 +24,16 @@ class FontOracle {
   FontOracle(const FontOracle&) = delete;
   FontOracle& operator=(const FontOracle&) = delete;
 
-  /// 0 where the font has none.
+  /// Returns the glyph of a character; 0 if the font has none.
   unsigned glyph(char32_t character) const { return FT_Get_Char_Index(face_, character); }
   double advance(unsigned glyph) const;
   double italicCorrection(unsigned glyph) const;
   double topAccent(unsigned glyph) const;
   double constant(hb_ot_math_constant_t which) const;
 
-  /// From the curves, each cut into 64 chords.
+  /// Returns the bounds of a glyph's ink, from curves cut into 64 chords each.
   Ink ink(unsigned glyph) const;
-  /// In em², positive: filled area by the shoelace formula, holes taken off.
+  /// Returns the filled area in em², by the shoelace formula; holes do not count.
   double area(unsigned glyph) const;
 
  private:

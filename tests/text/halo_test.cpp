@@ -16,8 +16,8 @@ double areaOf(const CoverageMap& map) {
   return sum;
 }
 
-// The dot of \cdot is a disc; grown by r it is a disc whose radius follows from its area.
-// Measured: 0.036 px too small at worst, the chords' doing (kHaloTolerance_px); bound 0.1.
+// The dot of \cdot is a disc; grown by r, it is a disc whose radius follows from its area. Measured: 0.036 px too
+// small at worst, because of the chords (kHaloTolerance_px); bound 0.1.
 TEST(Halo, GrowsADiscByItsRadius) {
   const GlyphRun dot = setTex("$\\cdot$");
   const double size_px = 200;
@@ -28,8 +28,8 @@ TEST(Halo, GrowsADiscByItsRadius) {
   }
 }
 
-// Steiner's formula for a convex shape: area + perimeter * r + pi r²; the last term tells round corners from
-// square. Measured 1.8e-4; bound 3e-3, where square corners would be 3.3e-2 off.
+// Steiner's formula: a convex shape grows to area + perimeter * r + pi r²; the last term distinguishes round
+// corners from square ones. Measured 1.8e-4; bound 3e-3, where square corners would be 3.3e-2 off.
 TEST(Halo, RoundsCorners) {
   GlyphRun run;
   run.rules.push_back({0, 0, 2, 1});
@@ -70,14 +70,14 @@ TEST(Halo, ContainsTheGlyphs) {
     }
 }
 
-TEST(Halo, IsAUnionNotASum) {
+TEST(Halo, DoesNotAddUpWhereGlyphsOverlap) {
   GlyphRun once = setTex("$e$"), twice = once;
   twice.glyphs.push_back(twice.glyphs[0]);
   EXPECT_EQ(rasterize(twice, 40, 10.4, 50.3, 2).values, rasterize(once, 40, 10.4, 50.3, 2).values);
 }
 
-// Narrow places of letters are filled without holes: the eye of an e is less than 2 x 4 pixels high here.
-TEST(Halo, ClosesNarrowPlaces) {
+// Narrow parts of letters are filled without holes: the eye of an e is less than 2 x 4 pixels high here.
+TEST(Halo, FillsNarrowGapsInsideLetters) {
   const GlyphRun e = setTex("e");
   const CoverageMap halo = rasterize(e, 24, 10, 40, 4);
   for (double v = 0.1; v < 0.95; v += 0.1) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Accented letters: which are accepted, that they look the same however they are typed, and their weight.
-// Oracles: canonical decompositions from Python's unicodedata (canonical_decompositions.inc); character maps,
-// outlines and areas of the three font files, read by the test (font_oracle.h).
+// Accented letters: which of them are accepted, that they look the same in any spelling, and their weight.
+// Expected values come from canonical decompositions of Python's unicodedata (canonical_decompositions.inc), and
+// from character maps, outlines and areas of the three font files, which the test reads itself (font_oracle.h).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 struct Parts {
   char32_t whole;
   char32_t first;
-  char32_t second;  // 0 where there is one part
+  char32_t second;  // 0 if there is one part
 };
 constexpr Parts kParts[] = {
 #include "canonical_decompositions.inc"
@@ -42,8 +42,8 @@ const Parts* partsOf(char32_t c) {
 
 std::string utf8(char32_t c) { return toUtf8({&c, 1}); }
 
-/// All the way down, as a Mac's keyboard or a file's name has it. No letter of the blocks needs its marks sorted
-/// but those with a dot or a line below, which come first in the table's own order.
+/// Returns the full decomposition, as a Mac's keyboard or a file's name has it. In these blocks, only letters with
+/// a dot or a line below need their marks sorted, and the table lists these marks first.
 std::string decomposedByTable(char32_t c) {
   const Parts* parts = partsOf(c);
   if (parts == nullptr) return utf8(c);
@@ -63,10 +63,10 @@ bool sets(const std::string& tex) {
 class Letters : public ::testing::Test {
  protected:
   bool hasGlyph(char32_t c) const {
-    return c != 0xAD && (math_.glyph(c) != 0 || roman_.glyph(c) != 0);  // a soft hyphen is no sign to draw
+    return c != 0xAD && (math_.glyph(c) != 0 || roman_.glyph(c) != 0);  // a soft hyphen is not drawn
   }
 
-  /// The rule: a glyph of its own, or parts that are all accepted.
+  /// Returns whether a character has a glyph of its own, or parts that are all accepted.
   bool isAccepted(char32_t c) const {
     if (hasGlyph(c)) return true;
     const Parts* parts = partsOf(c);
@@ -125,7 +125,7 @@ TEST_F(Letters, AreAcceptedExactlyIfTheFontsHaveTheirParts) {
 
 // Letters beyond a to z of the languages that docs/figures.md names, from the exemplar characters of Unicode's
 // CLDR.
-TEST_F(Letters, WriteTheLanguagesOfTheManual) {
+TEST_F(Letters, CoverTheLanguagesInTheDocumentation) {
   const std::pair<const char*, const char*> kLanguages[] = {{"Catalan", "àçéèíïŀóòúü·"},
                                                             {"Croatian", "čćđšžČĆĐŠŽ"},
                                                             {"Czech", "áčďéěíňóřšťúůýžŘŮ"},
@@ -180,8 +180,8 @@ TEST_F(Letters, LookTheSameInAnyOrderOfMarks) {
   expectSame(setTex("ệ"), setTex("e\u0302\u0323"), "dot below and circumflex");
 }
 
-// The same letter without its marks has less ink; bold has more than regular.
-TEST_F(Letters, KeepTheirWeightUnderMarks) {
+// A letter has more ink with its marks than without, and bold has more ink than regular.
+TEST_F(Letters, StayBoldUnderAccents) {
   int count = 0;
   for (const char32_t c : accepted()) {
     const std::string base = decomposedByTable(c).substr(0, 1);
@@ -196,7 +196,7 @@ TEST_F(Letters, KeepTheirWeightUnderMarks) {
   EXPECT_GT(count, 300);
 }
 
-TEST_F(Letters, TakeTheBoldFontsOwnForm) {
+TEST_F(Letters, UseTheGlyphsOfTheBoldFont) {
   for (const char32_t c : std::u32string_view(U"üéñößřÜÉÑŘçąđħŵ")) {
     const GlyphRun run = setTex("\\textbf{" + utf8(c) + "}");
     ASSERT_EQ(run.glyphs.size(), 1u) << utf8(c);
@@ -206,7 +206,7 @@ TEST_F(Letters, TakeTheBoldFontsOwnForm) {
   }
 }
 
-TEST_F(Letters, HaveBoldPunctuationBesideThem) {
+TEST_F(Letters, HaveBoldPunctuationInBoldText) {
   for (const char32_t c : std::u32string_view(U".,:;!?()[]-–—’“”\"/%=+²½·§")) {
     const GlyphRun run = setTex("\\textbf{" + (c == U'%' ? "\\%" : utf8(c)) + "}");
     ASSERT_EQ(run.glyphs.size(), 1u) << utf8(c);
@@ -217,15 +217,15 @@ TEST_F(Letters, HaveBoldPunctuationBesideThem) {
 }
 
 // Pictures of plain titles do not depend on the fonts for text.
-TEST_F(Letters, PlainLettersStayThoseOfTheMathematicsFont) {
+TEST_F(Letters, UseTheMathematicsFontIfUnaccented) {
   const std::string plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz 0123456789";
   for (const std::string& tex : {plain, "\\textbf{" + plain + "}"})
     for (const PlacedGlyph& g : setTex(tex).glyphs) EXPECT_EQ(g.face, Typeface::kMath);
 }
 
-// Marks on letters for which no font has one glyph, from ink to ink: measured gaps 0.044 to 0.139 em, off the
-// middle at most 0.064 em.
-TEST_F(Letters, CarryTheirMarksAboveAndBelow) {
+// Marks on letters for which no font has one glyph, measured from ink to ink: gaps 0.044 to 0.139 em, off the
+// middle by at most 0.064 em.
+TEST_F(Letters, HaveAccentsCentredAboveOrBelow) {
   int above = 0, below = 0;
   for (const char32_t c : accepted())
     for (const std::string& tex : {utf8(c), "\\textbf{" + utf8(c) + "}"}) {
@@ -252,7 +252,7 @@ TEST_F(Letters, LoseTheirDotUnderAMark) {
   EXPECT_EQ(setTex("i\u0307\u0301").glyphs[0].id, math_.glyph(U'ı'));  // Lithuanian: the dot is a mark itself
 }
 
-// By hand from the kern tables of the two fonts, in thousandths of an em.
+// Expected by hand from the kern tables of the two fonts, in thousandths of an em.
 TEST_F(Letters, AreKernedByTheFontsTables) {
   const auto kerning = [&](const std::string& a, const std::string& b, const char* style) {
     const auto width = [&](const std::string& t) { return setTex(style + ("{" + t + "}")).width_em; };
@@ -266,7 +266,7 @@ TEST_F(Letters, AreKernedByTheFontsTables) {
   EXPECT_NEAR(kerning("Ä", "r", "\\textbf"), 0, 1e-9);
 }
 
-TEST_F(Letters, TakeMarksInFormulasAsTheirCommandsDo) {
+TEST_F(Letters, HaveTheSameAccentsInFormulasAsCommands) {
   for (const auto& [typed, command] : {std::pair{"$ẋ$", "$\\dot{x}$"},
                                        {"$é$", "$\\hat{e}$"},
                                        {"$θ\u0308$", "$\\ddot{θ}$"},

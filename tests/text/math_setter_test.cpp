@@ -8,9 +8,9 @@
 
 #include "text/font_oracle.h"
 
-// Oracles: advances, attachment points and constants read from the font's file by the test (font_oracle.h), code
-// points from the Unicode charts, spaces from The TeXbook. Positions are sums of whole font units over 1000, so
-// the differences are rounding only: measured at most 5e-16 em where a bound of 1e-12 stands.
+// Expected values: advances, attachment points and constants that the test reads from the font's file
+// (font_oracle.h), code points from the Unicode charts, and spaces from The TeXbook. Positions are sums of whole
+// font units over 1000, so that differences are rounding only: measured at most 5e-16 em where the bound is 1e-12.
 namespace poinsot::text {
 namespace {
 
@@ -49,7 +49,7 @@ TEST_F(MathSetter, TextIsKerned) {
   EXPECT_NEAR(run.glyphs[1].x_em, advance(U'T') - 1.0 / 12, kExact_em);
 }
 
-TEST_F(MathSetter, LettersTakeTheAlphabetOfUnicode) {
+TEST_F(MathSetter, LettersUseUnicodesMathematicalAlphabets) {
   expectGlyphs("$Lxh2$", U"𝐿𝑥ℎ2");
   expectGlyphs("$\\mathbf{Lx2}$", U"𝐋𝐱𝟐");
   expectGlyphs("$\\boldsymbol{Lx2}$", U"𝑳𝒙𝟐");
@@ -64,7 +64,7 @@ TEST_F(MathSetter, LettersTakeTheAlphabetOfUnicode) {
   EXPECT_NE(setTex("$L$").glyphs[0].id, setTex("L").glyphs[0].id);
 }
 
-TEST_F(MathSetter, TypographyOfText) {
+TEST_F(MathSetter, TextHasTypographicQuotesDashesAndLigatures) {
   expectGlyphs("Poinsot's", U"Poinsot’s");
   expectGlyphs("1--2---3", U"1–2—3");
   expectGlyphs("``a''", U"“a”");
@@ -73,7 +73,7 @@ TEST_F(MathSetter, TypographyOfText) {
   expectGlyphs("fl{f}i", U"\uFB02fi");
 }
 
-TEST_F(MathSetter, OperatorsAreSpacedAsTheTeXbookHasThem) {
+TEST_F(MathSetter, OperatorsAreSpacedAsInTheTeXbook) {
   const double a = setTex("$a$").width_em, b = setTex("$b$").width_em;
   for (const auto& [tex, sign] : {std::pair{"$a+b$", U'+'}, {"$a-b$", U'−'}, {"$a\\times b$", U'×'}})
     EXPECT_NEAR(setTex(tex).width_em, a + b + advance(sign) + 8.0 / 18, kExact_em) << tex;
@@ -84,7 +84,7 @@ TEST_F(MathSetter, OperatorsAreSpacedAsTheTeXbookHasThem) {
   EXPECT_NEAR(setTex("$a\\,b\\;a\\quad b$").width_em, 2 * a + 2 * b + 8.0 / 18 + 1, kExact_em);
 }
 
-TEST_F(MathSetter, ASignIsNoOperator) {
+TEST_F(MathSetter, AMinusSignHasNoSpaceAfterIt) {
   expectGlyphs("$-1$", U"−1");
   EXPECT_NEAR(setTex("$-1$").width_em, advances(U"−1"), kExact_em);
   EXPECT_NEAR(setTex("$(-1)$").width_em, advances(U"(−1)"), kExact_em);
@@ -93,7 +93,7 @@ TEST_F(MathSetter, ASignIsNoOperator) {
               setTex("$x^{1-1}$").width_em - setTex("$x^{1}$").width_em, kExact_em);
 }
 
-TEST_F(MathSetter, LeaningLettersGetTheRoomTheyNeed) {
+TEST_F(MathSetter, SlantedLettersGetTheirItalicCorrection) {
   const unsigned T = font_.glyph(U'𝑇');
   EXPECT_GT(font_.italicCorrection(T), 0.1);
   EXPECT_NEAR(setTex("$T$").width_em, font_.advance(T) + font_.italicCorrection(T), kExact_em);
@@ -102,7 +102,7 @@ TEST_F(MathSetter, LeaningLettersGetTheRoomTheyNeed) {
   EXPECT_NEAR(scripts.glyphs[2].x_em, font_.advance(T) + font_.italicCorrection(T), kExact_em);
 }
 
-TEST_F(MathSetter, AccentsAreAttachedWhereTheFontSays) {
+TEST_F(MathSetter, AccentsAreAtTheAttachmentPointsOfTheFont) {
   const std::pair<const char*, char32_t> kAccents[] = {{"hat", U'\u0302'},  {"dot", U'\u0307'},
                                                        {"ddot", U'\u0308'}, {"bar", U'\u0304'},
                                                        {"vec", U'\u20D7'},  {"tilde", U'\u0303'}};
@@ -123,7 +123,7 @@ TEST_F(MathSetter, AccentsAreAttachedWhereTheFontSays) {
     }
 }
 
-// Letters that are symmetric by themselves: the eye measures from ink to ink.
+// These letters are symmetric by themselves, so that the eye measures from ink to ink.
 TEST_F(MathSetter, AccentsLookCentred) {
   for (const char* tex :
        {"$\\hat{\\mathbf{T}}$", "$\\dot{\\mathbf{o}}$", "$\\bar{\\mathbf{I}}$", "$\\ddot{\\mathbf{e}}$"}) {
@@ -142,7 +142,7 @@ TEST_F(MathSetter, AnAccentedILosesItsDot) {
   EXPECT_EQ(setTex("$i$").glyphs[0].id, font_.glyph(U'𝑖'));
 }
 
-TEST_F(MathSetter, ScriptsFollowTheMathTable) {
+TEST_F(MathSetter, ScriptsHaveTheSizesAndShiftsOfTheFont) {
   const double script = 10 * font_.constant(HB_OT_MATH_CONSTANT_SCRIPT_PERCENT_SCALE_DOWN);  // % / 100, not em
   const double scriptScript = 10 * font_.constant(HB_OT_MATH_CONSTANT_SCRIPT_SCRIPT_PERCENT_SCALE_DOWN);
   EXPECT_NEAR(script, 0.7, 1e-12);
@@ -157,7 +157,7 @@ TEST_F(MathSetter, ScriptsFollowTheMathTable) {
 }
 
 // The font draws small letters sturdier (feature ssty): at the same nominal size the script form is wider.
-TEST_F(MathSetter, ScriptsTakeTheirSturdierForms) {
+TEST_F(MathSetter, ScriptsUseTheScriptGlyphsOfTheFont) {
   for (const auto& [tex, character] :
        {std::pair{"$x_e$", U'𝑒'}, {"$x_\\mathbf{e}$", U'𝐞'}, {"$x_1$", U'1'}, {"$x_{\\text{e}}$", U'e'}}) {
     const GlyphId script = setTex(tex).glyphs[1].id;
@@ -167,7 +167,7 @@ TEST_F(MathSetter, ScriptsTakeTheirSturdierForms) {
   }
 }
 
-TEST_F(MathSetter, ScriptsUnderEachOtherKeepTheirGap) {
+TEST_F(MathSetter, SubscriptAndSuperscriptKeepTheMinimumGap) {
   const double least = font_.constant(HB_OT_MATH_CONSTANT_SUB_SUPERSCRIPT_GAP_MIN);
   for (const char* tex : {"$x_1^2$", "$x_b^y$", "$x_{b^2}^{y_1}$"}) {
     const GlyphRun run = setTex(tex);
@@ -194,7 +194,7 @@ TEST_F(MathSetter, AFractionIsCentredOnTheAxis) {
   EXPECT_NEAR(run.glyphs[0].x_em + numerator_em / 2, bar.x_em + bar.width_em / 2, kExact_em);
 }
 
-// The parts of \\dfrac are as large as the line's type, and as far from the bar as the font says for displays.
+// The parts of \dfrac are as large as the line's type, and as far from the bar as the font requires for displays.
 TEST_F(MathSetter, ADisplayedFractionHasPartsOfFullSize) {
   const GlyphRun small = setTex("$\\frac{a}{b}$"), large = setTex("$\\dfrac{a}{b}$");
   EXPECT_EQ(large.glyphs[0].scale, 1);
@@ -225,9 +225,10 @@ TEST_F(MathSetter, ARootCoversItsContent) {
   }
 }
 
-// Oracle: OpenType 1.9, MATH table, the three radical degree constants, and MathML Core 3.3.3: the index ends
-// RadicalKernAfterDegree (negative) before the sign begins, and its bottom is at that share of the sign's height.
-TEST_F(MathSetter, ARootsIndexStandsWhereTheFontSays) {
+// Expected: OpenType 1.9, MATH table, the three radical degree constants, and MathML Core 3.3.3. The index ends
+// RadicalKernAfterDegree (negative) before the sign begins. The index's bottom is at the share
+// RadicalDegreeBottomRaisePercent of the sign's height.
+TEST_F(MathSetter, TheIndexOfARootIsAtThePositionOfTheFont) {
   const double smallest = 10 * font_.constant(HB_OT_MATH_CONSTANT_SCRIPT_SCRIPT_PERCENT_SCALE_DOWN);
   const double before = font_.constant(HB_OT_MATH_CONSTANT_RADICAL_KERN_BEFORE_DEGREE);
   const double after = font_.constant(HB_OT_MATH_CONSTANT_RADICAL_KERN_AFTER_DEGREE);
@@ -245,13 +246,13 @@ TEST_F(MathSetter, ARootsIndexStandsWhereTheFontSays) {
     EXPECT_NEAR(run.width_em, signX + plain.width_em, kExact_em) << content;
     const testing::Ink ink = font_.ink(sign.id);
     const double bottom = index.y_em + smallest * font_.ink(index.id).bottom;
-    // The layer's extents are whole units: measured at most 4e-4.
+    // The layer's extents are whole units: measured at most 4e-4 off.
     EXPECT_NEAR(bottom, sign.y_em + ink.bottom + raise * (ink.top - ink.bottom), 2e-3) << content;
   }
   EXPECT_EQ(setTex("$\\sqrt{x}$").glyphs.size(), 2u);
 }
 
-TEST_F(MathSetter, ARootsIndexIsAnyFormula) {
+TEST_F(MathSetter, ARootsIndexMayBeAnyFormula) {
   for (const char* tex :
        {"$\\sqrt[n]{x}$", "$\\sqrt[n+1]{x}$", "$\\sqrt [3] x$", "$\\sqrt[\\sqrt[3]{2}]{x}$", "$\\sqrt[{[a]}]{x}$",
         "$\\sqrt[3]{\\sqrt[5]{x}}$", "$\\sqrt[\\text{a]}]{x}$", "$x^{\\sqrt[3]{y}}$"})
@@ -262,7 +263,7 @@ TEST_F(MathSetter, ARootsIndexIsAnyFormula) {
   EXPECT_EQ(setTex("$\\sqrt[n]{x}$").plainText, "[n]√x");
 }
 
-// The layer's extents are those of HarfBuzz, whole font units; the oracle's come from the curves.
+// The layer's extents are HarfBuzz's, in whole font units; the expected extents come from the curves.
 TEST_F(MathSetter, InkBoundsAreThoseOfTheOutlines) {
   for (const char* tex : {"Poinsot", "$\\hat{\\mathbf{e}}_1$", "$2T/L$", " y ", "$\\frac{x}{y}$"}) {
     const GlyphRun run = setTex(tex);
@@ -286,7 +287,7 @@ TEST_F(MathSetter, InkBoundsAreThoseOfTheOutlines) {
   EXPECT_EQ(setTex("x").ascent_em, setTex("L").ascent_em);
 }
 
-TEST_F(MathSetter, PlainTextCanBeReadAloud) {
+TEST_F(MathSetter, ConvertsFormulasToPlainText) {
   EXPECT_EQ(setTex("Poinsot's construction").plainText, "Poinsot’s construction");
   EXPECT_EQ(setTex("$\\boldsymbol{\\omega}$").plainText, "ω");
   EXPECT_EQ(setTex("$\\hat{\\mathbf{e}}_1$").plainText, "e\u0302₁");

@@ -29,20 +29,19 @@ struct Mistake {
   const char* says;
 };
 
-/// A fraction of fractions of fractions.
 std::string tower(int stories) {
   const std::string below = stories > 1 ? tower(stories - 1) : "a";
   return "\\frac{" + below + "}{" + below + "}";
 }
 
-TEST(TexError, NamesTheColumnAndTheRepair) {
+TEST(TexError, NamesTheColumnAndTheCorrection) {
   const std::string tall = "$a\\sqrt{" + tower(4) + "}$";
   const Mistake kMistakes[] = {
       {"$\\omgea$", 2, "unknown command \\omgea; did you mean \\omega?"},
       {"a $\\mathbb{R}$", 4, "unknown command \\mathbb; did you mean \\mathbf?"},
       {"$\\zzzzzzzz$", 2, "unknown command \\zzzzzzzz"},
       {"ωω $x", 4, "'$' is never closed"},
-      {"cost 5$", 7, "'$' is never closed; a formula is $...$; for the sign write \\$"},
+      {"cost 5$", 7, "'$' is never closed; a formula is $...$; for the character itself write \\$"},
       {"$\\mathbf{L$", 11, "'$' inside braces"},
       {"$\\mathbf{L", 9, "'{' is never closed"},
       {"\\textbf{a", 8, "'{' is never closed"},
@@ -55,23 +54,24 @@ TEST(TexError, NamesTheColumnAndTheRepair) {
       {"$x_1_2$", 5, "a second '_'"},
       {"$\\hat$", 2, "\\hat needs an argument"},
       {"$\\frac{1}$", 2, "\\frac needs an argument"},
-      {tall.c_str(), 3, "what is under the root is taller than the font's largest root sign"},
+      {tall.c_str(), 3, "the expression under the root is taller than the font's largest root sign"},
       {"$\\sqrt[3{x}$", 7, "'[' is never closed; a root with an index is \\sqrt[3]{x}"},
       {"$a+\\sqrt[{3]}{x}$", 9, "'[' is never closed"},
       {"${\\sqrt[3}]{x}$", 8, "'[' is never closed"},
       {"$\\sqrt[3", 7, "'[' is never closed"},
       {"$\\sqrt[3]$", 2, "\\sqrt needs an argument"},
       {"$\\sqrt[]{x}$", 7, "a root with an empty index; write \\sqrt{x}, or \\sqrt[3]{x}"},
-      {"L^2", 2, "'^' outside a formula; write $...^...$, such as $x^1$; there is no command for the sign"},
+      {"L^2", 2,
+       "'^' outside a formula; write $...^...$, such as $x^1$; there is no command for the character itself"},
       {"\\textbf a", 1, "\\textbf needs braces: \\textbf{...}"},
       {"$\\text{a $b$}$", 10, "a formula inside \\text{...}"},
       {"L 漢", 3, "the font has no glyph for 漢 (U+6F22)"},
       {"$漢$", 2, "the font has no glyph for 漢 (U+6F22)"},
-      {"ab\xff", 3, "not UTF-8"},
+      {"ab\xff", 3, "not valid UTF-8"},
       {"ab\\", 3, "a backslash at the end"},
       {"$ab\\", 4, "a backslash at the end"},
-      {"$\\ω$", 2, "a backslash before a character that makes no command"},
-      {"$\\\x7f$", 2, "a backslash before a character that makes no command"},  // found by fuzzing
+      {"$\\ω$", 2, "a backslash before a character that is not a command"},
+      {"$\\\x7f$", 2, "a backslash before a character that is not a command"},  // found by fuzzing
       {"a\x01", 2, "the font has no glyph for \\x01 (U+0001)"},
   };
   for (const Mistake& m : kMistakes) {
@@ -81,7 +81,7 @@ TEST(TexError, NamesTheColumnAndTheRepair) {
   }
 }
 
-// The commands that TeX has for its own characters, from The TeXbook, chapter 7; it has none that draws ^, ~ or a
+// The commands for TeX's own characters are from The TeXbook, chapter 7. TeX has no command that draws ^, ~ or a
 // backslash in running text.
 TEST(TexError, NamesTheCommandOfASignOnlyIfItDrawsTheSign) {
   const std::string kSpecial = "&%#~{}\\$_^", kDrawn = "&%#{}$_";
@@ -96,7 +96,7 @@ TEST(TexError, NamesTheCommandOfASignOnlyIfItDrawsTheSign) {
                                    "$a" + std::string(1, sign) + "$", "a" + command}) {
       const std::string message = failureOf(tex);
       for (const char other : kSpecial) {
-        const bool named = message.find(std::string("for the sign write \\") + other) != message.npos;
+        const bool named = message.find(std::string("for the character itself write \\") + other) != message.npos;
         const bool right = kDrawn.find(other) != kDrawn.npos && tex.find(other) != tex.npos;
         EXPECT_TRUE(!named || right) << message;
       }
@@ -104,8 +104,8 @@ TEST(TexError, NamesTheCommandOfASignOnlyIfItDrawsTheSign) {
   }
   for (const char sign : std::string("{}$_"))
     EXPECT_THAT(failureOf(std::string(1, sign)),
-                ::testing::HasSubstr(std::string("for the sign write \\") + sign));
-  EXPECT_THAT(failureOf("^"), ::testing::HasSubstr("no command for the sign"));
+                ::testing::HasSubstr(std::string("for the character itself write \\") + sign));
+  EXPECT_THAT(failureOf("^"), ::testing::HasSubstr("no command for the character"));
 }
 
 TEST(TexError, LimitsHostileInput) {
@@ -118,8 +118,9 @@ TEST(TexError, LimitsHostileInput) {
   EXPECT_THAT(failureOf(roots + "x$"), ::testing::HasSubstr("nested more than 40 deep"));
 }
 
-// The list is the documentation's (math_setter.h), not the table's: a command dropped from the table fails here.
-TEST(Commands, EveryDocumentedOneSets) {
+// The list is the documentation's (math_setter.h), not the table's, so that a command dropped from the table fails
+// here.
+TEST(Commands, EveryDocumentedCommandCanBeSet) {
   for (const char* name :
        {"alpha",    "beta",     "gamma",   "delta",  "epsilon", "varepsilon", "zeta",    "eta",   "theta",
         "vartheta", "iota",     "kappa",   "lambda", "mu",      "nu",         "xi",      "pi",    "rho",
@@ -134,7 +135,7 @@ TEST(Commands, EveryDocumentedOneSets) {
   for (const char* name : {",", ";", " ", "quad"}) EXPECT_GT(setTex(std::string("$\\") + name + "$").width_em, 0);
 }
 
-TEST(Commands, EveryOneInTheTableSetsAndHasItsGlyphAtEverySize) {
+TEST(Commands, EveryCommandInTheTableHasItsGlyphAtEverySize) {
   for (const Command& c : commands()) {
     const bool takesTwo = c.kind == CommandKind::kFraction || c.kind == CommandKind::kDisplayFraction;
     const std::string argument = takesTwo ? "{x}{y}" : c.kind >= CommandKind::kAccent ? "{x}" : " ";
@@ -146,8 +147,8 @@ TEST(Commands, EveryOneInTheTableSetsAndHasItsGlyphAtEverySize) {
   }
 }
 
-// Only success or core::Error(kUsage), whatever the bytes; every number of a success is finite.
-TEST(TexFuzz, AnythingSetsOrIsRefused) {
+// Any bytes give success or core::Error(kUsage), and every number of a success is finite.
+TEST(TexFuzz, AnyBytesAreSetOrRejected) {
   std::mt19937 random(20240515);
   const std::vector<std::string> kPieces = {"$",
                                             "$",
@@ -210,7 +211,7 @@ TEST(TexFuzz, AnythingSetsOrIsRefused) {
       ASSERT_EQ(error.kind(), core::ErrorKind::kUsage) << tex;
     }
   }
-  EXPECT_GT(set, 2000);  // enough of the rounds are not refused at once
+  EXPECT_GT(set, 2000);  // enough rounds are not refused at once
 }
 
 }  // namespace

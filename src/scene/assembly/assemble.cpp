@@ -28,7 +28,7 @@ std::optional<Rest> bodyAndMotion(const Draft& draft, Findings& findings, const 
   return rest;
 }
 
-/// Checks the number of frames, which are all k with k/fps < duration.
+/// Checks the number of frames against the limit. Frame k is in the film if k/fps < duration.
 void checkFrames(const Time& time, Findings& findings) {
   const std::int64_t count = core::frameCount(time.duration_s, time.fps);
   const std::int64_t most = findings.limits()[Limit::kFrames];

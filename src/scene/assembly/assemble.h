@@ -7,13 +7,14 @@
 
 namespace poinsot::scene {
 
-/// Makes the scene from keys that passed their own checks. Also checks what several keys decide together, the
-/// contents of named files, and what physics rejects; reports each problem at its value. The result is valid only
-/// if no problem was found.
+/// Makes the scene from keys that passed their own checks. Checks what the checks of single keys cannot:
+/// combinations of keys, the contents of named files, and whether the physics is possible. Reports each problem at
+/// the value that causes it. The result is valid only if no problem was found.
 Scene assemble(Draft draft, Findings& findings, const SceneFolder& folder);
 
-/// Notes values that are rarely intended: a bare whole number as an angle (radians are usually fractions), a bare
-/// length of metres in a body whose other lengths have units, a density higher than that of any matter.
+/// Adds notes about valid values that are probably mistakes: an angle such as 45, which counts as radians; a
+/// length in metres without a unit, if other lengths of the body have units; a density higher than that of any
+/// metal.
 void doubtValues(const Leaves& leaves, Findings& findings);
 
 }  // namespace poinsot::scene

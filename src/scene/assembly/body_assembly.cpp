@@ -28,8 +28,8 @@ std::string triangleMessage(const Vector3d& moments) {
                      largest + 1, other, another, vectorText(moments));
 }
 
-/// Returns why physics could not solve the moments; empty if it can. The range of bare moments is checked before,
-/// the range of a shape's moments only here.
+/// Returns why the physics library cannot solve a motion with these moments; empty if it can. For moments given as
+/// numbers, their range was checked before. For moments of a shape, this is the only check.
 std::string outOfReach(const Vector3d& moments) {
   const double least = moments.minCoeff(), most = moments.maxCoeff();
   if (least < kLeastMoment || most > kMostMoment)
@@ -94,7 +94,8 @@ class BodyAssembly {
   void refuseSecond(const std::vector<std::string>& ways) {
     if (isMeasured() && ways[1] == "body.density")
       return findings_.refuse(
-          ways[1], fmt::format("{} is given too, which has no volume; give body.mass in its place", ways[0]));
+          ways[1],
+          fmt::format("cannot be combined with {}, which has no volume; give body.mass instead", ways[0]));
     if (ways[0] == "body.principal_moments" && ways[1] == wholePath())
       return findings_.refuse(
           ways[1],
@@ -116,7 +117,7 @@ class BodyAssembly {
     if (!draft_.moments) return;
     try {
       body_.axes = physics::PrincipalMoments(*draft_.moments);
-    } catch (const core::Error&) {  // the range was checked before
+    } catch (const core::Error&) {  // only the triangle inequality can fail; the range was checked before
       return findings_.refuse("body.principal_moments", triangleMessage(*draft_.moments) +
                                                             nearestMomentsAdvice({draft_.moments->data(), 3}));
     }
@@ -133,8 +134,8 @@ class BodyAssembly {
     finishMeasured(*draft_.inertia, "body.inertia");
   }
 
-  /// Completes a body of measured moments. If the moments are about the fixed point, the axes stay those of the
-  /// tensor as given.
+  /// Completes a body that is given by moments or a tensor. If these are about the fixed point, the principal axes
+  /// are those of the given tensor.
   void finishMeasured(const Eigen::Matrix3d& inertia_B, const std::string& path) {
     MeasuredBody measured(all_, path, findings_);
     if (!measured.keysFit()) return;
@@ -146,7 +147,7 @@ class BodyAssembly {
       setAxes(body_.mass->inertiaAbout(body_.fixedPoint_B()), path);
   }
 
-  /// @param inertia_B  about the fixed point, computed from the scene's values
+  /// @param inertia_B  inertia tensor about the fixed point, computed from the scene's values
   void setAxes(const Eigen::Matrix3d& inertia_B, const std::string& path) {
     try {
       body_.axes = physics::PrincipalAxes(inertia_B);
@@ -219,8 +220,8 @@ class BodyAssembly {
     const Eigen::Matrix3d inertia_B = body_.mass->inertiaAbout(body_.fixedPoint_B());
     if (inertia_B.diagonal().minCoeff() == 0)
       findings_.refuse(path,
-                       "the body lies on a line through the point that stands still, and has no moment about "
-                       "it; give it another part, or an extent");
+                       "the whole body lies on one line through its fixed point, so it has no moment of inertia "
+                       "about that line; add another part, or give the body an extent");
     else
       setAxes(inertia_B, path);
   }

@@ -13,8 +13,8 @@
 namespace poinsot::scene {
 namespace {
 
-constexpr double kDensest_kg_m3 = 23000;  // osmium has 22 590 kg/m³
-constexpr double kLong_m = 2;             // long for a body that is described in centimetres
+constexpr double kDensest_kg_m3 = 23000;  // osmium, the densest metal, has 22 590 kg/m³
+constexpr double kLong_m = 2;             // large for a body whose other lengths have a unit, such as cm
 
 std::optional<double> bareNumber(const Node& node) {
   if (const auto* integer = node.as<std::int64_t>()) return static_cast<double>(*integer);
@@ -22,7 +22,7 @@ std::optional<double> bareNumber(const Node& node) {
   return std::nullopt;
 }
 
-/// Returns the SI value of a number or a text that passed its check.
+/// Returns the SI value of a node, which is a bare number or text with a unit. Returns nullopt for invalid text.
 std::optional<double> valueOf(const Node& node, Dimension dimension) {
   const auto* text = node.as<std::string>();
   if (!text) return bareNumber(node);
@@ -38,14 +38,14 @@ std::vector<Node> elementsOf(const Node& node) {
 void doubtAngle(const std::string& path, const Node& node, Findings& findings) {
   const auto number = bareNumber(node);
   if (!number || *number == 0 || *number != std::round(*number)) return;
-  findings.doubt(path, fmt::format("{} is in radians, {:.3g} deg; for degrees write \"{} deg\"", *number,
+  findings.doubt(path, fmt::format("{} is in radians ({:.3g} deg); for degrees write \"{} deg\"", *number,
                                    *number / unitFactor("deg", Dimension::kAngle), *number));
 }
 
 void doubtDensity(const std::string& path, const Node& node, Findings& findings) {
   const auto density = valueOf(node, Dimension::kDensity);
   if (density && *density > kDensest_kg_m3)
-    findings.doubt(path, fmt::format("{:.4g} kg/m^3 is more than any metal has", *density));
+    findings.doubt(path, fmt::format("a density of {:.4g} kg/m^3 is higher than that of any metal", *density));
 }
 
 bool isBodyLength(const std::string& path) {

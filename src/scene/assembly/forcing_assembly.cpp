@@ -28,7 +28,7 @@ class ForcingAssembly {
   }
 
  private:
-  /// Rejects tables without keys, because they would change nothing and nobody intends that.
+  /// Rejects tables without keys. Such a table would change nothing, which nobody intends.
   void emptyTables() {
     refuseEmpty("motion.gravity", "mgr_body = [x, y, z], or g for a body with mass and pivot");
     refuseEmpty("motion.torque", "body = [x, y, z], space = [x, y, z], a file, or steps");
@@ -64,17 +64,16 @@ class ForcingAssembly {
       checkDirection(*draft_.mgr_B, lever_B());
   }
 
-  /// Checks that the given M g r points from body.pivot to the centre of mass.
+  /// Checks that the given vector M g r points from body.pivot to the centre of mass.
   void checkDirection(const Vector3d& mgr_B, const Vector3d& lever_B) {
-    constexpr double kRounded = 1e-3;  // sine of the angle between them, for values of three digits
+    constexpr double kRounded = 1e-3;  // allowed sine of the angle, for values of three digits
     const double product = mgr_B.norm() * lever_B.norm();
     const bool along = mgr_B.cross(lever_B).norm() <= kRounded * product && mgr_B.dot(lever_B) > 0;
     if (mgr_B.isZero(0) || along) return;
     findings_.refuse(
         "motion.gravity.mgr_body",
-        fmt::format("({:g}, {:g}, {:g}) N·m contradicts body.pivot: from there to the centre of mass it "
-                    "is ({:g}, {:g}, {:g}) m, which the weight's moment M g r points along; give "
-                    "motion.gravity.g in its place",
+        fmt::format("({:g}, {:g}, {:g}) N·m contradicts body.pivot: M g r must point from the pivot to the centre "
+                    "of mass, along ({:g}, {:g}, {:g}) m; give motion.gravity.g instead",
                     mgr_B[0], mgr_B[1], mgr_B[2], lever_B[0], lever_B[1], lever_B[2]));
   }
 
@@ -83,7 +82,7 @@ class ForcingAssembly {
     if (!body_->mass)
       return findings_.refuse(
           "motion.gravity.g",
-          fmt::format("{}, and body.pivot; or give motion.gravity.mgr_body in its place", kNeedsMass));
+          fmt::format("{}, and body.pivot; or give motion.gravity.mgr_body instead", kNeedsMass));
     if (!body_->pivot_B)
       return findings_.refuse("motion.gravity.g",
                               "body.pivot is missing: about its centre of mass a body's weight has no moment");
@@ -97,10 +96,11 @@ class ForcingAssembly {
     const std::size_t steps = findings_.count("motion.torque.step");
     if (!file)
       for (const char* path : {"motion.torque.file_axes", "motion.torque.interpolation"})
-        if (findings_.has(path)) findings_.refuse(path, "needs motion.torque.file, which it is about");
+        if (findings_.has(path))
+          findings_.refuse(path, "has no effect without motion.torque.file; give the file, or leave this key out");
     if (file && steps > 0)
       findings_.refuse("motion.torque.step[0]",
-                       "motion.torque.file is given too; a torque changes by a file or by steps, not by both");
+                       "motion.torque.file is given too; give the torque by a file or by steps, not by both");
     else if (file)
       torqueFile();
     else if (steps > 0)
@@ -184,9 +184,9 @@ std::optional<Flight> assembleFlight(const Draft& draft, Findings& findings) {
   if (!findings.hasTable("motion.flight")) return std::nullopt;
   for (const char* held : {"body.pivot", "motion.gravity"})
     if (findings.has(held) || findings.hasTable(held))
-      findings.refuse(
-          "motion.flight",
-          fmt::format("a thrown body turns about its centre of mass, and {} holds it at a point", held));
+      findings.refuse("motion.flight", fmt::format("a thrown body turns about its centre of mass, but {} holds it "
+                                                   "at a fixed point; leave out one of the two",
+                                                   held));
   Flight flight;
   flight.position_W = draft.flight.position.value_or(flight.position_W);
   flight.velocity_W = draft.flight.velocity.value_or(flight.velocity_W);

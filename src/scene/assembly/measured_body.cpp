@@ -37,9 +37,8 @@ bool MeasuredBody::massFits() {
   for (const char* path : {"body.pivot", kCentre, kAbout}) {
     if (!findings_.has(path)) continue;
     fits = false;
-    findings_.refuseMissing(
-        "body.mass", path,
-        fmt::format("{} (without a mass, {} is about the point that stands still)", kNeedsMass, way_));
+    findings_.refuseMissing("body.mass", path,
+                            fmt::format("{} (without a mass, {} is about the fixed point)", kNeedsMass, way_));
   }
   return fits;
 }
@@ -47,7 +46,7 @@ bool MeasuredBody::massFits() {
 bool MeasuredBody::pointFits() {
   if (draft_.momentsAbout != MomentsAbout::kPivot || pivot_B_) return true;
   findings_.refuseMissing("body.pivot", kAbout,
-                          "body.pivot is missing: it says where the point is that these moments are about");
+                          "body.pivot is missing: it is the point about which these moments are given");
   return false;
 }
 

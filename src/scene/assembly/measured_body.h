@@ -9,21 +9,21 @@
 
 namespace poinsot::scene {
 
-/// Keys that complete a body given by its moments or its tensor: mass, centre of mass, pivot, and the point that
-/// the moments are about.
+/// Body that is given by its moments or its inertia tensor. Reads the keys that complete the body: mass, centre of
+/// mass, pivot, and the point to which the moments refer.
 class MeasuredBody {
  public:
-  /// @param way  key that gives the moments, "body.inertia" or "body.principal_moments"
+  /// @param way  path of the key that gives the moments: "body.inertia" or "body.principal_moments"
   MeasuredBody(const Draft& draft, std::string way, Findings& findings);
 
   bool keysFit();
 
-  /// Returns the mass, the centre of mass and the tensor about it (eq 14). Empty without a mass, or if the tensor
-  /// is rejected.
-  /// @param inertia_B  about the point that the keys name, kg·m²
+  /// Returns the mass, the centre of mass, and the inertia tensor about the centre of mass (eq 14). Returns
+  /// nullopt if the mass is not given or the tensor is rejected.
+  /// @param inertia_B  inertia tensor about the point to which the given moments refer, kg·m²
   std::optional<physics::MassProperties> massProperties(const Eigen::Matrix3d& inertia_B);
 
-  /// Returns whether the moments are about the point that the body turns about. Always true without a mass.
+  /// Returns whether the moments refer to the point about which the body turns. Always true without a mass.
   bool aboutFixedPoint() const { return point_B() == fixedPoint_B(); }
 
  private:
@@ -40,7 +40,8 @@ class MeasuredBody {
   Findings& findings_;
 };
 
-/// Rejects keys of measured moments in a body that is described in another way.
+/// Rejects keys that only a body given by moments or a tensor may have.
+/// @param way  key that describes the body instead, such as "body.shape"
 void refuseMeasuredKeys(const std::string& way, Findings& findings);
 
 }  // namespace poinsot::scene

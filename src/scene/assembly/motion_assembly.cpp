@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector3d;
 using physics::Quaternion;
 
-/// Way to give a start: its keys, the required ones first.
+/// One of the ways to give a start of the motion, as a list of keys. The first `required` keys must be given.
 struct Way {
   std::vector<std::string_view> names;
   std::size_t required;
@@ -36,7 +36,7 @@ const std::vector<Way>& ways() {
 
 std::string pathOf(std::string_view name) { return fmt::format("motion.{}", name); }
 
-/// Returns whether gravity or a torque can set a body at rest going.
+/// Returns whether gravity or a torque can set a body in motion that is at rest.
 bool setsGoing(const physics::Forcing& forcing) {
   physics::Forcing torques = forcing;
   torques.dragRate_P.setZero();
@@ -44,7 +44,7 @@ bool setsGoing(const physics::Forcing& forcing) {
   return !torques.none();
 }
 
-/// Returns "[0.5, 0, -1]", to paste into a scene. Components below 1e-12 are rounding and become 0.
+/// Returns a vector as TOML for a message, such as "[0.5, 0, -1]". Rounds components below 1e-12 to 0.
 template <class Vector>
 std::string pasted(const Vector& values) {
   std::string text;
@@ -83,7 +83,8 @@ class StartAssembly {
     for (const Way& way : ways())
       for (const std::string_view name : way.names)
         if (findings_.misspelt(pathOf(name))) return;
-    findings_.refuse("motion.omega_body", "required: the angular velocity at the start, such as [0.01, 3.0, 0.0]");
+    findings_.refuse("motion.omega_body",
+                     "a start is required: give the angular velocity, such as [0.01, 3.0, 0.0]");
   }
 
   void refuseSecond(const Way& first, const Way& second) {
@@ -100,7 +101,7 @@ class StartAssembly {
                                                  way.names.begin() + static_cast<std::ptrdiff_t>(way.required));
       findings_.refuseMissing(
           pathOf(way.names[i]), firstGiven(way),
-          fmt::format("{} is missing: {} give a start together", pathOf(way.names[i]), listed(needed)));
+          fmt::format("{} is missing: give {} together", pathOf(way.names[i]), listed(needed)));
       return false;
     }
     return true;
@@ -110,7 +111,7 @@ class StartAssembly {
     chooseOrientation();
     checkTilt();
     if (const auto value = restText()) return atRest({path, *value});
-    motion_.omega_B = Vector3d::Ones();  // nonzero, so that a rejected start is not treated as rest
+    motion_.omega_B = Vector3d::Ones();  // nonzero, so that a rejected start is not taken for rest
     if (!body_) return;
     try {
       if (const auto omega_B = omega()) setOmega(*omega_B, path);
@@ -129,16 +130,17 @@ class StartAssembly {
   void checkTilt() {
     if (findings_.has("motion.tilt_towards") && !findings_.has("motion.tilt"))
       findings_.refuseMissing("motion.tilt", "motion.tilt_towards",
-                              "motion.tilt is missing, without which L leans to no side; give both or none");
+                              "motion.tilt is missing: a direction of tilt needs an angle; give both or neither");
     if (start_.tilt.value_or(0) == 0) return;
     if (gravityPulls())
       findings_.refuse("motion.tilt", underGravity());
     else if (start_.spin == 0.0 && (setsGoing(motion_.forcing) || findings_.has("motion.orientation")))
       findings_.refuse("motion.tilt",
-                       "has no effect where motion.spin is 0, as L is 0; leave it out, or give a spin");
+                       "has no effect if motion.spin is 0, because L is 0; leave it out, or give a spin");
   }
 
-  /// Returns true also if [motion.gravity] has a mistake, so that both mistakes are reported at once.
+  /// Returns whether the scene has gravity. Also true if [motion.gravity] contains a mistake, so that one run
+  /// reports this mistake and the one in the tilt.
   bool gravityPulls() const {
     return !motion_.forcing.gravity_B.isZero(0) || (findings_.hasBelow("motion.gravity") && !mgr_B_);
   }
@@ -149,22 +151,22 @@ class StartAssembly {
     const bool computable =
         body_ && start_.spin && findings_.has("motion.spin_axis") && passed({"spin_axis", "tilt_towards"});
     if (findings_.has("motion.orientation"))
-      return "does not lean a body that gravity pulls, motion.orientation does; leave out " + listed(names) +
-             (computable ? sameNutation(names) : "");
+      return "cannot tilt a body under gravity, because motion.orientation sets its attitude; leave out " +
+             listed(names) + (computable ? sameNutation(names) : "");
     return fmt::format(
-        "does not lean a body that gravity pulls: its axes are the world's at the start; give "
-        "motion.orientation{} in place of {}",
+        "cannot tilt a body under gravity, whose axes are the world's at the start; give motion.orientation{} "
+        "instead of {}",
         computable ? orientationLeaning() : "", listed(names));
   }
 
   std::string sameNutation(std::vector<std::string_view> names) const {
     names.insert(names.begin(), {"spin", "spin_axis"});
-    return fmt::format("; for the same nutation give motion.omega_body = {} in place of {}",
+    return fmt::format("; for the same nutation give motion.omega_body = {} instead of {}",
                        pasted(omegaTilted(*start_.spin)), listed(names));
   }
 
   std::string orientationLeaning() const {
-    return fmt::format(" = {}, which leans spin_axis by {:g} deg from the vertical,", pasted(leaning()),
+    return fmt::format(" = {}, which tilts spin_axis by {:g} deg from the vertical,", pasted(leaning()),
                        *start_.tilt * 180 / std::numbers::pi);
   }
 
@@ -173,14 +175,15 @@ class StartAssembly {
                                   {spinAxis(), spin, start_.tilt.value_or(0), start_.tiltTowards.value_or(0)});
   }
 
-  /// Returns w, x, y, z of the attitude in which L of a free body is upright and spin_axis leans from it by tilt.
+  /// Returns the attitude, as w, x, y, z, in which L points up. Without gravity, spin_axis then leans from the
+  /// vertical by the angle `tilt`.
   Eigen::Vector4d leaning() const {
     const Vector3d up_B = body_->axes.angularMomentum(omegaTilted(1));
     const Quaternion q_WB = physics::turnOntoVertical(up_B, physics::Vertical::kUp);
     return {q_WB.w(), q_WB.x(), q_WB.y(), q_WB.z()};
   }
 
-  /// Returns the given value, such as "0 rad/s", if the start does not turn the body; else nullopt.
+  /// Returns the rotation that the scene gives, such as "0 rad/s", if it is zero; otherwise nullopt.
   std::optional<std::string> restText() const {
     const auto isZero = [](const std::optional<Vector3d>& v) { return v && v->isZero(0); };
     if (isZero(start_.omega_B) || isZero(start_.omega_W)) return "(0, 0, 0) rad/s";
@@ -215,7 +218,7 @@ class StartAssembly {
     return std::nullopt;
   }
 
-  /// Returns whether none of these keys failed its check.
+  /// Returns whether none of the keys failed its own check. A missing key counts as passed.
   bool passed(std::initializer_list<std::string_view> names) const {
     for (const std::string_view name : names)
       if (findings_.failed(pathOf(name))) return false;

@@ -16,9 +16,10 @@ std::vector<std::string> givenWays(const std::string& path, const Findings& find
 void checkWays(const std::string& path, const VectorDraft& draft, Findings& findings) {
   const std::vector<std::string> given = givenWays(path, findings);
   if (given.empty())
-    return findings.refuse(path + ".components", "required: components, or position_of or velocity_of a point");
+    return findings.refuse(path + ".components",
+                           "a vector needs components, position_of or velocity_of; give one of them");
   for (std::size_t i = 1; i < given.size(); ++i)
-    findings.refuse(given[i], fmt::format("given beside {}; give one of them", given[0]));
+    findings.refuse(given[i], fmt::format("cannot be combined with {}; give one of them", given[0]));
   if (draft.components && draft.components->isZero(0))
     findings.refuse(path + ".components", "must not all be zero: the vector would have no direction");
   if (findings.has(path + ".frame") && !findings.has(path + ".components"))
@@ -38,7 +39,7 @@ NamedVector vectorOf(const VectorDraft& draft) {
 
 void checkBetween(const std::string& path, const AngleDraft& draft, Findings& findings) {
   if (!findings.has(path + ".between"))
-    return findings.refuse(path + ".between", "required: two directions, such as [\"L\", \"omega\"]");
+    return findings.refuse(path + ".between", "is required: two directions, such as [\"L\", \"omega\"]");
   if (!findings.failed(path + ".between") && draft.between.size() != 2)
     findings.refuse(path + ".between",
                     fmt::format("an angle lies between two directions, got {}", draft.between.size()));

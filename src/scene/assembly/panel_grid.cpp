@@ -8,7 +8,7 @@
 namespace poinsot::scene {
 namespace {
 
-constexpr int kMostCells = 8;  // in each direction; smaller panels would be illegible
+constexpr int kMostCells = 8;  // largest number of columns and of rows; more panels would be too small to read
 
 }  // namespace
 
@@ -23,13 +23,13 @@ GridPlace PanelGrid::nextTo(const std::optional<Eigen::Vector2i>& at) const {
 void PanelGrid::check(const std::string& path, const GridPlace& place) {
   if (place.column + place.columns > kMostCells || place.row + place.rows > kMostCells)
     return findings_.refuse(path + ".at",
-                            fmt::format("the panel at [{}, {}] would leave the grid, which has at most "
-                                        "{} columns and rows; give at or a smaller span",
+                            fmt::format("the panel at [{}, {}] would extend beyond the grid, which has at most {} "
+                                        "columns and rows; give at, or a smaller span",
                                         place.column, place.row, kMostCells));
   const auto other = std::ranges::find_if(taken_, [&](const Taken& t) { return overlap(place, t.place); });
   if (other != taken_.end())
-    findings_.refuse(path + ".at",
-                     fmt::format("the panel at [{}, {}] would cover {}", place.column, place.row, other->name));
+    findings_.refuse(path + ".at", fmt::format("the panel at [{}, {}] would overlap {}; give another at",
+                                               place.column, place.row, other->name));
 }
 
 GridPlace PanelGrid::take(const std::string& path, const std::optional<Eigen::Vector2i>& at,

@@ -11,15 +11,15 @@
 
 namespace poinsot::scene {
 
-/// Grid of the picture that assigns places to panels, views and plots alike, one after another.
+/// Grid of the picture. Assigns a position to each panel, which is a view or a plot, in the order of the calls.
 class PanelGrid {
  public:
   explicit PanelGrid(Findings& findings) : findings_(findings) {}
 
-  /// Places a panel at `at` or, without `at`, to the right of the previous panel. Rejects at `path`.at a panel
-  /// that leaves the grid or covers another.
-  /// @param path  such as "plot[1]"; also names the panel in messages
-  /// @param span  columns and rows; one cell if empty
+  /// Places a panel at cell `at`, or to the right of the previous panel if `at` is empty. Reports a panel that
+  /// leaves the grid or covers another panel, as a problem of the key `path`.at.
+  /// @param path  table of the panel, such as "plot[1]"; messages also name the panel by this path
+  /// @param span  size in columns and rows; one cell if empty
   GridPlace take(const std::string& path, const std::optional<Eigen::Vector2i>& at,
                  const std::optional<Eigen::Vector2i>& span);
 

@@ -12,62 +12,65 @@
 
 namespace poinsot::scene {
 
-/// Makes the body that the keys below [body] describe together; empty if `findings` has a problem with it.
+/// Makes the body from the keys in [body]. Returns nullopt after reporting a problem to `findings`.
 std::optional<Body> assembleBody(const Draft& draft, Findings& findings, const SceneFolder& folder);
 
-/// Returns whether the body is given by its moments or its tensor, without a mass.
+/// Returns whether the body is given by its moments or its inertia tensor and has no mass.
 bool massIsUnknown(const Findings& findings);
 
-/// Message for a key that needs a mass, if the body is given by its moments or its tensor alone.
-inline constexpr const char* kNeedsMass = "needs a body with a mass; give body.mass beside the moments of inertia";
+/// Text of the error for a key that needs the mass, if the body has only moments or an inertia tensor.
+inline constexpr const char* kNeedsMass =
+    "needs a body with a mass; give body.mass in addition to the moments of inertia";
 
-/// Assembles the forcing of the body: gravity, torques, drag, dissipation. Reports problems to `findings`.
+/// Makes the forcing of the body from the keys in [motion]: gravity, torques, drag, dissipation. Reports problems
+/// to `findings`.
 /// @param body  null if the body is invalid
 physics::Forcing assembleForcing(const Draft& draft, const Body* body, Findings& findings,
                                  const SceneFolder& folder);
 
-/// Makes the flight of a thrown body; empty if the file has no [motion.flight].
+/// Makes the flight of a thrown body. Returns nullopt if the scene has no table [motion.flight].
 std::optional<Flight> assembleFlight(const Draft& draft, Findings& findings);
 
-/// Body that does not turn and that nothing sets going: the key that causes this, and its value.
+/// Path and value of the key that sets the rotation to 0, for a body that stays at rest.
 struct Rest {
   std::string path, value;
 };
 
-/// Makes the start that the keys of [motion] describe together. Reports problems to `findings`.
+/// Makes the start of the motion from the keys in [motion]. Returns the key to blame if the body stays at rest.
+/// Reports problems to `findings`.
 /// @param body  null if the body is invalid
-/// @param motion  receives the start; its forcing is already set
+/// @param motion  receives the start; its forcing must be set before
 std::optional<Rest> assembleStart(const Draft& draft, const Body* body, Findings& findings, Motion& motion);
 
 void assembleNamed(const Draft& draft, Findings& findings, Scene& scene);
 
-/// Makes the panels of [[plot]] and places them after the views in `grid`. Reports problems to `findings`.
+/// Makes one panel for each [[plot]] and places it in `grid` after the views. Reports problems to `findings`.
 void assemblePlots(const Draft& draft, Findings& findings, PanelGrid& grid, Scene& scene);
 
 void assembleNotes(const Draft& draft, Findings& findings, Scene& scene);
 
-/// Hides Poinsot's construction for a thrown body, except parts that the scene has keys for. Call before
-/// askForShown().
+/// Hides the parts of Poinsot's construction if the body is thrown, except parts for which the scene gives keys.
+/// Call this before askForShown().
 void leaveOutOfFlight(const Findings& findings, Show& show);
 
 void assembleDrawnShape(const Draft& draft, Findings& findings, const SceneFolder& folder, Show& show);
 
-/// Hides in `show` what this motion does not have, and rejects such things if the user asks for them.
-/// @param prefix  text before "show" in the paths of the keys ("", "view[1].")
+/// Hides things in `show` that do not exist for this motion. Reports a problem if the user requests such a thing.
+/// @param prefix  path of the table that contains "show": "" for the scene, "view[1]." for a view
 void assembleVisible(const Scene& scene, const std::optional<Rest>& rest, const std::string& prefix,
                      Findings& findings, Show& show);
 
-/// Multiplies the given line width by the theme's factor.
+/// Multiplies the line width of the scene by the factor of the theme.
 void finishStyle(Style& style);
 
-/// Makes the things visible that the timeline shows, unless the scene's [show] decides otherwise. Call before the
-/// views are made, which start from [show].
+/// Makes things visible that an entry of the timeline shows, unless the scene's [show] sets their visibility. Call
+/// this before the views are made, because each view starts as a copy of [show].
 void askForShown(Draft& draft, const Findings& findings);
 
 Timeline assembleTimeline(const Draft& draft, double duration_s, Findings& findings);
 
-/// Makes the views of the picture: those of [[view]], of camera.frames, or else one. Reports problems to
-/// `findings`.
+/// Makes the views of the picture: one for each [[view]], else one for each of camera.frames, else a single view.
+/// Reports problems to `findings`.
 /// @pre body, motion and show of the scene are set
 void assembleViews(const Draft& draft, const std::optional<Rest>& rest, Findings& findings, PanelGrid& grid,
                    Scene& scene);

@@ -16,10 +16,10 @@ namespace {
 using Eigen::Vector3d;
 using physics::Quaternion;
 
-/// Returns the right-hand turn by `angle_rad` about a nonzero axis. Eigen's rotations are not used, because the
-/// last bit of the C library's sine depends on the CPU.
+/// Returns the right-hand rotation by `angle_rad` about a nonzero axis. Does not use Eigen's rotations, because
+/// they call the C library's sine, whose last bit depends on the CPU.
 Quaternion turn(const Vector3d& axis, double angle_rad) {
-  const Vector3d direction = axis / axis.cwiseAbs().maxCoeff();  // keeps squares in range
+  const Vector3d direction = axis / axis.cwiseAbs().maxCoeff();  // its squares cannot overflow
   const auto half = physics::sineCosine(angle_rad / 2);
   const double length =
       std::sqrt(direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2]);
@@ -27,10 +27,10 @@ Quaternion turn(const Vector3d& axis, double angle_rad) {
   return Quaternion(half.cosine, v[0], v[1], v[2]);
 }
 
-/// Volume and mass properties of a figure in its own axes S, for any mass.
+/// Volume and mass properties of a solid or mesh, in its own axes S. The mass is still a parameter.
 struct Matter {
   std::function<physics::MassProperties(double mass_kg)> massProperties;
-  double volume_m3 = 0;  ///< 0 for shells, plates, hoops and rods
+  double volume_m3 = 0;  ///< 0 for shapes without volume: shells, plates, hoops and rods
 };
 
 Matter matterOf(const physics::Solid& solid) {
@@ -48,6 +48,7 @@ void expectClosed(const geometry::Mesh& mesh) {
   }
 }
 
+/// Returns the volume and the mass properties of a mesh.
 /// @throws core::Error if the mesh is not closed.
 Matter matterOf(const std::shared_ptr<const geometry::Mesh>& mesh) {
   expectClosed(*mesh);
@@ -79,8 +80,9 @@ bool PieceReader::massFits() {
 std::optional<double> PieceReader::mass(double volume_m3) {
   if (piece_.mass) return piece_.mass;
   if (volume_m3 == 0) {
-    findings_.refuse(path("density"),
-                     fmt::format("this shape has no volume, and so no density per volume; give {}", path("mass")));
+    findings_.refuse(
+        path("density"),
+        fmt::format("this shape has no volume, so a density does not determine its mass; give {}", path("mass")));
     return std::nullopt;
   }
   return *piece_.density * volume_m3;
@@ -95,7 +97,7 @@ std::optional<Quaternion> PieceReader::turnAboutAxis() {
   }
   if (!piece_.axis || !piece_.angle) return std::nullopt;
   if (piece_.axis->isZero(0)) {
-    findings_.refuse(path("axis"), "must not be zero: it has no direction to turn about, got (0, 0, 0)");
+    findings_.refuse(path("axis"), "must not be zero, got (0, 0, 0): a zero vector is not an axis");
     return std::nullopt;
   }
   return turn(*piece_.axis, *piece_.angle);

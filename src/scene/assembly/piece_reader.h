@@ -6,16 +6,16 @@
 
 namespace poinsot::scene {
 
-/// Part of the body and its mass properties, in B.
+/// Part of the body with its mass properties, in body axes B.
 struct Piece {
   Part part;
   physics::MassProperties mass;
 };
 
-/// Reader of the keys of a piece, in [body] or one [[body.part]]: shape, mass and place.
+/// Reader of the keys in [body] or one [[body.part]] for a part of the body: shape, mass and position.
 class PieceReader {
  public:
-  /// @param table  such as "body" or "body.part[2]"
+  /// @param table  path of the table, such as "body" or "body.part[2]"
   PieceReader(const PieceDraft& piece, std::string table, Findings& findings, const SceneFolder& folder)
       : piece_(piece),
         table_(table),

@@ -11,7 +11,8 @@
 namespace poinsot::scene {
 namespace {
 
-/// Returns element i, or an empty one beyond the draft's end. A draft ends at the last element with a valid key.
+/// Returns element i, or a default element if i is beyond the end. The vector ends at the last table with a valid
+/// key, so it may be shorter than the array of tables in the file.
 template <class T>
 T elementOrNone(const std::vector<T>& elements, std::size_t i) {
   return i < elements.size() ? elements[i] : T();
@@ -21,12 +22,12 @@ void require(const std::string& path, const char* example, Findings& findings) {
   if (!findings.has(path)) findings.refuseMissing(path, path, fmt::format("is required, such as {}", example));
 }
 
-/// Rejects a quantity that this motion does not have.
+/// Reports a problem if the quantity exists only for a thrown body, or needs a mass, and the scene has none.
 void checkExists(int quantity, const std::string& path, const Scene& scene, Findings& findings) {
   const StateQuantity& q = stateQuantity(quantity);
   if (q.needs == QuantityNeeds::kNothing) return;
   if (!scene.motion.flight)
-    findings.refuse(path, fmt::format("\"{}\" is of a thrown body; give [motion.flight]", q.name));
+    findings.refuse(path, fmt::format("\"{}\" exists only for a thrown body; give [motion.flight]", q.name));
   else if (q.needs == QuantityNeeds::kFlightAndMass && massIsUnknown(findings))
     findings.refuse(path, fmt::format("\"{}\" {}", q.name, kNeedsMass));
 }
@@ -62,7 +63,7 @@ void checkPortrait(const Plot& plot, const std::string& path, Findings& findings
                                 "its own, or leave x out to draw them over time",
                                 plot.quantities.size()));
   if (findings.has(path + ".time"))
-    findings.refuse(path + ".time", "a phase portrait has no axis of time; leave out time or x");
+    findings.refuse(path + ".time", "a phase portrait has no time axis; leave out time or x");
 }
 
 void checkRange(const Plot& plot, const std::string& path, Findings& findings) {

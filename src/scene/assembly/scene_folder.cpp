@@ -24,7 +24,8 @@ using core::ErrorKind;
 }
 
 std::string reason(int error) {
-  if (error == ELOOP) return "it is a symbolic link, or lies behind one; a scene names regular files";
+  if (error == ELOOP)
+    return "it is a symbolic link, or is reached through one; a scene may name regular files only";
   if (error == EXDEV) return "it does not lie in the scene's folder or below it";
   if (error == EISDIR) return "it is a directory";
   if (error == EINVAL) return "it is not a regular file";
@@ -37,14 +38,14 @@ bool isAddress(std::string path) {
   return path.starts_with("file:") || path.find("://") != std::string::npos;
 }
 
-/// Rejects names that other programs expand, because this program expands none.
+/// Rejects an empty name, a URL, and a name that a shell would expand, such as "~/mesh.stl".
 void expectPlain(const std::string& path) {
   if (path.empty()) refuseFile(path, "the name is empty");
   if (std::ranges::any_of(path, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }))
-    refuseFile(path, "a name holds no control characters");
-  if (isAddress(path)) refuseFile(path, "it is an address; a scene names files by their paths from its folder");
+    refuseFile(path, "a file name must not contain control characters");
+  if (isAddress(path)) refuseFile(path, "it is a URL; give a path relative to the scene's folder");
   if (path.front() == '~' || path.find_first_of("$`") != std::string::npos)
-    refuseFile(path, "nothing is expanded in a name: no ~ at its beginning, no $ and no `");
+    refuseFile(path, "file names are not expanded: a name must not begin with ~ or contain $ or `");
 }
 
 void expectBeneath(const std::filesystem::path& path) {
@@ -53,7 +54,8 @@ void expectBeneath(const std::filesystem::path& path) {
     if (part == "..") refuseFile(path, "the file must lie in the scene's folder or below it, without \"..\"");
 }
 
-/// Opens the first of these files that exists, and stores its path in `place`.
+/// Opens the file in the first folder of `roots` that contains it.
+/// @param place  receives the path of the opened file
 core::FileHandle openIn(const std::vector<std::filesystem::path>& roots, const std::filesystem::path& path,
                         std::filesystem::path& place) {
   int why = ENOENT;
@@ -62,7 +64,7 @@ core::FileHandle openIn(const std::vector<std::filesystem::path>& roots, const s
     place = root / path;
     if (file) return file;
     if (why == ENOENT) why = errno;
-    if (errno != ENOENT && errno != ENOTDIR) break;  // the file exists, but cannot be used
+    if (errno != ENOENT && errno != ENOTDIR) break;  // the file exists, but cannot be opened
   }
   const char* const others = roots.size() > 1 ? ", nor in a folder of --asset-root" : "";
   refuseFile(path, why == ENOENT ? reason(why) + " in the scene's folder" + others : reason(why));
@@ -81,16 +83,17 @@ std::string SceneFolder::read(const std::string& relativePath) const {
   InputFile input{relativePath, {}, {}};
   const core::FileHandle file = openIn(roots_, relativePath, input.place);
   const std::size_t rest = limits_.bytes(Limit::kFilesBytes) - bytes_;
-  const bool isLast = rest < limits_.bytes(Limit::kFileBytes);  // earlier files left less than one file may have
+  const bool isLast = rest < limits_.bytes(Limit::kFileBytes);  // rest is less than one file may have
   const Limit limit = isLast ? Limit::kFilesBytes : Limit::kFileBytes;
   std::string text;
   try {
     text = core::allBytesOf(file, isLast ? rest : limits_.bytes(limit), ErrorKind::kScene);
   } catch (const core::Error& error) {
     if (error.kind() != ErrorKind::kLimit) refuseFile(relativePath, error.message());
-    refuseFile(ErrorKind::kLimit, relativePath,
-               fmt::format("{}; {}{}", error.message(),
-                           isLast ? "the files of a scene have too many together; " : "", howToRaise(limit)));
+    refuseFile(
+        ErrorKind::kLimit, relativePath,
+        fmt::format("{}; {}{}", error.message(),
+                    isLast ? "together the files of the scene exceed their limit; " : "", howToRaise(limit)));
   }
   bytes_ += text.size();
   input.digest = core::sha256(text);
@@ -99,7 +102,7 @@ std::string SceneFolder::read(const std::string& relativePath) const {
 }
 
 geometry::MeshReading SceneFolder::readMesh(const std::string& relativePath) const {
-  const auto format = geometry::meshFormatOf(relativePath);  // checked first: other kinds of files are never read
+  const auto format = geometry::meshFormatOf(relativePath);  // before read(), so that only meshes are read
   const std::string bytes = read(relativePath);
   const std::size_t most = limits_.bytes(Limit::kTriangles);
   try {

@@ -20,8 +20,8 @@ std::string extentsText(const std::vector<double>& size) {
   return fmt::format("({}, {}, {})", size[0], size[1], size.at(2));
 }
 
-/// Returns the problem with these extents; empty if there is none. Names `size`, unlike the errors of physics,
-/// which name the lengths derived from it.
+/// Returns what is wrong with the extents in the key `size`; empty if they are valid. Such a message names `size`.
+/// The errors of the physics library name lengths that are derived from it.
 std::string extentsProblem(const NamedShape& kind, const std::vector<double>& size) {
   if (size.size() != 1 && size.size() != kind.extents)
     return fmt::format("shape \"{}\" has {} extents, got {}", kind.word, kind.extents, size.size());
@@ -58,7 +58,8 @@ std::string ShapeReader::lengthPath() const {
   return path("shape");
 }
 
-/// Returns the way that lacks the fewest keys; the first of several.
+/// Returns the set of keys, such as radius and height, of which the fewest are missing. If several sets are
+/// equally near, returns the first of them.
 const KeyNames& ShapeReader::nearestWay() const {
   const auto lacks = [this](const KeyNames& way) {
     return std::count_if(way.begin(), way.end(), [this](std::string_view name) { return !has(name); });
@@ -72,8 +73,8 @@ bool ShapeReader::refuseForeign(const KeyNames& way) {
   for (const std::string_view name : shapeKeyNames()) {
     if (!has(name) || holds(way, name) || holds(kind().optional, name)) continue;
     foreign = true;
-    findings_.refuse(path(name), fmt::format("does not belong to shape \"{}\" here, which takes {}", kind().word,
-                                             described(kind())));
+    findings_.refuse(path(name),
+                     fmt::format("is not allowed here: shape \"{}\" takes {}", kind().word, described(kind())));
   }
   return foreign;
 }
@@ -106,8 +107,8 @@ bool ShapeReader::keysFit() {
          std::all_of(kind().optional.begin(), kind().optional.end(), passed) && sizeFits();
 }
 
-/// Returns where to report that the lengths do not fit together: at the last one, which is the wall, the tube or
-/// the inner radius that must be smaller than the rest.
+/// Returns the path of the last length. Lengths that do not fit together are reported there, because the last
+/// length (wall, tube or inner radius) must be smaller than the others.
 std::string ShapeReader::lastPath() const {
   std::string last = path("shape");
   for (const KeyNames* names : {&nearestWay(), &kind().optional})
@@ -134,7 +135,8 @@ std::optional<Figure> ShapeReader::mesh() {
     return Figure(std::make_shared<const geometry::Mesh>(geometry::transformed(
         std::move(reading.mesh), shape_.fileUnit_m.value_or(1) * Eigen::Matrix3d::Identity())));
   } catch (const core::Error& error) {
-    findings_.refuse(path("file"), error.what());  // with the mesh's file and line
+    findings_.refuse(path("file"),
+                     error.what());  // what() contains the file and the line of the mistake in the mesh
     return std::nullopt;
   }
 }
@@ -142,7 +144,7 @@ std::optional<Figure> ShapeReader::mesh() {
 std::optional<Figure> ShapeReader::figure() {
   if (!has("shape")) {
     findings_.refuseMissing(path("shape"), lengthPath(),
-                            fmt::format("{} is missing: it says what this is a length of", path("shape")));
+                            fmt::format("{} is missing; this key describes a shape", path("shape")));
     return std::nullopt;
   }
   if (!shape_.word || !keysFit()) return std::nullopt;

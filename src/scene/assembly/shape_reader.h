@@ -13,29 +13,27 @@
 
 namespace poinsot::scene {
 
-/// Solid or mesh that the keys of a shape describe.
 using Figure = std::variant<physics::Solid, std::shared_ptr<const geometry::Mesh>>;
 
-/// Returns the figure as a part to draw, with a mass of 1 kg.
+/// Returns a figure as a part of the body that is only drawn. The part has a mass of 1 kg.
 Part asPart(const Figure& figure);
 
-/// Reader of the shape keys of one table. Makes the figure that they describe, or rejects keys that are missing,
-/// superfluous or invalid.
+/// Reader of the keys of a shape in one table. Makes the solid or mesh, or rejects wrong or missing keys.
 class ShapeReader {
  public:
-  /// @param table  such as "body", "body.part[2]" or "show.body"
+  /// @param table  path of the table, such as "body", "body.part[2]" or "show.body"
   ShapeReader(const ShapeDraft& shape, std::string table, Findings& findings, const SceneFolder& folder)
       : shape_(shape), table_(std::move(table)), findings_(findings), folder_(folder) {}
 
-  /// Returns the figure; empty if this or a key's own check found a problem.
+  /// Returns the solid or mesh. Returns nullopt if a key is wrong; the problem is then reported.
   std::optional<Figure> figure();
 
-  /// Returns whether any key of a shape is given, valid or not.
+  /// Returns whether any key of the shape is given, valid or not.
   bool given() const;
 
   bool sized() const;
 
-  /// Returns where to report a shape that is impossible as a whole: at its first length, else at the shape.
+  /// Returns the path at which to report an impossible shape: its first length, or `shape` if no length is given.
   std::string lengthPath() const;
 
  private:

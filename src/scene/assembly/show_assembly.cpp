@@ -22,7 +22,7 @@ std::vector<Thing> construction(Show& show) {
           {"herpolhode", show.herpolhode.visible}, {"height", show.height.visible}};
 }
 
-/// Returns whether L is constant. Energy may be lost.
+/// Returns whether L is constant. Dissipation is allowed, because it changes only the energy.
 bool momentumIsConstant(const physics::Forcing& forcing) {
   physics::Forcing others = forcing;
   others.dissipation = 0;
@@ -40,7 +40,7 @@ void withoutConstruction(const std::string& prefix, Findings& findings, Show& sh
   }
 }
 
-/// Returns the visible things that do not exist for a body at rest: "show.L, show.omega".
+/// Returns the visible things that do not exist for a body at rest, as a list such as "show.L, show.omega".
 std::string needingRotation(const std::string& prefix, Show& show) {
   std::vector<Thing> things = {{"L", show.L.visible}, {"omega", show.omega.visible}};
   for (const Thing& thing : construction(show)) things.push_back(thing);
@@ -50,7 +50,8 @@ std::string needingRotation(const std::string& prefix, Show& show) {
   return names;
 }
 
-/// Returns the solid for a drawn shape without a size: with the body's extents if these suit, else the default.
+/// Returns the solid for a drawn shape without a size. Uses the extents of the body if the shape accepts them, and
+/// the default proportions of the shape otherwise.
 physics::Solid proportions(const Draft& draft) {
   const NamedShape& kind = namedShapes()[static_cast<std::size_t>(*draft.drawn.word)];
   const ShapeDraft& whole = draft.body.whole.shape;
@@ -67,12 +68,12 @@ void checkThrown(const Scene& scene, const std::string& prefix, Findings& findin
     findings.refuse(flight, "nothing is thrown: give [motion.flight], or leave it out");
   const bool asked = show.figures.totalL.visible && (prefix.empty() || findings.hasBelow(total));
   if (asked && !scene.motion.flight)
-    findings.refuse(total, "is drawn of a thrown body: give [motion.flight], or leave it out");
+    findings.refuse(total, "exists only for a thrown body: give [motion.flight], or leave it out");
   else if (asked && massIsUnknown(findings))
     findings.refuse(total, kNeedsMass);
 }
 
-/// Rejects cones and the parallelogram for a motion without steady precession.
+/// Rejects visible cones and the decomposition of omega if the motion has no steady precession.
 void checkPrecession(const Scene& scene, const std::optional<Rest>& rest, const std::string& prefix,
                      Findings& findings, const Show& show) {
   const bool startKnown = rest || !scene.motion.omega_B.isZero(0);
@@ -117,10 +118,9 @@ void assembleVisible(const Scene& scene, const std::optional<Rest>& rest, const 
                                 "{}; give a rotation, or set these to false",
                                 rest->value, shown));
   if (prefix.empty() && !motion.forcing.none() && show.exaggerateAngles != 1)
-    findings.refuse(
-        "show.exaggerate_angles",
-        "larger angles are another motion, which is exact only where nothing acts on the body; leave it "
-        "out");
+    findings.refuse("show.exaggerate_angles",
+                    "exaggerated angles belong to another motion, which is exact only if nothing acts on the "
+                    "body; leave it out");
 }
 
 }  // namespace poinsot::scene

@@ -19,9 +19,9 @@ std::string withoutPrecession(const Scene& scene, const std::optional<Rest>& res
   const std::string differ = fmt::format(
       "only a symmetric body precesses steadily; all three moments differ here: ({:g}, {:g}, {:g}) kg·m²", I[0],
       I[1], I[2]);
-  constexpr double kSeen = 1e-5;  // larger differences show in the printed numbers
+  constexpr double kSeen = 1e-5;  // larger differences are visible in the printed moments
   const double least = std::min(I[1] - I[0], I[2] - I[1]) / I[1];
-  return least > kSeen ? differ : fmt::format("{}, two by {:.1g} of themselves", differ, least);
+  return least > kSeen ? differ : fmt::format("{}, two of them by a relative {:.1g}", differ, least);
 }
 
 }  // namespace poinsot::scene

@@ -9,7 +9,8 @@
 
 namespace poinsot::scene {
 
-/// Returns why the scene's motion has no steady precession; empty if it has one. @pre its start is known
+/// Returns why the scene's motion has no steady precession; empty if it has one.
+/// @pre its start is known
 std::string withoutPrecession(const Scene& scene, const std::optional<Rest>& rest);
 
 }  // namespace poinsot::scene

@@ -4,7 +4,7 @@
 namespace poinsot::scene {
 namespace {
 
-// A press or a laser printer reproduces thinner lines than a projector.
+// Factor on the line width of the print theme. Printers reproduce thinner lines than projectors do.
 constexpr double kPrintLineWidth = 0.65;
 
 }  // namespace

@@ -12,18 +12,18 @@ namespace {
 
 constexpr std::string_view kKey = "style.file";
 
-/// Returns why a key is not allowed in a style file; empty if it is.
+/// Returns why a key is not allowed in a style file; empty if the key is allowed.
 std::string_view misplaced(std::string_view path) {
-  if (path == kKey) return "a style file names no other";
+  if (path == kKey) return "a style file must not name another style file";
   if (path == "schema" || path.starts_with("style.")) return "";
-  return "a style file has [style] and [style.colors]; the rest belongs into the scene";
+  return "a style file may contain only [style] and [style.colors]; other keys belong in the scene";
 }
 
 const Source* openFile(const Node& name, const SceneFolder& folder, std::deque<Source>& sources,
                        Problems& problems) {
   const auto* path = name.as<std::string>();
   if (!path || static_cast<double>(characterCount(*path)) > kPathLength.most)
-    return nullptr;  // the key's own check reports this
+    return nullptr;  // the check of the key style.file reports this
   try {
     std::string text = folder.read(*path);
     return &sources.emplace_back(folder.filesRead().back().place.string(), std::move(text));
@@ -33,7 +33,8 @@ const Source* openFile(const Node& name, const SceneFolder& folder, std::deque<S
   }
 }
 
-/// Adds the file's values to the scene's. Only checks values that the scene overrides.
+/// Adds the values of the style file to those of the scene. If the scene gives a value too, the scene's value is
+/// kept and the file's is only checked.
 void take(const Leaves& file, Leaves& leaves, Problems& problems) {
   for (const auto& [path, node] : file.values)
     if (const std::string_view why = misplaced(path); !why.empty())

@@ -8,9 +8,10 @@
 
 namespace poinsot::scene {
 
-/// Adds the [style] of the file that style.file names. Values of the scene override those of the style file.
-/// Checks everything in the file, with places of its own, and keeps its text in `sources`.
-/// @throws SceneErrors with the one problem of a file that is not TOML.
+/// Adds the values of the style file, which the key style.file names, to those of the scene. A value in the scene
+/// overrides the value in the style file. Problems are reported at their line in the style file, so the text of
+/// the file is kept in `sources`.
+/// @throws SceneErrors with one problem if the file is not TOML.
 void addStyleFile(const SceneFolder& folder, std::deque<Source>& sources, Leaves& leaves, Problems& problems);
 
 }  // namespace poinsot::scene

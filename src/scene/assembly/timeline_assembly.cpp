@@ -11,43 +11,45 @@ namespace {
 
 std::string pathOf(std::size_t entry) { return fmt::format("timeline[{}]", entry); }
 
-/// Returns the draft of entry i; empty if the entry has no valid key.
+/// Returns entry i of the timeline, or a default entry if the draft has none because no key of the entry is valid.
 TimelineDraft given(const Draft& draft, std::size_t i) {
   return i < draft.timeline.size() ? draft.timeline[i] : TimelineDraft();
 }
 
 void checkWhen(const TimelineDraft& entry, const std::string& path, double duration_s, Findings& findings) {
   if (!entry.at && !findings.has(path + ".at"))
-    findings.refuseMissing(path + ".at", path, "at is required: the film time at which it happens");
+    findings.refuseMissing(path + ".at", path, "at is required: the film time of this entry");
   if (entry.at && *entry.at > duration_s)
     findings.refuse(path + ".at", fmt::format("must lie within the film, which ends at {:g} s, got {:g} s",
                                               duration_s, *entry.at));
 }
 
-/// Notes a hold that exceeds the film. Such a hold is valid, but is cut off.
+/// Adds a note if a pause of the motion lasts longer than the film, which cuts the pause off.
 void doubtHold(const TimelineDraft& entry, const std::string& path, double duration_s, Findings& findings) {
   if (!entry.hold || !entry.at || *entry.at > duration_s) return;
   const double end_s = *entry.at + entry.over.value_or(TimelineEntry().over_s) + *entry.hold;
   if (end_s > duration_s)
-    findings.doubt(path + ".hold", fmt::format("would last till {:g} s, the film ends at {:g} s (time.duration)",
-                                               end_s, duration_s));
+    findings.doubt(
+        path + ".hold",
+        fmt::format("would last until {:g} s, but the film ends at {:g} s (time.duration)", end_s, duration_s));
 }
 
 void checkWhat(const TimelineDraft& entry, const std::string& path, Findings& findings) {
   for (const int thing : entry.shown)
     if (std::ranges::find(entry.hidden, thing) != entry.hidden.end())
-      findings.refuse(path + ".hide", fmt::format("\"{}\" is shown by the same entry; do one of the two",
-                                                  timelineThings()[static_cast<std::size_t>(thing)]));
+      findings.refuse(path + ".hide",
+                      fmt::format("\"{}\" is in both show and hide of this entry; leave out one of the two",
+                                  timelineThings()[static_cast<std::size_t>(thing)]));
   if (entry.captionFor && !findings.has(path + ".caption"))
-    findings.refuse(path + ".caption_for", "there is no caption that could stand so long; give caption too");
+    findings.refuse(path + ".caption_for", "has no effect without a caption; give caption too");
   if (entry.azimuth && entry.turn)
     findings.refuse(path + ".camera.turn",
-                    "given beside camera.azimuth; give where the camera goes, or by how much");
+                    "cannot be combined with camera.azimuth; give the new azimuth, or the angle to turn by");
 }
 
-/// Rejects changes of speed in a film that repeats, because one constant speed determines its period.
+/// Rejects changes of speed in a film that repeats. Its period is computed for one constant speed.
 void checkLoop(const TimelineDraft& entry, const std::string& path, Findings& findings) {
-  constexpr const char* kWhy = "a film that repeats (time.loop) keeps its speed; leave out one of the two";
+  constexpr const char* kWhy = "a film that repeats (time.loop) has one constant speed; leave out one of the two";
   if (entry.speed) findings.refuse(path + ".speed", kWhy);
   if (entry.hold) findings.refuse(path + ".hold", kWhy);
 }
@@ -67,8 +69,8 @@ TimelineEntry entryOf(const TimelineDraft& given) {
   return entry;
 }
 
-/// Returns captions that last until the next one begins, or as long as given. An empty caption only ends the one
-/// before.
+/// Returns the captions of the film. Each lasts until the next caption begins, or for the time that the scene
+/// gives. A caption without text only ends the previous caption.
 std::vector<Caption> captionsOf(const std::vector<TimelineDraft>& byTime, double duration_s) {
   std::vector<Caption> captions;
   for (const TimelineDraft& entry : byTime) {
@@ -93,7 +95,7 @@ void askForShown(Draft& draft, const Findings& findings) {
 }
 
 Timeline assembleTimeline(const Draft& draft, double duration_s, Findings& findings) {
-  // An invalid duration must not cause further problems.
+  // If the duration is invalid, no entry is reported as beyond the end of the film.
   const double end_s = findings.isUnsure("time.duration") ? HUGE_VAL : duration_s;
   std::vector<TimelineDraft> entries;
   for (std::size_t i = 0; i < findings.count("timeline"); ++i) {

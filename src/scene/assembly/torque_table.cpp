@@ -16,7 +16,8 @@ namespace poinsot::scene {
 namespace {
 
 constexpr std::string_view kHeader = "t,Nx,Ny,Nz";
-// More than a second of torque at audio rate. Each line is integrated as a separate piece.
+// Enough for more than a second at the sampling rate of audio. Each interval between lines is integrated
+// separately.
 constexpr std::size_t kMostRows = 100'000;
 
 std::optional<double> number(std::string_view text) {
@@ -24,7 +25,7 @@ std::optional<double> number(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-/// Removes and returns the text up to the separator; also removes the separator.
+/// Returns the text up to the next separator. Removes this text and the separator from the start of `text`.
 std::string_view take(std::string_view& text, char separator) {
   const std::size_t end = text.find(separator);
   const std::string_view taken = text.substr(0, end);
@@ -42,7 +43,7 @@ class TableReader {
       ++line_;
       read(core::trimmed(take(csv, '\n')));
     }
-    if (history_.empty()) throw core::sceneError("there are no lines of numbers t,Nx,Ny,Nz");
+    if (history_.empty()) throw core::sceneError("the table has no rows of numbers t,Nx,Ny,Nz");
     return std::move(history_);
   }
 
@@ -74,9 +75,9 @@ class TableReader {
     for (std::size_t i = 0; i < row.size(); ++i)
       if (const double most = i == 0 ? kMostInstant_s : kMostTorque; std::abs(row[i]) > most)
         throw core::sceneError(
-            fmt::format("line {}: numbers must be at most {:g} in size, got {}", line_, most, row[i]));
+            fmt::format("line {}: absolute values must be at most {:g}, got {}", line_, most, row[i]));
     if (history_.t_s.size() == kMostRows)
-      throw core::sceneError(fmt::format("line {}: more than {} lines", line_, kMostRows));
+      throw core::sceneError(fmt::format("line {}: a table may have at most {} lines", line_, kMostRows));
     history_.t_s.push_back(row[0]);
     history_.torque.emplace_back(row[1], row[2], row[3]);
   }

@@ -14,7 +14,8 @@
 namespace poinsot::scene {
 namespace {
 
-/// Applies a preset to the camera, except for keys below `prefix` ("", "view[1].") that the scene gives.
+/// Sets the camera to a preset, except values that the scene gives by a key.
+/// @param prefix  path of the table that contains "camera": "" for the scene, "view[1]." for a view
 void usePreset(const std::optional<int>& preset, const std::string& prefix, const Findings& findings,
                Camera& camera) {
   if (!preset) return;
@@ -25,14 +26,14 @@ void usePreset(const std::optional<int>& preset, const std::string& prefix, cons
   if (chosen.projection && !findings.has(prefix + "camera.projection")) camera.projection = *chosen.projection;
 }
 
-/// Returns the angle of a horizontal vector from x. Yields the same bits on every CPU, unlike atan2.
+/// Returns the angle from the x axis to the vector (x, y). Has the same bits on every CPU, unlike atan2.
 double heading_rad(double x, double y) {
   const double fromBehind = std::sqrt(x * x + y * y) + x;
   return fromBehind > 0 ? 2 * physics::arcTangent(y / fromBehind) : std::numbers::pi;
 }
 
-/// Points the camera at the side of a throw, so that the body flies to the right. From a fixed place some throws
-/// would be seen end-on.
+/// Places the camera beside the path of a thrown body, so that the body flies to the right. A camera with a fixed
+/// azimuth would see some throws along their direction.
 void standBesideFlight(const Draft& draft, const Findings& findings, Scene& scene) {
   if (!scene.motion.flight || draft.preset || findings.has("camera.azimuth")) return;
   constexpr double kFromHeading = -70 * std::numbers::pi / 180;
@@ -45,11 +46,11 @@ void checkFollow(const Camera& camera, const Show& show, const std::string& pref
   const std::string follow = prefix + "camera.follow", zoom = prefix + "camera.zoom";
   if (camera.follow && !scene.motion.flight && findings.has(follow))
     findings.refuse(follow, "nothing is thrown: give [motion.flight], or leave it out");
-  constexpr double kMost = 1.1;  // a larger zoom exceeds the picture's margins
+  constexpr double kMost = 1.1;  // with a larger zoom, the flight extends beyond the margins of the picture
   if (movesAlong(scene.motion, camera, show) && !camera.follow && camera.zoom > kMost && findings.has(zoom))
     findings.doubt(zoom,
-                   "the thrown body begins and ends outside the picture, as 1 shows its whole flight; with "
-                   "camera.follow = true the camera goes along");
+                   "the thrown body starts and ends outside the picture, because a zoom of 1 shows its whole "
+                   "flight; set camera.follow = true to follow the body");
 }
 
 void checkFrame(const View& view, const std::string& path, const Scene& scene, const std::optional<Rest>& rest,
@@ -91,11 +92,12 @@ void refuseFrames(Findings& findings) {
     findings.refuse("camera.frames",
                     "each [[view]] has a camera.frame of its own; give frames or views, not both");
   if (findings.has("camera.frame"))
-    findings.refuse("camera.frame", "given beside camera.frames; give frame for one panel, frames for several");
+    findings.refuse("camera.frame",
+                    "cannot be combined with camera.frames; give frame for one panel, frames for several");
 }
 
 View viewOf(const ViewDraft& given, const std::string& prefix, const Findings& findings, const Scene& scene) {
-  Draft whole;  // receives the view's keys
+  Draft whole;  // temporary draft that receives the keys of the view
   whole.scene.camera = scene.camera;
   whole.scene.show = scene.show;
   for (const auto& put : given.given) put(whole);
@@ -108,7 +110,7 @@ View viewOf(const ViewDraft& given, const std::string& prefix, const Findings& f
   return view;
 }
 
-/// Makes `count` views. The draft may be shorter, because it ends at the last view with a valid key.
+/// Makes `count` views. The draft may contain fewer views, because it ends at the last view with a valid key.
 std::vector<View> givenViews(const Draft& draft, std::size_t count, const std::optional<Rest>& rest,
                              Findings& findings, PanelGrid& grid, const Scene& scene) {
   std::vector<View> views;
@@ -126,10 +128,10 @@ std::vector<View> givenViews(const Draft& draft, std::size_t count, const std::o
   return views;
 }
 
-/// Checks a picture without views, which consists of plots.
+/// Checks a scene with `show.views = false`, whose picture must consist of plots.
 void refuseNoViews(Findings& findings) {
   if (findings.count("view") > 0)
-    findings.refuse("show.views", "false, but there is a [[view]]; give one of the two");
+    findings.refuse("show.views", "is false, but the scene has a [[view]]; leave out one of the two");
   if (findings.count("plot") == 0)
     findings.refuse("show.views", "without views and without a [[plot]] nothing is left to draw");
 }
@@ -143,7 +145,7 @@ void assembleViews(const Draft& draft, const std::optional<Rest>& rest, Findings
   usePreset(draft.preset, "", findings, scene.camera);
   standBesideFlight(draft, findings, scene);
   const std::size_t count = findings.count("view");
-  // If there are views, the scene's own [show] is only their start. If views are off, [show] draws nothing.
+  // With [[view]] tables, the scene's [show] only supplies defaults. Without views, [show] draws nothing.
   const bool start = count > 0 || draft.noViews;
   assembleVisible(scene, start ? std::nullopt : rest, "", findings, scene.show);
   scene.ownViews = count > 0;

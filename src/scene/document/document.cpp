@@ -43,7 +43,8 @@ class Converter {
     return to;
   }
 
-  // Marks a value that spans lines to the end of its first line, where the excerpt stops.
+  // Returns the position of a value in the source. If the value has several lines, the position ends with the
+  // first line, because an error message shows one line only.
   Place place(const toml::source_region& region) const {
     const bool oneLine = region.end.line == region.begin.line && region.end.column > region.begin.column;
     const std::string_view line = source_.line(static_cast<int>(region.begin.line));

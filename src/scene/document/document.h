@@ -33,15 +33,16 @@ struct Entry {
   Node value;
 };
 
-/// Parses TOML 1.0 within the limits on text, so that no file can exhaust the stack or the memory of the reader.
-/// No other code uses toml++.
-/// @throws SceneErrors with the one problem that stops the parser: a syntax error, a repeated key, a limit.
+/// Parses TOML 1.0. Checks the limits on text before, so that no file can exhaust the stack or the memory. No
+/// other part of the program uses the library toml++.
+/// @throws SceneErrors with one problem, at which the parser stops: a syntax error, a repeated key, or a limit.
 Node parseDocument(const Source& source, const Limits& limits = {});
 
-/// Writes a value as TOML on one line. @pre it holds no date or time.
+/// Writes a value as TOML on one line.
+/// @pre it holds no date or time.
 std::string tomlText(const Node& node);
 
-/// Describes a value for a message: `"abc"`, `3.5`, `an array of 2`. The text is safe to print.
+/// Describes a value for a message, such as `"abc"`, `3.5` or `an array of 2`. The text is safe to print.
 std::string describe(const Node& node);
 
 }  // namespace poinsot::scene

@@ -8,32 +8,33 @@
 
 namespace poinsot::scene {
 
-/// Error in a scene: its place, and a message with the expected and the given value and the repair. All text is
-/// safe to print.
+/// Error in a scene, with its position and a message. The message names the expected value, the given value and
+/// how to repair the error. All text is safe to print.
 struct Problem {
-  core::SourceLocation where;  ///< of the value (of the key if the key is wrong); line 0 for "-D key=value"
-  std::string message;         ///< begins with the path of the key
-  std::string sourceLine;      ///< the line, or the part of a long line around the place; empty without lines
-  int caret = 0;               ///< columns of sourceLine before the place
-  int caretLength = 0;         ///< columns of sourceLine to underline, at least 1 if there is a line
+  core::SourceLocation where;  ///< position of the wrong value or key; line 0 for "-D key=value"
+  std::string message;         ///< text of the error; begins with the path of the key
+  std::string sourceLine;      ///< line that contains the error, or a part of a long line; empty for -D
+  int caret = 0;               ///< number of columns of sourceLine before the error
+  int caretLength = 0;         ///< number of columns to underline; at least 1 unless sourceLine is empty
 };
 
-/// Formats "file:line:column: error: message", the line, and carets under the place; without a newline at the end.
+/// Formats a problem as "file:line:column: error: message", the line of the source, and carets under the error.
+/// There is no newline at the end.
 std::string toString(const Problem& problem);
 
-/// Valid value that is probably a slip.
+/// Note on a valid value that is probably a mistake.
 struct Doubt {
   core::SourceLocation where;
-  std::string message;  ///< begins with the path of the key; safe to print
+  std::string message;  ///< text of the note; begins with the path of the key; safe to print
 };
 
-/// Formats "file:line:column: note: message", without a newline at the end.
+/// Formats a note as "file:line:column: note: message", without a newline at the end.
 std::string toString(const Doubt& doubt);
 
-/// All errors in a scene, in the order of the file. what() is the whole report.
+/// Exception with all errors of a scene, in the order of the file. what() returns the complete report.
 class SceneErrors : public core::Error {
  public:
-  /// @param omitted  number of problems beyond the listed ones
+  /// @param omitted  number of further problems that the list does not contain
   /// @pre at least one problem
   explicit SceneErrors(std::vector<Problem> problems, int omitted = 0);
 

@@ -9,16 +9,16 @@
 namespace poinsot::scene {
 namespace {
 
-// About a screenful of problems; a file may contain a hundred thousand.
+// Number of problems that are reported, about a screenful. A file may contain a hundred thousand.
 constexpr std::size_t kMostReported = 50;
-// A longer line is shown in part, with some text before the place.
+// Number of characters of the longest line that a message shows completely. Of a longer line, it shows a part that
+// begins kShownBefore characters before the error.
 constexpr std::size_t kLongestLine = 120;
 constexpr std::size_t kShownBefore = 60;
 
 bool startsCharacter(char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }
 
-/// Returns the characters [first, first + count) of UTF-8 text. Invalid bytes may be counted wrongly, which is
-/// harmless because printable() shows each of them.
+/// Returns the characters [first, first + count) of UTF-8 text. The count may be wrong for invalid UTF-8.
 std::string_view characters(std::string_view text, std::size_t first, std::size_t count) {
   std::size_t begin = text.size(), end = text.size(), index = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -73,7 +73,7 @@ core::SourceLocation locationOf(const Place& place) {
 }
 
 Source::Source(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {
-  lineStarts_.push_back(text_.starts_with("\xef\xbb\xbf") ? 3 : 0);  // a byte order mark takes no column
+  lineStarts_.push_back(text_.starts_with("\xef\xbb\xbf") ? 3 : 0);  // line 1 begins after a byte order mark
   for (std::size_t i = 0; i < text_.size(); ++i)
     if (text_[i] == '\n') lineStarts_.push_back(i + 1);
 }
@@ -105,7 +105,7 @@ void Problems::throwIfAny() {
   for (; read < found_.size() && problems.size() < kMostReported; ++read) {
     Found& found = found_[read];
     Problem problem = toProblem(found.place, found.make ? found.make() : std::move(found.message));
-    // In a source without lines all parts of a value have the same place, so equal problems are reported once.
+    // Equal problems are reported once. In a source without lines, all elements of a value have the same position.
     const auto isSame = [&](const Problem& earlier) { return toString(earlier) == toString(problem); };
     if (std::ranges::none_of(problems, isSame)) problems.push_back(std::move(problem));
   }

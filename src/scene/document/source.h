@@ -10,10 +10,10 @@
 
 namespace poinsot::scene {
 
-/// Counts the characters of UTF-8 text: all bytes except continuation bytes.
+/// Returns the number of characters in UTF-8 text. Counts all bytes except continuation bytes.
 std::size_t characterCount(std::string_view text);
 
-/// Text that contains keys and values: a scene file, or one "-D key=value". Must outlive every Place in it.
+/// Text of a scene file, or of one override "-D key=value". Must outlive every Place that refers to it.
 class Source {
  public:
   Source(std::string name, std::string text);
@@ -23,10 +23,12 @@ class Source {
   const std::string& name() const { return name_; }
   const std::string& text() const { return text_; }
 
-  /// Returns line `number` (from 1) without its line end; empty beyond the last line.
+  /// Returns a line without its line end; empty beyond the last line.
+  /// @param number  line number, from 1
   std::string_view line(int number) const;
 
-  /// Returns false for "-D", whose name is the whole text: its problems show no line.
+  /// Returns whether a message can show a line of the source. False for an override "-D key=value", because the
+  /// name of its source already contains the complete text.
   bool hasLines() const { return hasLines_; }
   void setWithoutLines() { hasLines_ = false; }
 
@@ -37,27 +39,28 @@ class Source {
   bool hasLines_ = true;
 };
 
-/// Place in a source. Columns count characters (not bytes) from 1.
+/// Position in a source. Columns count characters, not bytes, from 1.
 struct Place {
   const Source* source = nullptr;
   int line = 0;
   int column = 0;
-  int length = 1;  ///< number of characters, all on this line
+  int length = 1;  ///< number of characters, all of them on this line
 };
 
-/// Returns the place for a message, with a printable file name. Line and column are 0 in a source without lines.
+/// Returns the position as a message shows it. Line and column are 0 for a source without lines.
 core::SourceLocation locationOf(const Place& place);
 
-/// Collector of problems, so that one run reports all of them.
+/// List of the problems found, so that one run reports all of them.
 class Problems {
  public:
   void add(const Place& place, std::string message);
-  /// Adds a problem whose message takes time to make; makes the message only if the problem is reported.
+  /// Adds a problem whose message takes long to compute. The message is computed only if the problem is reported.
   /// @pre everything that `message` refers to lives until throwIfAny().
   void addLater(const Place& place, std::function<std::string()> message);
   bool empty() const { return found_.empty(); }
   std::size_t size() const { return found_.size(); }
-  /// @throws SceneErrors with the problems added, in the order of the file.
+  /// Throws if at least one problem was added.
+  /// @throws SceneErrors with all problems, in the order of the file.
   void throwIfAny();
 
  private:

@@ -13,7 +13,7 @@
 namespace poinsot::scene {
 namespace {
 
-/// Returns the beginning of a line: the recursion of std::regex must not depend on the length of a line.
+/// Returns the beginning of a line. std::regex uses recursion, so a long line could exhaust the stack.
 std::string beginOf(std::string_view line) { return std::string(line.substr(0, 200)); }
 
 bool matches(std::string_view line, const char* pattern) {
@@ -25,7 +25,7 @@ std::string_view quotedIn(std::string_view text) {
   return open == std::string_view::npos || close <= open + 1 ? "" : text.substr(open + 1, close - open - 1);
 }
 
-/// Returns where the rejected word begins: toml++ quotes the word but stops after it.
+/// Returns the position of the rejected word, which toml++ quotes. toml++ reports the position after the word.
 Place placeOf(const Source& source, int lineNumber, int column, std::string_view description) {
   Place place{&source, lineNumber, column, 1};
   const std::string_view word = quotedIn(description);
@@ -42,15 +42,16 @@ std::string continued(std::string text) { return text.replace(0, 1, core::lowere
 
 bool isHeader(std::string_view line) { return core::trimmed(line).starts_with('['); }
 
-/// Returns the path in brackets of a header, or the key before an equals sign; else empty. Avoids regular
-/// expressions, because it runs for every line of a file.
+/// Returns the name that a line defines: for a header such as [[body.part]] the path in the brackets, otherwise
+/// the key before the equals sign. Empty for other lines. Does not use the slow std::regex, because it runs for
+/// every line.
 std::string_view givenBy(std::string_view line) {
   const std::size_t equals = line.find('='), path = std::min(line.find_first_not_of(" \t["), line.size());
   if (!isHeader(line)) return equals == line.npos ? "" : core::trimmed(line.substr(0, equals));
   return core::trimmed(line.substr(path, line.find(']') - path));
 }
 
-/// Returns the earlier line with the same key or header; a key is searched in its own table only.
+/// Returns an earlier line that defines the same key or header. Looks for a key only in its own table.
 std::optional<int> givenBefore(const Source& source, int lineNumber) {
   const bool header = isHeader(source.line(lineNumber));
   const std::string_view given = givenBy(source.line(lineNumber));
@@ -65,19 +66,20 @@ std::optional<int> givenBefore(const Source& source, int lineNumber) {
 
 std::string twice(const Source& source, int lineNumber, std::string_view text) {
   if (text.find("cannot redefine existing boolean") != text.npos)
-    return "given before as true or false; leave that line out: the keys below it ask for the thing";
+    return "already given as true or false; remove that line, because the keys of this table make the thing "
+           "visible";
   const auto before = givenBefore(source, lineNumber);
   const std::string_view name = givenBy(source.line(lineNumber));
   if (before && text.find("as array-of-tables") != text.npos)
-    return fmt::format("line {} has it in single brackets; of several, each begins with [[{}]]", *before,
-                       core::printable(name));
+    return fmt::format("line {} has single brackets; each element of an array of tables begins with [[{}]]",
+                       *before, core::printable(name));
   const std::string where = before ? fmt::format("; first on line {}", *before) : "";
   return fmt::format("this key or table is given twice: {}{}", text, where);
 }
 
 std::string withComma(std::string_view line) {
-  return matches(line, R"([^=]*=\s*[-+]?\d+,\d+\s*(#.*)?)") ? "a decimal sign is a point: 9.81"
-                                                            : "several values stand in brackets: [1, 2, 3]";
+  return matches(line, R"([^=]*=\s*[-+]?\d+,\d+\s*(#.*)?)") ? "write decimals with a point: 9.81"
+                                                            : "write several values in brackets: [1, 2, 3]";
 }
 
 std::string messageOf(const Source& source, int lineNumber, std::string_view description) {
@@ -90,26 +92,27 @@ std::string messageOf(const Source& source, int lineNumber, std::string_view des
   if (says("parsing string") && (says("control characters") || says("end-of-file")))
     return "not TOML: this text has no closing quote";
   if (says("could not determine value type") || says("parsing boolean"))
-    return typographic ? "not a TOML value; text stands in straight quotes: \"...\" or '...'"
-                       : "not a TOML value; text stands in quotes: \"...\"";
+    return typographic ? "not a TOML value; write text in straight quotes: \"...\" or '...'"
+                       : "not a TOML value; write text in quotes: \"...\"";
   if (says("could not be interpreted as a value") || says("is not representable"))
     return "a number out of range: " + text;
   if (says("expected a comment or whitespace, saw ','"))
     return fmt::format("not TOML: {} ({})", text, withComma(line));
   if (says("expected a comment or whitespace, saw") || says("expected digit, saw") ||
       says("expected comma or closing ']', saw"))
-    return "not TOML: " + text + " (a number with a unit, or a fraction, stands in quotes: \"3 rpm\")";
+    return "not TOML: " + text + " (write a number with a unit, or a fraction, in quotes: \"3 rpm\")";
   if (says("escape sequence"))
-    return "not TOML: " + text + " (mathematics stands in single quotes, where a backslash is one: '$\\omega$')";
+    return "not TOML: " + text + " (write mathematics in single quotes, which keep backslashes: '$\\omega$')";
   return "not TOML: " + text;
 }
 
-/// Returns whether a line begins a table or gives a key, which no line inside an array does.
+/// Returns whether a line begins a table or defines a key. No line inside an array does so.
 bool beginsAnew(std::string_view line) {
   return matches(line, R"(\s*(\[{1,2}\s*[A-Za-z][\w.\s]*\]|[\w.\s-]+=).*)");
 }
 
-/// Returns the bracket of an unclosed array. toml++ stops only at what follows, often lines below.
+/// Returns the position of the opening bracket if an array has no closing bracket. toml++ reports such an error
+/// only where the next key begins, often several lines below.
 std::optional<Place> unclosedArray(const Source& source, int line, std::string_view description,
                                    const Limits& limits) {
   const bool atEnd = description.find("encountered end-of-file") != std::string_view::npos;

@@ -11,10 +11,11 @@ namespace poinsot::scene {
 
 struct SyntaxProblem {
   Place place;
-  std::string message;  ///< written for authors of scenes; names the usual slip
+  std::string message;  ///< text of the error for the author of the scene; names the most likely mistake
 };
 
-/// Translates a syntax error of the parser at a line and column.
+/// Converts a syntax error of toml++ into a problem of the scene.
+/// @param line  number of the line at which toml++ stopped
 /// @param description  message of toml++
 SyntaxProblem syntaxProblem(const Source& source, int line, int column, std::string_view description,
                             const Limits& limits);

@@ -10,7 +10,8 @@
 namespace poinsot::scene {
 namespace {
 
-/// Scanner with just enough of TOML's grammar to skip comments and strings and to distinguish keys from values.
+/// Scanner for TOML text. Implements only as much of the grammar as is necessary to skip comments and strings and
+/// to distinguish keys from values.
 class Scan {
  public:
   Scan(const Source& source, const Limits& limits) : source_(source), text_(source.text()), limits_(limits) {}
@@ -28,7 +29,7 @@ class Scan {
  private:
   struct Open {
     bool table;
-    int depth;  // depth of the enclosing table or array
+    int depth;  // nesting depth outside the table or array
     Place place;
   };
 
@@ -48,7 +49,7 @@ class Scan {
 
   void skipComment() { at_ = std::min(text_.find('\n', at_), text_.size()); }
 
-  // An unclosed string ends the line or the scan; the parser reports it.
+  // Skips a string. An unclosed string ends with the line or the text; the parser reports it later.
   void skipString(char quote) {
     const std::size_t begin = at_;
     const std::string fence(text_.substr(at_, 3) == std::string(3, quote) ? 3 : 1, quote);
@@ -60,7 +61,7 @@ class Scan {
       at_ += escapes ? 2 : 1;
     }
     at_ = std::min(at_ + fence.size(), text_.size());
-    // """a"""" ends with a quote of its own before the fence.
+    // A string in triple quotes may end with quotes of its own: """a"""" contains a".
     for (int extra = 0; fence.size() == 3 && extra < 2 && text_.substr(at_).starts_with(quote); ++extra) ++at_;
     if (at_ - begin > limits_.bytes(Limit::kStringBytes) + 2 * fence.size())
       exceed(Limit::kStringBytes, "a string may have at most {}");
@@ -146,8 +147,8 @@ class Scan {
   std::size_t lineStart_ = 0;
   int line_ = 1;
   std::int64_t nodes_ = 0;
-  int depth_ = 0;        // tables and arrays around this place
-  int headerDepth_ = 0;  // depth of the last [header]
+  int depth_ = 0;        // nesting depth at the current position
+  int headerDepth_ = 0;  // nesting depth of the last [header]
   bool inKey_ = true;
   bool inHeader_ = false;
   std::vector<Open> open_;

@@ -14,11 +14,12 @@ struct LimitExceeded {
   std::string message;
 };
 
-/// Scans TOML text, before a parser builds a tree, for anything that would make the tree too large, too deep or
-/// too slow. One pass in constant memory. For invalid TOML the result is arbitrary; the parser reports the error.
+/// Returns the first limit that a TOML text exceeds: nesting depth, number of values, length of a string or of the
+/// text. Call this before the parser builds its tree. Scans the text once, with little memory. For invalid TOML
+/// the result is arbitrary, because the parser reports the error.
 std::optional<LimitExceeded> exceededLimit(const Source& source, const Limits& limits);
 
-/// Returns where an array begins that is still open at the start of a line; the innermost of several.
+/// Returns the opening bracket of the innermost array that is open at the start of a line; empty if none is.
 std::optional<Place> openArrayAtLine(const Source& source, const Limits& limits, int line);
 
 }  // namespace poinsot::scene

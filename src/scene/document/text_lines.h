@@ -7,8 +7,8 @@
 
 namespace poinsot::scene {
 
-/// Splits a text into lines, each with its place. An array yields its elements. A string is split at its line
-/// ends, ignoring one at the end. Any other value is returned unchanged as the only line.
+/// Splits text into lines, each with its position. For an array, returns the elements. For a string, splits at
+/// line ends; a line end at the end of the string adds no line. For any other value, returns the value itself.
 std::vector<Node> linesOf(const Node& node);
 
 }  // namespace poinsot::scene

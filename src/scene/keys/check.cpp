@@ -19,7 +19,8 @@ namespace {
 
 std::size_t mirrored(std::size_t place) { return 3 * (place % 3) + place / 3; }
 
-/// Returns the first place above the diagonal whose mirror image differs, for nine numbers in rows.
+/// Returns the first element above the diagonal that differs from its mirror image; empty for a symmetric matrix.
+/// @param rows  nine elements of a 3x3 matrix, row by row
 std::optional<std::size_t> asymmetric(const std::vector<double>& rows) {
   for (const std::size_t above : {1, 2, 5})
     if (rows[above] != rows[mirrored(above)]) return above;
@@ -105,7 +106,7 @@ class Checker {
 
   std::optional<double> finite(const Node& node) {
     if (const auto* integer = node.as<std::int64_t>()) return static_cast<double>(*integer);
-    // An element of a quaternion has no unit, not even percent, because its norm does not matter.
+    // Elements of a quaternion have no unit. Even percent is not allowed, because the norm is arbitrary.
     if (const auto* text = node.as<std::string>(); text && key_.type != ValueType::kQuaternion)
       return quantity(node, *text);
     const auto* number = node.as<double>();
@@ -191,7 +192,7 @@ class Checker {
     return good ? std::optional(hex) : std::nullopt;
   }
 
-  /// Returns "#cc0000" for "#c00" and "cc0000"; empty for text that is not a hexadecimal colour.
+  /// Returns a colour with six digits: "#cc0000" for "#c00" and "cc0000". Empty if the text is not such a colour.
   static std::string sixDigits(std::string_view text) {
     if (text.starts_with('#')) text.remove_prefix(1);
     std::string all = "#";
@@ -206,17 +207,17 @@ class Checker {
       return refuse(
           node, fmt::format("may have at most {} characters, got {}", key_.range.most, characterCount(*value)));
     if (!isUtf8(*value))
-      return refuse(node, fmt::format("not UTF-8, got {}; save the file with that encoding", describe(node)));
-    // printable() changes exactly the characters that a terminal or a line of type cannot show, and does not
-    // shorten a text of at most 200 characters.
+      return refuse(node, fmt::format("is not valid UTF-8, got {}; save the file as UTF-8", describe(node)));
+    // printable() replaces the characters that neither a terminal nor a picture can show. It does not shorten
+    // texts of at most 200 characters.
     if (core::printable(*value) != *value)
-      return refuse(node, fmt::format("may hold no line ends or other control characters, got {} (mathematics "
-                                      "stands in single quotes, where a backslash is one: '$\\theta$')",
+      return refuse(node, fmt::format("must not contain line ends or other control characters, got {} (write "
+                                      "mathematics in single quotes, which keep backslashes: '$\\theta$')",
                                       describe(node)));
     return Checked(*value);
   }
 
-  /// Checks lines of text. Line ends within one string separate lines, except one at its end.
+  /// Checks lines of text. A string may contain several lines; a line end at the end of the string adds no line.
   std::optional<Checked> lines(const Node& node) {
     const std::vector<Node> given = linesOf(node);
     if (given.empty()) return refuseType(node);
@@ -231,7 +232,7 @@ class Checker {
     return Checked(std::move(all));
   }
 
-  /// Accepts one of the words; also a number without quotes if that is one of the words.
+  /// Checks that a value is one of the words of the key. A word that is a number may be given without quotes.
   std::optional<Checked> word(const Node& node) {
     const auto* value = node.as<std::string>();
     const auto* number = node.as<std::int64_t>();
@@ -240,17 +241,18 @@ class Checker {
       if (key_.words[i] == given) return Checked(Word{static_cast<int>(i)});
     if (!value) return refuseType(node);
     const auto near = meantWord(*value);
-    // A list of many words would hide the suggestion.
+    // With a suggestion, the message does not list the words, because a long list would hide the suggestion.
     const std::string expected =
         near && !key_.wordList.empty() ? fmt::format("one of the {}", key_.wordList) : wordsText(key_);
     const std::string hint = near ? fmt::format("; did you mean \"{}\"?", *near) : "";
     return refuse(node, fmt::format("expected {}, got {}{}", expected, describe(node), hint));
   }
 
-  /// Suggests "theta_vertical" for "theta_vert", "omega_1" for "omega1", "omega" for "omega_magnitude".
+  /// Returns the word that is most similar to a misspelt word, such as "theta_vertical" for "theta_vert",
+  /// "omega_1" for "omega1", "omega" for "omega_magnitude".
   std::optional<std::string> meantWord(const std::string& given) const {
-    constexpr std::size_t kLongest = 64;  // the edit distance of longer text takes too long
-    constexpr std::size_t kAddition = 3;  // letters after the underscore; fewer may name an axis
+    constexpr std::size_t kLongest = 64;  // characters; the edit distance of longer text takes too long
+    constexpr std::size_t kAddition = 3;  // characters after the underscore; a shorter addition may name an axis
     if (given.size() > kLongest) return std::nullopt;
     const auto begun = [&](std::string_view word) { return word.starts_with(given); };
     if (given.size() > kAddition && std::ranges::count_if(key_.words, begun) == 1)
@@ -280,8 +282,8 @@ class Checker {
   std::optional<std::vector<double>> numbers(const Node& node, std::size_t count) {
     const auto* array = node.as<Node::Array>();
     if (array && array->size() > count && array->size() <= 2 * count && key_.type != ValueType::kQuaternion)
-      return refuse(
-          node, fmt::format("expected {}, got {}; decimals have a point: 0.1", typeText(key_), describe(node)));
+      return refuse(node, fmt::format("expected {}, got {}; write decimals with a point: 0.1", typeText(key_),
+                                      describe(node)));
     if (!array || array->size() != count) return refuseType(node);
     std::vector<double> values;
     for (const Node& element : *array)
@@ -340,12 +342,13 @@ class Checker {
     if (!values) return std::nullopt;
     const auto& q = *values;
     const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
-    if (norm == 0) return refuse(node, "must not be zero: a zero quaternion is no orientation, got [0, 0, 0, 0]");
+    if (norm == 0)
+      return refuse(node, "must not be zero, got [0, 0, 0, 0]: a zero quaternion is not an orientation");
     if (!inRange(norm)) return refuse(node, fmt::format("its norm must be {}, got {}", numbersText(key_), norm));
     return wrapped(values);
   }
 
-  // Reads a decimal exactly as written: 29.97 is 2997/100, not the nearest double.
+  // Checks a frame rate. A decimal is used exactly as written: 29.97 is 2997/100, not the nearest double.
   std::optional<Checked> frameRate(const Node& node) {
     std::string text;
     if (const auto* integer = node.as<std::int64_t>()) text = fmt::format("{}", *integer);

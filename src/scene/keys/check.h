@@ -10,9 +10,9 @@
 namespace poinsot::scene {
 
 /// Checks a value against the type, dimension and range of its key.
-/// @param path  path of the value: the key's, with an index for each []
-/// @param limits  supplies the upper end of a range that depends on a limit
-/// @returns the value in SI units; nullopt if it is invalid, with a problem at the value or at its wrong element
+/// @param path  path of the value, which has an index where the path of the key has []
+/// @param limits  limits of the user; a range can depend on one of them
+/// @returns the value in SI units; nullopt if the value is invalid, which is then reported to `problems`
 std::optional<Checked> check(const Key& key, std::string_view path, const Node& node, Problems& problems,
                              const Limits& limits = {});
 

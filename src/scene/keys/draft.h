@@ -13,15 +13,15 @@
 #include "physics/unaligned_types.h"
 #include "scene/scene.h"
 
-/// Scene while its keys are being read, in SI units. Final values go straight into Draft::scene. Values that
-/// several keys decide together wait for assemble.h.
+/// Scene while its keys are being read, in SI units. A value that needs no other key is stored in Draft::scene. A
+/// value that depends on other keys is stored in the other members, until assemble.h combines them.
 namespace poinsot::scene {
 
-/// Keys of a shape in [body], [[body.part]] or [show.body].
+/// Values of the keys of a shape, in [body], [[body.part]] or [show.body].
 struct ShapeDraft {
-  std::optional<int> word;                     ///< index into shapeWords()
-  std::optional<std::vector<double>> size;     ///< two or three extents, or one for all
-  std::map<std::string_view, double> lengths;  ///< by key, such as "radius"
+  std::optional<int> word;                     ///< index of the shape in shapeWords()
+  std::optional<std::vector<double>> size;     ///< two or three extents; one if all are equal
+  std::map<std::string_view, double> lengths;  ///< lengths by the name of the key, such as "radius"
   std::optional<Eigen::Vector3d> wing;
   std::optional<std::string> file;
   std::optional<double> fileUnit_m;
@@ -40,27 +40,27 @@ struct PointDraft {
   std::optional<Eigen::Vector3d> position;
 };
 
-/// Point that measured moments are about, in the order of the key's words.
+/// Point to which given moments of inertia refer. The order is the order of the key's words.
 enum class MomentsAbout { kCentreOfMass, kOrigin, kPivot };
 
 struct BodyDraft {
   std::optional<Eigen::Vector3d> moments;
   std::optional<Eigen::Matrix3d> inertia;
-  Eigen::Vector3d centre_B = Eigen::Vector3d::Zero();  ///< centre of mass, given beside moments or a tensor
+  Eigen::Vector3d centre_B = Eigen::Vector3d::Zero();  ///< centre of mass, for a body given by moments or a tensor
   MomentsAbout momentsAbout = MomentsAbout::kCentreOfMass;
-  std::optional<int> catalogue;  ///< index into physics::catalogue()
+  std::optional<int> catalogue;  ///< index of the body in physics::catalogue()
   PieceDraft whole;
   std::vector<PieceDraft> parts;
   std::vector<PointDraft> points;
 };
 
-/// Keys of all ways to give a start, of which a valid scene uses one.
+/// Values of the keys that give the start of the motion. A valid scene uses one of several ways to give it.
 struct StartDraft {
   std::optional<Eigen::Vector3d> omega_B, omega_W, L_B, L_W;
   std::optional<double> spin, tilt, tiltTowards;
-  int spinAxis = 0;  ///< 0 to 2: axis of P; 3 to 5: axis of the smallest, middle, largest moment
+  int spinAxis = 0;  ///< 0, 1, 2: principal axis; 3, 4, 5: axis of the smallest, middle, largest moment
   std::optional<double> energy, L, phase;
-  int branch = 0;  ///< 0: positive, 1: negative
+  int branch = 0;  ///< half of the axis that the polhode encloses; 0: positive, 1: negative
 };
 
 struct TorqueStepDraft {
@@ -72,8 +72,8 @@ struct ForcingDraft {
   std::optional<Eigen::Vector3d> mgr_B, torque_B, torque_W, dragRates;
   std::optional<double> g, dissipation;
   std::optional<std::string> torqueFile;
-  int fileAxes = 0;       ///< 0: body axes, 1: space axes
-  int interpolation = 0;  ///< 0: linear, 1: steps
+  int fileAxes = 0;       ///< axes of the torque file; 0: body, 1: space
+  int interpolation = 0;  ///< of the torque between two times of the file; 0: linear, 1: steps
   std::vector<TorqueStepDraft> steps;
 };
 
@@ -95,7 +95,7 @@ struct AngleDraft {
   double scale = 1;
 };
 
-/// Entry of the timeline. `shown` and `hidden` are indices into timelineThings().
+/// Values of the keys of one timeline entry. `shown` and `hidden` are indices into timelineThings().
 struct TimelineDraft {
   std::optional<double> at, over, captionFor, speed, hold, azimuth, turn, elevation, zoom;
   std::vector<int> shown, hidden;
@@ -104,14 +104,14 @@ struct TimelineDraft {
 
 struct Draft;
 
-/// Keys of a view. Its camera and its shown things start as copies of the scene's.
+/// Values of the keys of a view. Camera and visible things of a view start as copies of the scene's.
 struct ViewDraft {
   std::string title, subtitle;
   std::optional<Eigen::Vector2i> at, span;
-  std::vector<std::function<void(Draft&)>> given;  ///< each puts one key of [camera] or [show] into a draft
+  std::vector<std::function<void(Draft&)>> given;  ///< functions; each stores one key in a draft
 };
 
-/// Keys of a plot. Values that several keys decide together are stored beside `plot`.
+/// Values of the keys of a plot. A value that depends on other keys is stored outside `plot`.
 struct PlotDraft {
   Plot plot;
   std::optional<std::vector<double>> range;
@@ -125,7 +125,7 @@ struct Draft {
   ForcingDraft forcing;
   FlightDraft flight;
   ShapeDraft drawn;
-  std::optional<int> preset;  ///< index into cameraPresets()
+  std::optional<int> preset;  ///< index of the camera's preset in cameraPresets()
   std::optional<std::vector<CameraFrame>> frames;
   bool noViews = false;
   std::vector<ViewDraft> views;
@@ -136,14 +136,14 @@ struct Draft {
   std::vector<Note> notes;
   std::vector<TimelineDraft> timeline;
   bool loop = false;
-  int quality = 0;  ///< index into qualityPresets()
+  int quality = 0;  ///< index of the preset in qualityPresets()
   std::optional<Eigen::Vector2i> size_px;
   std::optional<int> crf;
-  std::optional<int> codec;    ///< index into codecWords()
-  int chroma = 0, effort = 1;  ///< indices into chromaWords(), effortWords()
+  std::optional<int> codec;    ///< index of the codec in codecWords()
+  int chroma = 0, effort = 1;  ///< indices into chromaWords() and effortWords()
 };
 
-/// Returns element i, after extending the vector to contain it.
+/// Returns element i. If the vector is too short, first extends it to i + 1 elements.
 template <class T>
 T& elementAt(std::vector<T>& elements, std::size_t i) {
   if (elements.size() <= i) elements.resize(i + 1);

@@ -19,7 +19,7 @@ namespace {
 using Explanations = std::vector<Explanation>;
 
 std::string takes(const Key& key) {
-  const bool inWords = key.type == ValueType::kWord || key.type == ValueType::kWords;  // the type lists the words
+  const bool inWords = key.type == ValueType::kWord || key.type == ValueType::kWords;  // typeText lists the words
   if (inWords && !key.wordList.empty())
     return fmt::format("{} of the {}", key.type == ValueType::kWord ? "one" : "an array", key.wordList);
   const std::string type = typeText(key), range = inWords ? "" : rangeText(key);
@@ -43,7 +43,8 @@ Explanation ofKey(const Key& key) {
   return explanation;
 }
 
-/// Returns the tables that hold keys, in the order of the reference, without those that a view repeats.
+/// Returns the paths of all tables that contain keys, in the order of the reference. Leaves out tables of a view
+/// that repeat a table of the scene, such as view[].camera.
 std::vector<std::string_view> tables() {
   std::vector<std::string_view> found;
   for (const Key& key : keys())
@@ -52,7 +53,7 @@ std::vector<std::string_view> tables() {
   return found;
 }
 
-/// Describes a table; a drawn thing's table by the help of its key "visible".
+/// Returns the description of a table. For a drawn thing, this is the help text of its key "visible".
 std::string storyOf(std::string_view table) {
   const Key* visible = findKey(std::string(table) + ".visible");
   return visible ? std::string(visible->help) : "a table of its own";
@@ -70,7 +71,7 @@ Explanation ofTable(std::string_view table) {
 
 Explanation ofAllTables() {
   Explanation explanation{
-      "tables", "What a scene file may hold; explain a table to see its keys, and a key for the rest.", {}};
+      "tables", "The tables of a scene file. Explain a table to see its keys, or a key to see its details.", {}};
   for (const std::string_view table : tables()) {
     if (table.empty()) continue;
     std::string names;
@@ -80,7 +81,7 @@ Explanation ofAllTables() {
   return explanation;
 }
 
-/// Removes the brackets of a table's header and the indices of a path.
+/// Returns "camera" for "[camera]", "body.part[].mass" for "body.part[3].mass".
 std::string unbracketed(std::string_view word) {
   while (word.size() > 1 && word.starts_with('[') && word.ends_with(']')) word = word.substr(1, word.size() - 2);
   return patternOf(word);
@@ -114,7 +115,7 @@ Explanations ofName(std::string_view word) {
   return found;
 }
 
-/// Explains words that keys accept and that have an explanation of their own.
+/// Explains values of keys that have an explanation of their own: shapes, bodies of the catalogue, quantities.
 Explanations ofWord(std::string_view word) {
   Explanations found;
   for (const NamedShape& shape : namedShapes())
@@ -139,7 +140,7 @@ Explanations ofUnit(std::string_view word) {
       found.push_back({fmt::format("{}, a unit of {}", core::printable(word), pluralName(dimension)),
                        fmt::format("1 {} is {:.15g} {}.", core::printable(word), one.value, siUnit(dimension)),
                        {{"units", someUnits(dimension)}}});
-  // No key takes a force, so forces are found by their names.
+  // No key has the dimension of a force, so the loop above does not find units of force.
   if (const std::string value = unitValue(word); found.empty() && !value.empty())
     found.push_back({fmt::format("{}, a unit", word), fmt::format("1 {} is {}.", word, value), {}});
   return found;
@@ -147,8 +148,8 @@ Explanations ofUnit(std::string_view word) {
 
 Explanation ofQuantities() {
   Explanation explanation{"units",
-                          "What numbers with a unit are written in, such as \"3 rpm\"; also products of "
-                          "powers of the names below, such as \"g/cm^3\". A bare number is in the first.",
+                          "Units of numbers such as \"3 rpm\". A unit may also be a product of powers of the "
+                          "names below, such as \"g/cm^3\". A bare number is in the first unit of its row.",
                           {}};
   for (const Dimension dimension : dimensions())
     explanation.rows.push_back(
@@ -168,7 +169,7 @@ Explanation ofUnitNames() {
   return explanation;
 }
 
-/// Explains the keys that accept a word: style.theme for "dark".
+/// Explains the keys that accept a word. For "dark", this is the key style.theme.
 Explanations ofValue(std::string_view word) {
   Explanations found;
   for (const Key& key : keys())
@@ -201,7 +202,7 @@ std::vector<Explanation> explanationsOf(std::string_view word) {
     if (found.empty()) found = ofValue(word);
     if (word == "units") found = {ofQuantities(), ofUnitNames()};
   } else if (found.empty() && nameOf(word) == "color") {
-    found = {ofTable("style.colors")};  // the colours of all things are in this table
+    found = {ofTable("style.colors")};  // this table contains the colours of all things
   }
   return found.empty() ? ofUnit(word) : found;
 }
@@ -209,7 +210,7 @@ std::vector<Explanation> explanationsOf(std::string_view word) {
 std::vector<Explanation> explain(std::string_view word, const std::vector<std::string>& otherWords) {
   Explanations found = explanationsOf(word);
   if (!found.empty()) return found;
-  constexpr std::size_t kLongest = 64;  // the edit distance of longer text takes too long
+  constexpr std::size_t kLongest = 64;  // characters; the edit distance of longer text takes too long
   std::vector<std::string> words = known();
   words.insert(words.end(), otherWords.begin(), otherWords.end());
   const auto near = word.size() > kLongest ? std::nullopt : core::closest(word, words);

@@ -11,38 +11,40 @@
 
 namespace poinsot::scene {
 
-/// Values that the user gave, valid or not, and the places at which to report errors: at the value; for a missing
-/// value at its table; else at the start of the file.
+/// Values that the user gave, valid or not, and reports on them. A problem is reported at its value. If the value
+/// is missing, it is reported at the table, or at the start of the file.
 class Findings {
  public:
-  /// @param refused  paths of values that did not pass their own checks
+  /// @param refused  paths of values that failed their own checks
   Findings(const Leaves& given, const std::set<std::string, std::less<>>& refused, const Place& file,
            Problems& problems)
       : given_(given), refused_(refused), file_(file), problems_(problems) {}
 
   const Limits& limits() const { return given_.limits; }
   bool has(std::string_view path) const { return given_.values.contains(path); }
-  /// Returns whether a value is given and failed its own check, which is already reported.
+  /// Returns whether the value is given and failed its own check. The failure is already reported.
   bool failed(std::string_view path) const { return refused_.contains(path); }
   bool hasBelow(std::string_view table) const;
-  /// Returns whether the table is in the file, with or without keys.
+  /// Returns whether the file contains the table, even without keys.
   bool hasTable(std::string_view table) const;
-  /// Returns whether an unknown name in the same table is spelled like the path's. That name is already reported.
+  /// Returns whether the table of the path contains an unknown name that is probably a misspelling of this path.
+  /// Unknown names are already reported.
   bool misspelt(std::string_view path) const;
-  /// Returns whether the value given for the path is unreliable, as already reported: rejected, misspelt, or in a
-  /// misspelt table.
+  /// Returns whether a value is unreliable, because the value was rejected or because its key or its table is
+  /// probably misspelt. The mistake is already reported.
   bool isUnsure(std::string_view path) const;
   std::size_t count(std::string_view array) const { return given_.count(array); }
 
-  /// Reports "path: message" at the path.
+  /// Reports the problem "path: message" at the position of the path.
   void refuse(std::string_view path, std::string_view message);
-  /// Reports "path: message" at `path` because the key `missing` is not given. Reports nothing if `missing` is
-  /// misspelt.
+  /// Reports the problem "path: message" because the key `missing` is not given. Reports nothing if the file
+  /// contains a probable misspelling of `missing`.
   void refuseMissing(std::string_view missing, std::string_view path, std::string_view message);
-  /// Reports that the file lacks a required table. Reports nothing if the file has unknown names.
+  /// Reports that the file lacks a required table. Reports nothing if the file contains unknown names, because one
+  /// of them may be a misspelling of the table.
   void refuseEmpty(std::string message);
   void refuseFile(std::string message);
-  /// Adds a note "path: message" about a valid value that is probably a slip.
+  /// Adds the note "path: message" about a valid value that is probably a mistake.
   void doubt(std::string_view path, std::string_view message);
   std::vector<Doubt> doubts() const;
 

@@ -10,7 +10,7 @@ namespace {
 using enum ValueType;
 using enum Dimension;
 
-constexpr Range kProducts{.least = kLeastMoment, .most = kMostMoment, .ofSize = true};  // products of inertia
+constexpr Range kProducts{.least = kLeastMoment, .most = kMostMoment, .ofSize = true};  // for products of inertia
 constexpr Range kDensities{.least = 1e-30, .most = 1e30};
 constexpr Range kTurns{.least = -360, .most = 360, .unit = "deg"};
 
@@ -37,10 +37,10 @@ std::vector<Key> momentKeys() {
        .dimension = kMomentOfInertia,
        .range = kMoments,
        .example = "[1.0, 2.0, 2.5]",
-       .help =
-           "Moments of inertia about the body's principal axes, in any order; none above the sum of the "
-           "others. About the centre of mass if the body has a mass (see moments_about), else about the point "
-           "that stands still. This, or inertia, or shape with its keys, or catalogue, or parts and point masses.",
+       .help = "Moments of inertia about the body's principal axes, in any order. None may exceed the sum of the "
+               "other two. If the body has a mass, they are about the centre of mass (see moments_about). Without "
+               "a mass, they are about the fixed point of the motion. A body is given by this key, by inertia, by "
+               "shape with its keys, by catalogue, or by parts and point masses.",
        .advice = nearestMomentsAdvice,
        .put = into([](Draft& d) { return &d.body.moments; })},
       {.path = "body.inertia",
@@ -48,11 +48,11 @@ std::vector<Key> momentKeys() {
        .dimension = kMomentOfInertia,
        .range = kProducts,
        .example = "[[2, 0.1, 0], [0.1, 3, 0], [0, 0, 4]]",
-       .help =
-           "Inertia tensor in body axes, about the centre of mass if the body has a mass (see moments_about), "
-           "else about the point that stands still. Off the diagonal stand -(sum of m x y), -(sum of m x z) and "
-           "-(sum of m y z), as in URDF, MuJoCo and SolidWorks' negative tensor notation. Aerospace tables and "
-           "many CAD sheets print +(sum of m x y): turn the sign.",
+       .help = "Inertia tensor in body axes. If the body has a mass, it is about the centre of mass (see "
+               "moments_about). Without a mass, it is about the fixed point of the motion. The off-diagonal "
+               "elements are -(sum of m x y), -(sum of m x z) and -(sum of m y z). URDF, MuJoCo and SolidWorks' "
+               "negative tensor notation have the same signs. Aerospace tables and many CAD sheets print +(sum of "
+               "m x y): reverse the signs of their off-diagonal elements.",
        .put = into([](Draft& d) { return &d.body.inertia; })},
       {.path = "body.centre_of_mass",
        .type = kVector,
@@ -60,24 +60,24 @@ std::vector<Key> momentKeys() {
        .range = kPositions,
        .fallback = "[0, 0, 0]",
        .example = "[0, 0, \"12 mm\"]",
-       .help =
-           "Where the centre of mass is, in body axes, of a body given by inertia or principal_moments and mass. "
-           "In URDF: the xyz of the inertial origin.",
+       .help = "Position of the centre of mass in body axes. Only for a body given by mass and by inertia or "
+               "principal_moments. In URDF, it is the xyz of the inertial origin.",
        .put = into([](Draft& d) { return &d.body.centre_B; })},
       {.path = "body.moments_about",
        .type = kWord,
        .words = {"centre_of_mass", "origin", "pivot"},
        .fallback = "\"centre_of_mass\"",
        .example = "\"pivot\"",
-       .help = "The point that inertia or principal_moments are about, of a body with a mass. In URDF: the centre "
-               "of mass. The origin is that of the body axes, which CAD calls the output coordinate system. The "
-               "moments are then moved to the pivot (eq 14).",
+       .help = "The point that inertia or principal_moments are about, for a body with a mass. In URDF, it is the "
+               "centre of mass. `origin` is the origin of the body axes, which CAD programs call the output "
+               "coordinate system. The moments are then moved from this point to the pivot (eq 14).",
        .put = into([](Draft& d) { return &d.body.momentsAbout; })},
       {.path = "body.catalogue",
        .type = kWord,
        .words = catalogueWords(),
        .example = "\"t_handle\"",
-       .help = "A body of the real world, with its mass; see Catalogue below for where its numbers are from.",
+       .help = "Name of a real body, with its mass. The section Catalogue of docs/scene.md gives the source of "
+               "each number.",
        .put = into([](Draft& d) { return &d.body.catalogue; })},
   };
 }
@@ -94,16 +94,15 @@ std::vector<Key> wholeKeys() {
        .dimension = kDensity,
        .range = kDensities,
        .example = "\"2.7 g/cm^3\"",
-       .help = "In place of mass, of a shape that has a volume.",
+       .help = "Density of a shape that has a volume. Use it instead of mass.",
        .put = into([](Draft& d) { return &d.body.whole.density; })},
       {.path = "body.pivot",
        .type = kVector,
        .dimension = kLength,
        .range = kPositions,
        .example = "[0, 0, \"-5 cm\"]",
-       .help =
-           "The point of the body that is held fixed, in body axes; without it, the body turns about its centre "
-           "of mass. Needs a body with a mass.",
+       .help = "The point of the body that is held fixed, in body axes. Without a pivot, the body turns about its "
+               "centre of mass. Needs a body with a mass.",
        .put = into([](Draft& d) { return &d.scene.body.pivot_B; })},
   };
 }
@@ -112,16 +111,16 @@ ShapeTable wholeShape() {
   return {.path = "body",
           .of = [](Draft& d, std::size_t) -> ShapeDraft& { return d.body.whole.shape; },
           .shapeHelp =
-              "Uniform solid or shell that sets the moments, with the keys of the shape and its mass; see "
-              "Shapes below.",
-          .sizeHelp = "Extents of the shape along the body's x, y and z axes; one number for all three."};
+              "Uniform solid or shell that sets the moments. It needs the keys of the shape, and mass or density; "
+              "see Shapes in docs/scene.md.",
+          .sizeHelp = "Extents of the shape along the body's x, y and z axes. One number sets all three."};
 }
 
 ShapeTable partShape() {
   return {.path = "body.part[]",
           .of = [](Draft& d, std::size_t i) -> ShapeDraft& { return elementAt(d.body.parts, i).shape; },
-          .shapeHelp = "Uniform solid or shell, with the keys of the shape and its mass or density.",
-          .sizeHelp = "Extents of the shape along its own x, y and z axes; one number for all three."};
+          .shapeHelp = "Uniform solid or shell of the part. It needs the keys of the shape, and mass or density.",
+          .sizeHelp = "Extents of the shape along its own x, y and z axes. One number sets all three."};
 }
 
 std::vector<Key> partMassKeys() {
@@ -136,7 +135,7 @@ std::vector<Key> partMassKeys() {
        .dimension = kDensity,
        .range = kDensities,
        .example = "\"2.7 g/cm^3\"",
-       .help = "In place of mass, of a shape that has a volume.",
+       .help = "Density of a shape that has a volume. Use it instead of mass.",
        .put = intoPart([](PieceDraft& p) { return &p.density; })},
   };
 }
@@ -148,27 +147,26 @@ std::vector<Key> partPlaceKeys() {
        .dimension = kLength,
        .range = kPositions,
        .example = "[0, \"5 cm\", 0]",
-       .help = "Where the part's origin is, in body axes; without it, at the body's origin.",
+       .help = "Position of the part's origin in body axes. By default, the body's origin.",
        .put = intoPart([](PieceDraft& p) { return &p.offset; })},
       {.path = "body.part[].rotation",
        .type = kQuaternion,
        .range = kQuaternionNorm,
        .example = "[1, 0, 0, 1]",
-       .help =
-           "Quaternion w, x, y, z taking the part's axes to body axes, normalised on reading; or axis and angle. "
-           "Without either, the axes agree.",
+       .help = "Quaternion w, x, y, z that takes the part's axes to body axes. It is normalised on reading. You "
+               "can give axis and angle instead. Without a rotation, the part's axes are the body's axes.",
        .put = intoPart([](PieceDraft& p) { return &p.rotation; })},
       {.path = "body.part[].axis",
        .type = kVector,
        .range = kPositions,
        .example = "[0, 0, 1]",
-       .help = "Direction, of any length, that the part is turned about by angle.",
+       .help = "Direction, of any length, about which the part is turned by `angle`.",
        .put = intoPart([](PieceDraft& p) { return &p.axis; })},
       {.path = "body.part[].angle",
        .dimension = kAngle,
        .range = kTurns,
        .example = "\"30 deg\"",
-       .help = "How far the part is turned about axis, by the right-hand rule.",
+       .help = "Angle by which the part is turned about `axis`, by the right-hand rule.",
        .put = intoPart([](PieceDraft& p) { return &p.angle; })},
   };
 }
@@ -179,14 +177,14 @@ std::vector<Key> pointKeys() {
        .dimension = kMass,
        .range = kMasses,
        .example = "\"50 g\"",
-       .help = "A mass without extent.",
+       .help = "Mass of the point, which has no extent.",
        .put = intoPoint([](PointDraft& p) { return &p.mass; })},
       {.path = "body.point_mass[].position",
        .type = kVector,
        .dimension = kLength,
        .range = kPositions,
        .example = "[\"10 cm\", 0, 0]",
-       .help = "Where it is, in body axes.",
+       .help = "Position of the point in body axes.",
        .put = intoPoint([](PointDraft& p) { return &p.position; })},
   };
 }

@@ -10,7 +10,7 @@ using enum ValueType;
 using enum Dimension;
 
 constexpr Range kAzimuth{
-    .least = -360, .most = 360, .unit = "deg"};  // rejects most bare degrees, which count as radians
+    .least = -360, .most = 360, .unit = "deg"};  // rejects most degrees without a unit, which count as radians
 constexpr Range kElevation{.least = -90, .most = 90, .unit = "deg"};
 constexpr Range kFov{.least = 1, .most = 120, .unit = "deg"};
 constexpr Range kOrbit{.least = -36000, .most = 36000, .unit = "deg"};
@@ -31,7 +31,8 @@ std::vector<Key> framesKeys() {
            .type = kWords,
            .words = kFrames,
            .example = "[\"space\", \"body\"]",
-           .help = "In place of frame: panels side by side at the same instant, one for each frame.",
+           .help = "Several frames, shown at the same instant in panels side by side, one panel for each frame. "
+                   "Use it instead of `frame`.",
            .put = into([](Draft& d) { return &d.frames; })}};
 }
 
@@ -41,68 +42,67 @@ std::vector<Key> cameraKeys() {
        .type = kWord,
        .words = presetWords(),
        .example = "\"front\"",
-       .help =
-           "Sets azimuth and elevation where these are not given: front has x to the right and z up, side y to "
-           "the right, top y up; low is just above the plane, high far above it; isometric sets the projection "
-           "too.",
+       .help = "Named viewpoint. It sets azimuth and elevation unless they are given. `front` has x to the right "
+               "and z up, `side` has y to the right, `top` has y up. `low` is just above the plane, `high` far "
+               "above it. `isometric` also sets the projection.",
        .put = into([](Draft& d) { return &d.preset; })},
       {.path = "camera.projection",
        .type = kWord,
        .words = {"perspective", "orthographic"},
        .fallback = "\"perspective\"",
        .example = "\"orthographic\"",
-       .help = "orthographic keeps parallels parallel and equal lengths equal, as in a technical drawing.",
+       .help = "Projection of the camera. `orthographic` keeps parallel lines parallel and equal lengths equal, "
+               "as in a technical drawing.",
        .put = into([](Draft& d) { return &d.scene.camera.projection; })},
       {.path = "camera.azimuth",
        .dimension = kAngle,
        .range = kAzimuth,
        .fallback = "\"22 deg\"",
        .example = "\"-120 deg\"",
-       .help = "Where the camera stands about the world's vertical, from its x axis. Of a thrown body it stands "
-               "beside the path unless this is given.",
+       .help = "Direction of the camera about the world's vertical, from the x axis. By default, the camera of a "
+               "thrown body stands beside the path.",
        .put = into([](Draft& d) { return &d.scene.camera.azimuth_rad; })},
       {.path = "camera.elevation",
        .dimension = kAngle,
        .range = kElevation,
        .fallback = "\"18 deg\"",
        .example = "\"30 deg\"",
-       .help = "How far the camera stands above the horizontal.",
+       .help = "Angle of the camera above the horizontal.",
        .put = into([](Draft& d) { return &d.scene.camera.elevation_rad; })},
       {.path = "camera.fov",
        .dimension = kAngle,
        .range = kFov,
        .fallback = "\"24 deg\"",
        .example = "\"40 deg\"",
-       .help = "Vertical field of view in perspective: small is flat, as from afar.",
+       .help = "Vertical field of view in perspective. A small angle looks flat, as from far away.",
        .put = into([](Draft& d) { return &d.scene.camera.fov_rad; })},
       {.path = "camera.zoom",
        .range = kZoom,
        .fallback = "1",
        .example = "1.25",
-       .help = "1 frames the whole motion, 2 shows it twice as large.",
+       .help = "Magnification of the picture: 1 frames the whole motion, 2 shows it twice as large.",
        .put = into([](Draft& d) { return &d.scene.camera.zoom; })},
       {.path = "camera.orbit",
        .dimension = kAngle,
        .range = kOrbit,
        .fallback = "0",
        .example = "\"20 deg\"",
-       .help = "By how much the camera turns about the vertical in the course of the film, steadily.",
+       .help = "Angle by which the camera turns steadily about the vertical during the film.",
        .put = into([](Draft& d) { return &d.scene.camera.orbit_rad; })},
       {.path = "camera.frame",
        .type = kWord,
        .words = kFrames,
        .fallback = "\"space\"",
        .example = "\"body\"",
-       .help = "Which axes stand still in the picture: inertial ones, the body's, or those that turn about L with "
-               "the axis of a symmetric body.",
+       .help = "Axes that stand still in the picture. `space` is inertial, `body` is fixed in the body, and "
+               "`precession` turns about L with the axis of a symmetric body.",
        .put = into([](Draft& d) { return &d.scene.camera.frame; })},
       {.path = "camera.follow",
        .type = kBool,
        .fallback = "false",
        .example = "true",
-       .help =
-           "The camera goes along with a thrown body, as near as the body allows, and its path passes by; else "
-           "it stands still and holds the whole flight.",
+       .help = "Whether the camera moves with a thrown body. It is then as near as the body allows, and the path "
+               "passes by. Otherwise, the camera stands still and frames the whole flight.",
        .put = into([](Draft& d) { return &d.scene.camera.follow; })},
   };
 }

@@ -8,12 +8,12 @@ namespace {
 using enum ValueType;
 using enum Dimension;
 
-// The largest torque is a moment times the square of a spin.
+// Range of a torque. The largest torque is a moment of inertia times the square of a spin.
 constexpr Range kTorques{.least = 1e-140, .most = kMostTorque, .ofSize = true};
 constexpr Range kAccelerations{.least = 1e-12, .most = 1e12, .ofSize = true};
 constexpr Range kVelocities{.least = 1e-12, .most = 1e12, .ofSize = true};
 constexpr Range kPull{.least = 0, .most = 1e12};
-constexpr Range kRates{.least = 0, .most = 1e20};  // multiplied by a time, a rate gives an exponent
+constexpr Range kRates{.least = 0, .most = 1e20};  // decay rates; rate times time is an exponent
 constexpr Range kAlphas{.least = 0, .most = 1e100};
 
 template <class F>
@@ -28,15 +28,15 @@ std::vector<Key> gravityKeys() {
        .dimension = kTorque,
        .range = kTorques,
        .example = "[0, 0, 2.84375]",
-       .help = "M g r: weight times the centre of mass seen from the fixed point, in body axes; gravity pulls "
-               "along the world's -z. Without body.mass, the moments are about the fixed point. With mass and "
-               "pivot, mgr_body must point from the pivot to the centre of mass, within 0.001 rad.",
+       .help = "M g r in body axes: the weight times the vector from the fixed point to the centre of mass. "
+               "Gravity pulls along the world's -z. Without body.mass, the moments are about the fixed point. "
+               "With mass and pivot, mgr_body must point from the pivot to the centre of mass, within 0.001 rad.",
        .put = into([](Draft& d) { return &d.forcing.mgr_B; })},
       {.path = "motion.gravity.g",
        .dimension = kAcceleration,
        .range = kPull,
        .example = "9.81",
-       .help = "In place of mgr_body for a body with mass and pivot.",
+       .help = "Acceleration of gravity, for a body with mass and pivot. Use it instead of mgr_body.",
        .put = into([](Draft& d) { return &d.forcing.g; })},
   };
 }
@@ -61,23 +61,21 @@ std::vector<Key> torqueKeys() {
        .type = kText,
        .range = kPathLength,
        .example = "\"torque.csv\"",
-       .help =
-           "Torque against time: a CSV file in the scene's folder or below it, each line t,Nx,Ny,Nz in s and N m, "
-           "times ascending; a first line with just these names may stand above.",
+       .help = "CSV file with the torque over time, in the scene's folder or below it. Each line is t,Nx,Ny,Nz in "
+               "s and N m, with ascending times. The first line may hold exactly these names.",
        .put = into([](Draft& d) { return &d.forcing.torqueFile; })},
       {.path = "motion.torque.file_axes",
        .type = kWord,
        .words = {"body", "space"},
        .example = "\"space\"",
-       .help = "Whose axes the file's components are along; without it, the body's.",
+       .help = "Axes of the components in the file. By default, the body's axes.",
        .put = into([](Draft& d) { return &d.forcing.fileAxes; })},
       {.path = "motion.torque.interpolation",
        .type = kWord,
        .words = {"linear", "steps"},
        .example = "\"steps\"",
-       .help =
-           "Between two lines of the file: a straight line, as without this key, or the earlier value until the "
-           "next.",
+       .help = "Interpolation between two lines of the file. `linear`, the default, is a straight line. `steps` "
+               "keeps the earlier value until the next line.",
        .put = into([](Draft& d) { return &d.forcing.interpolation; })},
   };
 }
@@ -88,21 +86,22 @@ std::vector<Key> stepKeys() {
        .dimension = kTime,
        .range = kInstants,
        .example = "2.5",
-       .help = "Motion time from which this torque acts, until the next step; later than that of the step before.",
+       .help = "Motion time at which this torque begins. It acts until the next step. Each step must begin later "
+               "than the step before.",
        .put = intoStep([](TorqueStepDraft& s) { return &s.from; })},
       {.path = "motion.torque.step[].body",
        .type = kVector,
        .dimension = kTorque,
        .range = kTorques,
        .example = "[0, 0, 0.01]",
-       .help = "Torque in body axes; all zero ends the one before.",
+       .help = "Torque in body axes. A torque of zero ends the torque of the step before.",
        .put = intoStep([](TorqueStepDraft& s) { return &s.torque_B; })},
       {.path = "motion.torque.step[].space",
        .type = kVector,
        .dimension = kTorque,
        .range = kTorques,
        .example = "[\"5 mN m\", 0, 0]",
-       .help = "Torque in world axes, besides or instead.",
+       .help = "Torque in world axes, in addition to `body` or instead of it.",
        .put = intoStep([](TorqueStepDraft& s) { return &s.torque_W; })},
   };
 }
@@ -114,17 +113,16 @@ std::vector<Key> lossKeys() {
        .dimension = kRate,
        .range = kRates,
        .example = "[0.01, 0.01, 0.05]",
-       .help =
-           "Drag d in dL_i/dt = ... - d_i L_i for the components of L along the principal axes; one number for "
-           "all three.",
+       .help = "Drag rate d in dL_i/dt = ... - d_i L_i, for the components of L along the principal axes. One "
+               "number sets all three.",
        .put = into([](Draft& d) { return &d.forcing.dragRates; })},
       {.path = "motion.dissipation.alpha",
        .dimension = kInverseAction,
        .range = kAlphas,
        .example = "0.02",
-       .help =
-           "Loss of energy inside the body at constant L: dL/dt = L x omega + alpha L x (L x omega) in the body. "
-           "The attitude then turns at omega + alpha L x omega, not at omega = I^-1 L; trajectory writes both.",
+       .help = "Coefficient alpha of an energy loss inside the body at constant L. In the body, dL/dt = L x omega "
+               "+ alpha L x (L x omega). The attitude then turns at omega + alpha L x omega, not at omega = I^-1 "
+               "L. `trajectory` writes both.",
        .put = into([](Draft& d) { return &d.forcing.dissipation; })},
   };
 }
@@ -136,21 +134,22 @@ std::vector<Key> flightKeys() {
        .dimension = kLength,
        .range = kPositions,
        .example = "[0, 0, 1.5]",
-       .help = "Of the centre of mass of a thrown body at motion time 0, in world axes; without it, the origin.",
+       .help =
+           "Position of a thrown body's centre of mass at motion time 0, in world axes. By default, the origin.",
        .put = into([](Draft& d) { return &d.flight.position; })},
       {.path = "motion.flight.velocity",
        .type = kVector,
        .dimension = kVelocity,
        .range = kVelocities,
        .example = "[\"10 km/h\", 0, 4]",
-       .help = "Of the centre of mass at motion time 0; without it, none.",
+       .help = "Velocity of the centre of mass at motion time 0. By default, 0.",
        .put = into([](Draft& d) { return &d.flight.velocity; })},
       {.path = "motion.flight.gravity",
        .type = kVector,
        .dimension = kAcceleration,
        .range = kAccelerations,
        .example = "[0, 0, -1.62]",
-       .help = "Acceleration of free fall; without it, [0, 0, -9.80665].",
+       .help = "Acceleration of free fall. By default, [0, 0, -9.80665].",
        .put = into([](Draft& d) { return &d.flight.gravity; })},
   };
 }

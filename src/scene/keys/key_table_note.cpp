@@ -9,7 +9,7 @@ using enum ValueType;
 
 constexpr Range kTypeFactor{.least = 0.1, .most = 10};
 
-std::vector<std::string_view> spotWords() {  // in the order of Spot
+std::vector<std::string_view> spotWords() {  // names of the enumerators of Spot, in their order
   return {"top left", "top", "top right", "left", "centre", "right", "bottom left", "bottom", "bottom right"};
 }
 
@@ -30,26 +30,27 @@ std::vector<Key> readoutKeys() {
        .words = quantityWords(),
        .wordList = "quantities",
        .example = "\"t\"",
-       .help = "Whose value is written, with its unit, at every instant of the film.",
+       .help = "Quantity whose value is written, with its unit, at every instant of the film.",
        .put = intoReadout([](Readout& r) { return &r.quantity; })},
       {.path = "readout[].at",
        .type = kWord,
        .words = spotWords(),
        .example = "\"bottom left\"",
-       .help = "Where in the picture; several at one place stand under one another. Without it, top right.",
+       .help =
+           "Place in the picture. Several read-outs at one place stand under one another. By default, top right.",
        .put = intoReadout([](Readout& r) { return &r.at; })},
       {.path = "readout[].label",
        .type = kText,
        .range = {.least = 0, .most = 200},
        .example = "'$\\omega_{\\mathrm{spin}}$'",
-       .help = "What stands before the equals sign; without it, the quantity's symbol.",
+       .help = "Text before the equals sign. By default, the quantity's symbol.",
        .isTex = true,
        .put = intoReadout([](Readout& r) { return &r.label; })},
       {.path = "readout[].unit",
        .type = kText,
        .range = {.least = 0, .most = kLongestUnit},
        .example = "\"ms\"",
-       .help = "In which the value is written; without it, in one that suits the numbers.",
+       .help = "Unit of the value. By default, a unit that suits the numbers.",
        .put = intoReadout([](Readout& r) { return &r.unit; })},
   };
 }
@@ -60,20 +61,21 @@ std::vector<Key> textKeys() {
        .type = kLines,
        .range = {.least = 0, .most = 200},
        .example = "'$\\mathbf{L} = I\\,\\boldsymbol{\\omega}$'",
-       .help = "A caption, an equation, whatever stands still; each line of several is an element of an array, or "
-               "ends with a line end.",
+       .help = "Text that does not change during the film, such as a caption or an equation. For several lines, "
+               "give an array of lines, or end each line with a line break.",
        .isTex = true,
        .put = intoNote([](Note& n) { return &n.lines; })},
       {.path = "note[].at",
        .type = kWord,
        .words = spotWords(),
        .example = "\"left\"",
-       .help = "Where in the picture, as readout.at; at one place notes stand over read-outs. Without it, bottom.",
+       .help = "Place in the picture, with the words of readout.at. At one place, notes stand above read-outs. By "
+               "default, bottom.",
        .put = intoNote([](Note& n) { return &n.at; })},
       {.path = "note[].size",
        .range = kTypeFactor,
        .example = "1.5",
-       .help = "Factor on the size of the note's type, besides style.text_size; without it, 1.",
+       .help = "Factor on the size of the note's text, in addition to style.text_size. By default, 1.",
        .put = intoNote([](Note& n) { return &n.size; })},
   };
 }

@@ -28,7 +28,7 @@ std::vector<Key> outputKeys() {
        .words = qualityWords(),
        .fallback = "\"1080p\"",
        .example = "\"preview\"",
-       .help = "Sets size and crf together; either, given besides, wins.",
+       .help = "Preset of `size` and `crf`. An explicit `size` or `crf` overrides the preset.",
        .put = into([](Draft& d) { return &d.quality; })},
       {.path = "output.size",
        .type = kPixels,
@@ -46,23 +46,23 @@ std::vector<Key> outputKeys() {
        .type = kWord,
        .words = listOf(codecWords()),
        .example = "\"hevc\"",
-       .help = "How the film is encoded, if not as its kind of file usually is: .mp4 holds h264 and hevc, .webm "
-               "vp9 and "
-               "av1, .mov prores.",
+       .help = "Codec of the film. By default, the usual codec of the file's type. .mp4 holds h264 and hevc, "
+               ".webm holds vp9 and av1, .mov holds prores.",
        .put = into([](Draft& d) { return &d.codec; })},
       {.path = "output.chroma",
        .type = kWord,
        .words = listOf(chromaWords()),
        .fallback = "\"4:2:0\"",
        .example = "\"4:4:4\"",
-       .help = "Colour of the film for each square of four pixels, which every player shows, or for each pixel.",
+       .help = "Colour resolution of the film. 4:2:0 stores one colour for each square of four pixels, which "
+               "every player shows. 4:4:4 stores a colour for each pixel.",
        .put = into([](Draft& d) { return &d.chroma; })},
       {.path = "output.effort",
        .type = kWord,
        .words = listOf(effortWords()),
        .fallback = "\"medium\"",
        .example = "\"slow\"",
-       .help = "How long the encoder looks for a smaller file of the same quality.",
+       .help = "Time that the encoder spends on a smaller file of the same quality.",
        .put = into([](Draft& d) { return &d.effort; })},
   };
 }

@@ -8,7 +8,7 @@ namespace {
 
 using enum ValueType;
 
-// In the unit of the axis, which keeps numbers short: far beyond any number read off a plot.
+// Range for the ends of an axis, in the unit of the axis. Far beyond any value in a plot.
 constexpr Range kAxisEnds{.least = -1e12, .most = 1e12};
 
 template <class F>
@@ -23,20 +23,22 @@ std::vector<Key> curveKeys() {
        .words = quantityWords(),
        .wordList = "quantities",
        .example = "[\"omega_1\", \"omega_2\"]",
-       .help = "What the curves show, all of one unit; each is drawn in the colour of its family.",
+       .help =
+           "Quantities that the curves show, all of one unit. Each curve has the colour of its quantity's family.",
        .put = intoPlot([](PlotDraft& p) { return &p.plot.quantities; })},
       {.path = "plot[].x",
        .type = kWord,
        .words = quantityWords(),
        .wordList = "quantities",
        .example = "\"theta\"",
-       .help = "Makes a phase portrait: the one quantity against this one instead of time.",
+       .help =
+           "Quantity of the horizontal axis instead of time, for a phase portrait. The plot then has one curve.",
        .put = intoPlot([](PlotDraft& p) { return &p.plot.x; })},
       {.path = "plot[].title",
        .type = kText,
        .range = {.least = 0, .most = 200},
        .example = "'Components of $\\boldsymbol{\\omega}$'",
-       .help = "A few words over the curves, as show.title is over the picture.",
+       .help = "Title over the curves, written like show.title.",
        .isTex = true,
        .put = intoPlot([](PlotDraft& p) { return &p.plot.title; })},
   };
@@ -48,31 +50,32 @@ std::vector<Key> axisKeys() {
        .type = kText,
        .range = {.least = 0, .most = kLongestUnit},
        .example = "\"rpm\"",
-       .help = "In which the values are written; without it, in one that suits the numbers.",
+       .help = "Unit of the values. By default, a unit that suits the numbers.",
        .put = intoPlot([](PlotDraft& p) { return &p.plot.unit; })},
       {.path = "plot[].range",
        .type = kPair,
        .range = kAxisEnds,
        .example = "[-2, 2]",
-       .help = "Ends of the vertical axis, in the unit written at it; without it, all that the film needs.",
+       .help = "Ends of the vertical axis, in the unit written at the axis. By default, the axis covers all "
+               "values of the film.",
        .put = intoPlot([](PlotDraft& p) { return &p.range; })},
       {.path = "plot[].time",
        .type = kWord,
        .words = {"motion", "film"},
        .example = "\"film\"",
-       .help = "Which time runs along the axis: that of the motion, as without it, or that of the film.",
+       .help = "Time on the horizontal axis: the time of the motion (the default), or the time of the film.",
        .put = intoPlot([](PlotDraft& p) { return &p.plot.time; })},
       {.path = "plot[].future",
        .type = kBool,
        .example = "false",
-       .help = "Whether the part that is still to come is drawn too, faintly; without it, it is.",
+       .help = "Whether the part of the curve still to come is drawn too, faintly. By default, true.",
        .put = intoPlot([](PlotDraft& p) { return &p.plot.future; })},
-      cellKey(
-          "plot[].at", kCellNumber, "[1, 1]",
-          "Column and row of the plot's top left cell in the grid of the views; without it, to the right of the "
-          "panel before.",
-          intoPlot([](PlotDraft& p) { return &p.at; })),
-      cellKey("plot[].span", kCellCount, "[2, 1]", "Columns and rows that the plot takes; without it, one cell.",
+      cellKey("plot[].at", kCellNumber, "[1, 1]",
+              "Column and row of the plot's top left cell, in the grid of the views. By default, the plot is to "
+              "the right of the panel before.",
+              intoPlot([](PlotDraft& p) { return &p.at; })),
+      cellKey("plot[].span", kCellCount, "[2, 1]",
+              "Number of columns and rows that the plot takes. By default, one cell.",
               intoPlot([](PlotDraft& p) { return &p.span; })),
   };
 }

@@ -53,13 +53,13 @@ std::vector<Key> wingAndFileKeys(const ShapeTable& table) {
            .type = kText,
            .range = kPathLength,
            .example = "\"body.stl\"",
-           .help = "Of a mesh: an OBJ, STL or PLY file in the scene's folder or below it.",
+           .help = "Mesh file of type OBJ, STL or PLY, in the scene's folder or below it.",
            .put = intoShape(table, [](ShapeDraft& shape) { return &shape.file; })},
           {.path = table.path + ".file_unit",
            .dimension = kLength,
            .range = kExtent,
            .example = "\"1 mm\"",
-           .help = "What the numbers in the mesh's file count; without it, metres.",
+           .help = "Unit of the numbers in the mesh file. By default, metres.",
            .put = intoShape(table, [](ShapeDraft& shape) { return &shape.fileUnit_m; })}};
 }
 

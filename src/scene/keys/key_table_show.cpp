@@ -34,7 +34,7 @@ Key opacityKey(std::string path, std::string_view fallback, Put put) {
           .range = kOpacity,
           .fallback = fallback,
           .example = "0.3",
-          .help = "How much of what lies behind it hides: 0 nothing, 1 all.",
+          .help = "Opacity: 0 hides nothing of what lies behind, 1 hides everything.",
           .put = std::move(put)};
 }
 
@@ -45,8 +45,8 @@ std::vector<Key> pictureKeys() {
        .range = {.least = 0, .most = 200},
        .fallback = "\"\"",
        .example = "\"Tennis racket\"",
-       .help = "A few words at the top left. Mathematics stands between dollar signs, in single quotes: 'About "
-               "$\\hat{\\mathbf{e}}_2$'.",
+       .help = "Title at the top left of the picture. Write mathematics between dollar signs, in single quotes: "
+               "'About $\\hat{\\mathbf{e}}_2$'.",
        .isTex = true,
        .put = into([](Draft& d) { return &d.scene.show.title; })},
       {.path = "show.subtitle",
@@ -61,13 +61,14 @@ std::vector<Key> pictureKeys() {
        .type = kBool,
        .fallback = "true",
        .example = "false",
-       .help = "Views in space; without them a picture has its plots alone.",
+       .help = "Whether the picture has views of the body. If false, the picture has only its plots.",
        .put = [](Draft& d, std::size_t, const Checked& value) { d.noViews = !std::get<bool>(value); }},
       {.path = "show.exaggerate_angles",
        .range = {.least = 1, .most = 1e9},
        .fallback = "1",
        .example = "100",
-       .help = "Draws the part of omega across the main axis of spin that many times larger; the picture says so.",
+       .help = "Factor by which the part of omega across the main axis of spin is drawn larger. The picture "
+               "states this factor.",
        .put = into([](Draft& d) { return &d.scene.show.exaggerateAngles; })},
   };
 }
@@ -78,43 +79,46 @@ std::vector<Key> drawnBodyKeys() {
        .type = kBool,
        .fallback = "true",
        .example = "false",
-       .help = "Names beside the vectors and axes; one of them is left out by an empty text in [label].",
+       .help = "Names beside the vectors and axes. An empty text in [label] removes one name.",
        .put = into([](Draft& d) { return &d.scene.show.labels; })},
       visibleKey("show.body.visible", "The body itself.",
                  into([](Draft& d) { return &d.scene.show.body.visible; })),
-      scaleKey("show.body.scale", "Factor on its drawn size.",
+      scaleKey("show.body.scale", "Factor on the body's drawn size.",
                into([](Draft& d) { return &d.scene.show.body.scale; })),
   };
 }
 
 std::vector<Key> drawnShapeKeys() {
-  return shapeKeys({.path = "show.body",
-                    .of = [](Draft& d, std::size_t) -> ShapeDraft& { return d.drawn; },
-                    .shapeHelp = "Shape to draw in place of the one that sets the moments (without either: the "
-                                 "uniform box that has the moments).",
-                    .sizeHelp =
-                        "Extents of the shape to draw; only their proportions count. Without it: body.size "
-                        "where that is given and suits the shape, else proportions usual for it."});
+  return shapeKeys(
+      {.path = "show.body",
+       .of = [](Draft& d, std::size_t) -> ShapeDraft& { return d.drawn; },
+       .shapeHelp = "Shape to draw instead of the shape that sets the moments. If neither is given, the uniform "
+                    "box with the body's moments is drawn.",
+       .sizeHelp = "Extents of the shape to draw. Only their proportions count. By default, body.size if it is "
+                   "given and suits the shape. Otherwise, the shape's usual proportions."});
 }
 
 std::vector<Key> drawnThingKeys() {
   return {
       visibleKey("show.principal_axes.visible", "The principal axes, fixed in the body.",
                  into([](Draft& d) { return &d.scene.show.principalAxes.visible; })),
-      scaleKey("show.principal_axes.scale", "Factor on their length.",
+      scaleKey("show.principal_axes.scale", "Factor on the length of the axes.",
                into([](Draft& d) { return &d.scene.show.principalAxes.scale; })),
       visibleKey("show.L.visible", "The angular momentum L, an arrow fixed in space.",
                  into([](Draft& d) { return &d.scene.show.L.visible; })),
-      scaleKey("show.L.scale", "Factor on its length.", into([](Draft& d) { return &d.scene.show.L.scale; })),
+      scaleKey("show.L.scale", "Factor on the arrow's length.",
+               into([](Draft& d) { return &d.scene.show.L.scale; })),
       visibleKey("show.omega.visible", "The angular velocity omega, an arrow to the point of contact.",
                  into([](Draft& d) { return &d.scene.show.omega.visible; })),
-      scaleKey("show.omega.scale", "Factor on its length; other than 1, its tip leaves the point of contact.",
+      scaleKey("show.omega.scale",
+               "Factor on the arrow's length. If it is not 1, the tip leaves the point of contact.",
                into([](Draft& d) { return &d.scene.show.omega.scale; })),
 
       visibleKey("show.ellipsoid.visible", "Poinsot's energy ellipsoid, in the space of omega.",
                  into([](Draft& d) { return &d.scene.show.ellipsoid.visible; })),
       scaleKey("show.ellipsoid.scale",
-               "Factor on its drawn size and on all that touches it: plane, curves, point of contact.",
+               "Factor on the drawn size of the ellipsoid and of everything that touches it: plane, curves, point "
+               "of contact.",
                into([](Draft& d) { return &d.scene.show.ellipsoid.scale; })),
       opacityKey("show.ellipsoid.opacity", "0.13", into([](Draft& d) { return &d.scene.show.ellipsoid.opacity; })),
       {.path = "show.ellipsoid.graticule",
@@ -131,12 +135,12 @@ std::vector<Key> drawnThingKeys() {
        .type = kBool,
        .fallback = "true",
        .example = "false",
-       .help = "Lines on the plane that give it scale.",
+       .help = "Lines on the plane that show its scale.",
        .put = into([](Draft& d) { return &d.scene.show.plane.grid; })},
 
       visibleKey("show.contact.visible", "The point of contact: the tip of omega.",
                  into([](Draft& d) { return &d.scene.show.contact.visible; })),
-      scaleKey("show.contact.scale", "Factor on its drawn size.",
+      scaleKey("show.contact.scale", "Factor on the point's drawn size.",
                into([](Draft& d) { return &d.scene.show.contact.scale; })),
       visibleKey("show.polhode.visible", "The path of the point of contact on the ellipsoid.",
                  into([](Draft& d) { return &d.scene.show.polhode.visible; })),
@@ -146,7 +150,7 @@ std::vector<Key> drawnThingKeys() {
        .type = kBool,
        .fallback = "true",
        .example = "false",
-       .help = "Whether the part not yet travelled is drawn too, faint.",
+       .help = "Whether the part of the path still to come is drawn too, faintly.",
        .put = into([](Draft& d) { return &d.scene.show.herpolhode.future; })},
       visibleKey("show.height.visible", "The constant height of the centre above the plane, 2T/|L|.",
                  into([](Draft& d) { return &d.scene.show.height.visible; })),

@@ -44,7 +44,7 @@ class FigureKeys {
             .range = {.least = 0, .most = 1},
             .fallback = fallback,
             .example = "0.35",
-            .help = "How much of what lies behind it hides: 0 nothing, 1 all.",
+            .help = "Opacity: 0 hides nothing of what lies behind, 1 hides everything.",
             .put = put(place)};
   }
 
@@ -76,7 +76,7 @@ class FigureKeys {
             .range = {.least = 1, .most = 20},
             .fallback = fallback,
             .example = "6",
-            .help = "How many polhodes between the separatrix and each of the two outer axes.",
+            .help = "Number of polhodes between the separatrix and each of the two outer axes.",
             .put = put(place)};
   }
 
@@ -133,11 +133,11 @@ std::vector<Key> coneKeys(const ShowTable& table) {
   const FigureKeys key(table, "cones");
   return {
       key.visible(
-          "Of a free symmetric top: the body cone, fixed in the body about its axis, that rolls on the space "
-          "cone about L; they touch along omega.",
+          "The two cones of a free symmetric top. The body cone is fixed in the body about its axis. It rolls on "
+          "the space cone, which is about L. The cones touch along omega.",
           [](ShownFigures & f) -> auto& { return f.cones.visible; }),
       key.scale(
-          "Factor on the length of their sides, by default three quarters of omega.",
+          "Factor on the length of the cones' sides, which is three quarters of omega by default.",
           [](ShownFigures & f) -> auto& { return f.cones.scale; }),
       key.opacity(
           "0.22", [](ShownFigures & f) -> auto& { return f.cones.opacity; }),
@@ -148,11 +148,11 @@ std::vector<Key> decompositionKeys(const ShowTable& table) {
   const FigureKeys key(table, "decomposition");
   return {
       key.visible(
-          "Of a free symmetric top: the parallelogram that parts omega into omega_p, along L, and -Omega_p k, "
-          "along the axis.",
+          "The parallelogram that splits omega of a free symmetric top into omega_p along L and -Omega_p k along "
+          "the axis.",
           [](ShownFigures & f) -> auto& { return f.decomposition.visible; }),
       key.scale(
-          "Factor on its size; other than 1, its corner leaves the tip of omega.",
+          "Factor on the size of the parallelogram. If it is not 1, the corner leaves the tip of omega.",
           [](ShownFigures & f) -> auto& { return f.decomposition.scale; }),
   };
 }
@@ -161,15 +161,16 @@ std::vector<Key> angleKeys(const ShowTable& table) {
   const FigureKeys axis(table, "main_axis"), theta(table, "theta");
   return {
       axis.visible(
-          "The axis k: of symmetry, or the principal axis that the body spins about most at the start.",
+          "The axis k of the body. It is the axis of symmetry or, without symmetry, the principal axis that the "
+          "body spins about most at the start.",
           [](ShownFigures & f) -> auto& { return f.mainAxis.visible; }),
       axis.scale(
-          "Factor on its length.", [](ShownFigures & f) -> auto& { return f.mainAxis.scale; }),
+          "Factor on the length of the axis.", [](ShownFigures & f) -> auto& { return f.mainAxis.scale; }),
       theta.visible(
           "The angle theta between k and L; under gravity, between k and the vertical.",
           [](ShownFigures & f) -> auto& { return f.theta.visible; }),
       theta.scale(
-          "Factor on the radius of its arc.", [](ShownFigures & f) -> auto& { return f.theta.scale; }),
+          "Factor on the radius of the angle's arc.", [](ShownFigures & f) -> auto& { return f.theta.scale; }),
   };
 }
 
@@ -180,16 +181,17 @@ std::vector<Key> traceKeys(const ShowTable& table) {
           "The path of a point of the body, on a sphere about the point that the body turns about.",
           [](ShownFigures & f) -> auto& { return f.trace.visible; }),
       key.scale(
-          "Factor on the sphere's radius, where no point is given.",
+          "Factor on the sphere's radius, if no point is given.",
           [](ShownFigures & f) -> auto& { return f.trace.scale; }),
       key.position(
           "point", "[0, 0, 0.5]",
-          "The point, in body axes. Without it: one on the axis k, beyond the body; of a thrown body, its end.",
+          "The point whose path is drawn, in body axes. By default, a point on the axis k beyond the body; for a "
+          "thrown body, the body's end.",
           [](ShownFigures & f) -> auto& { return f.trace.point_B; }),
       key.opacity(
           "0.06", [](ShownFigures & f) -> auto& { return f.trace.opacity; }),
       key.flag(
-          "future", true, "Whether the part not yet travelled is drawn too, faint.",
+          "future", true, "Whether the part of the path still to come is drawn too, faintly.",
           [](ShownFigures & f) -> auto& { return f.trace.future; }),
   };
 }
@@ -198,15 +200,16 @@ std::vector<Key> axesKeys(const ShowTable& table) {
   const FigureKeys parts(table, "components"), axes(table, "space_axes");
   return {
       parts.visible(
-          "The components of omega along the principal axes, and the box of which omega is the diagonal.",
+          "The components of omega along the principal axes, and the box whose diagonal is omega.",
           [](ShownFigures & f) -> auto& { return f.components.visible; }),
       parts.scale(
-          "Factor on their size; other than 1, the box's corner leaves the tip of omega.",
+          "Factor on the size of the components and the box. If it is not 1, the box's corner leaves the tip of "
+          "omega.",
           [](ShownFigures & f) -> auto& { return f.components.scale; }),
       axes.visible(
           "The axes x, y, z of space, at rest.", [](ShownFigures & f) -> auto& { return f.spaceAxes.visible; }),
       axes.scale(
-          "Factor on their length.", [](ShownFigures & f) -> auto& { return f.spaceAxes.scale; }),
+          "Factor on the length of the axes.", [](ShownFigures & f) -> auto& { return f.spaceAxes.scale; }),
   };
 }
 
@@ -214,14 +217,14 @@ std::vector<Key> polhodeKeys(const ShowTable& table) {
   const FigureKeys key(table, "polhodes"), binet(table, "binet");
   return {
       key.visible(
-          "Of a free body: other polhodes on the ellipsoid, of the same energy, and the separatrix between "
-          "the two kinds.",
+          "Other polhodes of a free body on the ellipsoid, of the same energy, and the separatrix between the two "
+          "kinds.",
           [](ShownFigures & f) -> auto& { return f.polhodes.visible; }),
       key.count(
           "4", [](ShownFigures & f) -> auto& { return f.polhodes.count; }),
       binet.visible(
-          "Of a free body: the momentum sphere |m| = L and the energy ellipsoid, fixed in the body, and the "
-          "path of L along their intersection (Binet).",
+          "Binet's construction for a free body: the momentum sphere |m| = L and the energy ellipsoid, both fixed "
+          "in the body. The path of L along their intersection is drawn too.",
           [](ShownFigures & f) -> auto& { return f.binet.visible; }),
       binet.opacity(
           "0.12", [](ShownFigures & f) -> auto& { return f.binet.opacity; }),
@@ -237,13 +240,13 @@ std::vector<Key> vectorKeys(const ShowTable& table) {
           "The torque on the body: gravity, given torques and drag together.",
           [](ShownFigures & f) -> auto& { return f.torque.visible; }),
       torque.scale(
-          "Factor on its length, which is set by the longest of the film.",
+          "Factor on the arrow's length. The largest torque of the film sets that length.",
           [](ShownFigures & f) -> auto& { return f.torque.scale; }),
       plane.visible(
-          "The plane of L and omega; of a symmetric top, the axis lies in it too.",
+          "The plane of L and omega. The axis of a symmetric top lies in this plane too.",
           [](ShownFigures & f) -> auto& { return f.planeOfL.visible; }),
       plane.scale(
-          "Factor on its size.", [](ShownFigures & f) -> auto& { return f.planeOfL.scale; }),
+          "Factor on the plane's size.", [](ShownFigures & f) -> auto& { return f.planeOfL.scale; }),
       plane.opacity(
           "0.12", [](ShownFigures & f) -> auto& { return f.planeOfL.opacity; }),
   };
@@ -253,22 +256,23 @@ std::vector<Key> ghostKeys(const ShowTable& table) {
   const FigureKeys key(table, "ghosts");
   return {
       key.visible(
-          "The body as it is at other times, pale: a stroboscopic picture.",
+          "Pale copies of the body at other times, as in a stroboscopic picture.",
           [](ShownFigures & f) -> auto& { return f.ghosts.visible; }),
       key.times(
-          "[0, 0.5, 1]", "Film times of the poses; without them, `count` of them evenly over the film.",
+          "[0, 0.5, 1]", "Film times of the copies. By default, `count` copies are spread evenly over the film.",
           [](ShownFigures & f) -> auto& { return f.ghosts.times_s; }),
       key.number(
-          "count", {.least = 1, .most = 60}, "5", "8", "How many poses there are, where no times are given.",
+          "count", {.least = 1, .most = 60}, "5", "8", "Number of copies, if no times are given.",
           [](ShownFigures & f) -> auto& { return f.ghosts.count; }),
       key.share(
-          "strength", "0.35", "How strong their colours are: 0 as the paper, 1 as the body.",
+          "strength", "0.35",
+          "Strength of the copies' colours: 0 is the colour of the paper, 1 is the colour of the body.",
           [](ShownFigures & f) -> auto& { return f.ghosts.strength; }),
       key.shift(
           "step", "[1.1, 0, 0]",
-          "Where each pose stands from the one before, to the right, up and nearer, in the "
-          "body's longest extents; the body itself stands first. Not of a body that flies, which is where it is "
-          "then.",
+          "Shift from each copy to the next: to the right, up and nearer, in units of the body's longest extent. "
+          "The body itself comes first. For a thrown body there is no shift: each copy is where the body is at "
+          "that time.",
           [](ShownFigures & f) -> auto& { return f.ghosts.step; }),
   };
 }
@@ -278,18 +282,18 @@ std::vector<Key> flightKeys(const ShowTable& table) {
   return {
       key.flag(
           "visible", true,
-          "Of a thrown body ([motion.flight]), in views at rest in space: the body moves along, without Poinsot's "
-          "construction unless that is asked for, on the path of its centre of mass, which is drawn. Without it a "
-          "picture goes with the centre of mass.",
+          "The flight of a thrown body ([motion.flight]), in views at rest in space. The body moves along the "
+          "path of its centre of mass, which is drawn. Poinsot's construction is hidden unless the scene turns it "
+          "on. If false, the picture moves with the centre of mass.",
           [](ShownFigures & f) -> auto& { return f.flight.visible; }),
       {.path = table.path + ".flight.scale",
        .range = {.least = 1e-6, .most = 100},
        .words = {"auto"},
        .fallback = "\"auto\"",
        .example = "0.2",
-       .help =
-           "Factor on the lengths of the path; other than 1, it is not to the scale of the body. auto is 1 where "
-           "the body can be seen then, else as much less as lets it be seen.",
+       .help = "Factor on the lengths of the path. If it is not 1, the path is not to the scale of the body. "
+               "`auto` is 1 if the body is then large enough to be seen. Otherwise, `auto` shortens the path "
+               "until the body can be seen.",
        .put = key.put([](ShownFigures & f) -> auto& { return f.flight.scale; })},
       key.flag(
           "position", true, "The arrow R from the origin to the centre of mass.",
@@ -298,14 +302,15 @@ std::vector<Key> flightKeys(const ShowTable& table) {
           "velocity", true, "The velocity V of the centre of mass.",
           [](ShownFigures & f) -> auto& { return f.flight.velocity; }),
       key.flag(
-          "weight", false, "The force of gravity M g; only its direction counts.",
+          "weight", false,
+          "The force of gravity M g. Only its direction counts; the arrow's length has no meaning.",
           [](ShownFigures & f) -> auto& { return f.flight.weight; }),
       total.visible(
-          "Of a thrown body with a mass: its angular momentum about the origin and the two parts of it, R x P of "
-          "the centre of mass and L, at the origin, in the scale of L.",
+          "The angular momentum of a thrown body about the origin, and its two parts. They are R x P of the "
+          "centre of mass, and L. The arrows are drawn at the origin in the scale of L. Needs a body with a mass.",
           [](ShownFigures & f) -> auto& { return f.totalL.visible; }),
       total.scale(
-          "Factor on their length; other than 1, they are not in the scale of L.",
+          "Factor on the arrows' length. If it is not 1, the arrows are not in the scale of L.",
           [](ShownFigures & f) -> auto& { return f.totalL.scale; }),
       total.flag(
           "torque", false, "The torque of gravity about the origin, R x M g.",

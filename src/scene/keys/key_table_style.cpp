@@ -29,35 +29,35 @@ std::vector<Key> formKeys() {
        .type = kText,
        .range = kPathLength,
        .example = "\"house.style.toml\"",
-       .help = "A file with a [style] of its own, in the scene's folder or below it; what the scene says itself "
-               "counts before it.",
-       .put = [](Draft&, std::size_t, const Checked&) {}},  // style_file.h reads the file before any value is put
+       .help = "A file with a [style] table, in the scene's folder or below it. Keys of the scene override keys "
+               "of this file.",
+       .put = [](Draft&, std::size_t, const Checked&) {}},  // stores nothing: addStyleFile() runs before put
       {.path = "style.theme",
        .type = kWord,
        .words = {"light", "dark", "print"},
        .fallback = "\"light\"",
        .example = "\"dark\"",
-       .help = "light has a white ground, dark is for slides in a dark room; print has thin lines, black, greys "
-               "and one colour, and survives a photocopier.",
+       .help = "Colours and lines of the picture. `light` has a white background. `dark` is for slides in a dark "
+               "room. `print` has thin lines in black, greys and one colour, and survives a photocopier.",
        .put = into([](Draft& d) { return &d.scene.style.theme; })},
       {.path = "style.line_width",
        .range = kFactor,
        .fallback = "1",
        .example = "1.5",
-       .help = "Factor on the width of all lines, as the theme has them.",
+       .help = "Factor on the widths of all lines in the theme.",
        .put = into([](Draft& d) { return &d.scene.style.lineWidth; })},
       {.path = "style.text_size",
        .range = kFactor,
        .fallback = "1",
        .example = "1.25",
-       .help = "Factor on the size of all type.",
+       .help = "Factor on the size of all text.",
        .put = into([](Draft& d) { return &d.scene.style.textSize; })},
       {.path = "style.decimal_sign",
        .type = kWord,
        .words = {"point", "comma"},
        .fallback = "\"point\"",
        .example = "\"comma\"",
-       .help = "What stands before the decimals of every number that is drawn: 1.5 or 1,5.",
+       .help = "Decimal sign of every number that is drawn: 1.5 or 1,5.",
        .put = into([](Draft& d) { return &d.scene.style.decimalSign; })},
   };
 }

@@ -25,7 +25,8 @@ std::vector<Key> timeKeys() {
        .range = {.least = 1e-3, .most = usual(Limit::kDuration), .limit = Limit::kDuration},
        .fallback = "10",
        .example = "12.5",
-       .help = "Length of the film; its frames are all k with k/fps below it, 36000 at most.",
+       .help = "Length of the film. Its frames are k = 0, 1, 2 and so on while k/fps is below the length, at most "
+               "36000.",
        .put = into([](Draft& d) { return &d.scene.time.duration_s; })},
       {.path = "time.fps",
        .type = kFrameRate,
@@ -39,17 +40,17 @@ std::vector<Key> timeKeys() {
        .words = {"auto"},
        .fallback = "\"auto\"",
        .example = "0.5",
-       .help = "Seconds of motion per second of film; negative runs backwards. auto chooses a pace that the eye "
-               "follows; for a heavy top, a pace that shows its precession.",
+       .help = "Seconds of motion per second of film. A negative speed runs backwards. `auto` chooses a pace that "
+               "the eye can follow. For a heavy top, it chooses a pace that shows the precession.",
        .put = into([](Draft& d) { return &d.scene.time.speed; })},
       {.path = "time.loop",
        .type = kBool,
        .fallback = "false",
        .example = "true",
-       .help = "Whether the film repeats without a jump. The start is then moved as little as can be, at the same "
-               "|L|, so that the motion comes back to where it began; the film lasts until then, and the speed "
-               "changes a little so that this is a whole number of frames (`info` says by how much). Free motion "
-               "only.",
+       .help =
+           "Whether the film repeats without a jump. The start is then moved as little as possible, at the same "
+           "|L|, so that the motion returns to its start. The film lasts until then. The speed changes slightly, "
+           "so that the film has a whole number of frames; `info` prints the change. Free motion only.",
        .put = into([](Draft& d) { return &d.loop; })},
       {.path = "time.still",
        .dimension = kTime,
@@ -57,8 +58,8 @@ std::vector<Key> timeKeys() {
        .words = {"auto"},
        .fallback = "\"auto\"",
        .example = "\"3.2 s\"",
-       .help = "Film time of the picture that says most, which `still` and `gallery` make; auto is a third of the "
-               "way, and a time after the end is the end.",
+       .help = "Film time of the most telling picture, which `still` and `gallery` draw. `auto` is a third of the "
+               "film's length. A time after the end counts as the end.",
        .put = into([](Draft& d) { return &d.scene.time.still_s; })},
   };
 }

@@ -27,13 +27,13 @@ std::vector<Key> whenKeys() {
        .dimension = kTime,
        .range = kFilmTime,
        .example = "\"4 s\"",
-       .help = "Film time at which the changes begin; entries may stand in any order.",
+       .help = "Film time at which the changes begin. Entries may be in any order.",
        .put = intoEntry([](TimelineDraft& e) { return &e.at; })},
       {.path = "timeline[].over",
        .dimension = kTime,
        .range = kFilmTime,
        .example = "\"2 s\"",
-       .help = "How long the changes take, with a soft start and a soft end; without it 0.8 s.",
+       .help = "Duration of the changes, with a soft start and a soft end. By default, 0.8 s.",
        .put = intoEntry([](TimelineDraft& e) { return &e.over; })},
   };
 }
@@ -44,29 +44,28 @@ std::vector<Key> whatKeys() {
        .type = kWords,
        .words = things(),
        .example = "[\"ellipsoid\", \"plane\"]",
-       .help =
-           "Things that come, as if drawn on a board; what comes was absent before. They need not be asked for "
-           "in [show] besides.",
+       .help = "Things that appear, as if drawn on a board. Before this entry, they are hidden. You need not turn "
+               "them on in [show].",
        .put = intoEntry([](TimelineDraft& e) { return &e.shown; })},
       {.path = "timeline[].hide",
        .type = kWords,
        .words = things(),
        .example = "[\"body\"]",
-       .help = "Things that go.",
+       .help = "Things that disappear.",
        .put = intoEntry([](TimelineDraft& e) { return &e.hidden; })},
       {.path = "timeline[].caption",
        .type = kText,
        .range = {.least = 0, .most = 200},
        .example = "'The height $2T/L$ is constant'",
-       .help = "Words under the picture, in at most two lines, until the next caption; an empty one ends the one "
-               "before. They are written beside the film too, as .srt and .vtt.",
+       .help = "Text under the picture, in at most two lines, until the next caption. An empty caption ends the "
+               "caption before. Captions are also written beside the film, as .srt and .vtt.",
        .isTex = true,
        .put = intoEntry([](TimelineDraft& e) { return &e.caption; })},
       {.path = "timeline[].caption_for",
        .dimension = kTime,
        .range = {.least = 0.1, .most = usual(Limit::kDuration), .limit = Limit::kDuration},
        .example = "\"5 s\"",
-       .help = "How long the caption stands; without it until the next one, or the end.",
+       .help = "Duration of the caption. By default, until the next caption or the end.",
        .put = intoEntry([](TimelineDraft& e) { return &e.captionFor; })},
   };
 }
@@ -76,14 +75,15 @@ std::vector<Key> paceKeys() {
       {.path = "timeline[].speed",
        .range = kPace,
        .example = "0.2",
-       .help = "Factor on time.speed from here on: 0.2 is slow motion, 1 as before, 0 a standstill.",
+       .help =
+           "Factor on time.speed from this entry on: 0.2 is slow motion, 1 is normal speed, 0 is a standstill.",
        .put = intoEntry([](TimelineDraft& e) { return &e.speed; })},
       {.path = "timeline[].hold",
        .dimension = kTime,
        .range = kFilmTime,
        .example = "\"2 s\"",
-       .help =
-           "The motion comes to rest over `over`, stands still that long and goes on; the camera need not stand.",
+       .help = "Duration of a standstill. The motion slows down during `over`, stands still this long and then "
+               "goes on. The camera may move meanwhile.",
        .put = intoEntry([](TimelineDraft& e) { return &e.hold; })},
   };
 }
@@ -94,24 +94,26 @@ std::vector<Key> cameraMoveKeys() {
        .dimension = kAngle,
        .range = kOrbits,
        .example = "\"120 deg\"",
-       .help = "Where the camera goes to; it turns the way the number says: from 20 deg to 380 deg is once round.",
+       .help = "Azimuth to which the camera turns. The number also gives the direction: from 20 deg to 380 deg is "
+               "one full turn.",
        .put = intoEntry([](TimelineDraft& e) { return &e.azimuth; })},
       {.path = "timeline[].camera.turn",
        .dimension = kAngle,
        .range = kOrbits,
        .example = "\"-90 deg\"",
-       .help = "In place of azimuth: by how much the camera turns, from wherever it is.",
+       .help = "Angle by which the camera turns from its azimuth at that time. Use it instead of `azimuth`.",
        .put = intoEntry([](TimelineDraft& e) { return &e.turn; })},
       {.path = "timeline[].camera.elevation",
        .dimension = kAngle,
        .range = kMoveElevation,
        .example = "\"60 deg\"",
-       .help = "How far above the horizontal the camera goes.",
+       .help = "Angle above the horizontal to which the camera goes.",
        .put = intoEntry([](TimelineDraft& e) { return &e.elevation; })},
       {.path = "timeline[].camera.zoom",
        .range = kMoveZoom,
        .example = "1.6",
-       .help = "How close the camera goes: 1 holds the whole motion, seen from wherever it will be.",
+       .help =
+           "Magnification to which the camera goes. 1 frames the whole motion, seen from the camera's new place.",
        .put = intoEntry([](TimelineDraft& e) { return &e.zoom; })},
   };
 }

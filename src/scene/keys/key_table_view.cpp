@@ -18,7 +18,7 @@ std::vector<Key> panelKeys() {
        .type = kText,
        .range = {.least = 0, .most = 200},
        .example = "\"In space\"",
-       .help = "Heading of the panel, as show.title is of the picture.",
+       .help = "Heading of the panel, written like show.title.",
        .isTex = true,
        .put = intoView([](ViewDraft& v) { return &v.title; })},
       {.path = "view[].subtitle",
@@ -29,15 +29,17 @@ std::vector<Key> panelKeys() {
        .isTex = true,
        .put = intoView([](ViewDraft& v) { return &v.subtitle; })},
       cellKey("view[].at", kCellNumber, "[1, 0]",
-              "Column and row of the panel's top left cell, from 0 at the picture's top left; without it, to the "
-              "right of the view before.",
+              "Column and row of the panel's top left cell, counted from 0 at the picture's top left. By default, "
+              "the panel is to the right of the view before.",
               intoView([](ViewDraft& v) { return &v.at; })),
-      cellKey("view[].span", kCellCount, "[2, 1]", "Columns and rows that the panel takes; without it, one cell.",
+      cellKey("view[].span", kCellCount, "[2, 1]",
+              "Number of columns and rows that the panel takes. By default, one cell.",
               intoView([](ViewDraft& v) { return &v.span; })),
   };
 }
 
-/// Returns a view's own version of a key of [camera] or [show], which defaults to the scene's value.
+/// Returns the key of a view that corresponds to a key of [camera] or [show]. The key of the view has no default,
+/// because the scene's value is used.
 Key ofView(Key key) {
   key.path = "view[]." + key.path;
   key.fallback = {};

@@ -39,7 +39,7 @@ std::string numbersText(const Key& key) {
   if (range.least == range.most) return fmt::format("{:g}", range.least);
   const std::string text =
       fmt::format("from {:g} to {:g}{}", range.least, range.most, unitSuffix(unitOfRange(key)));
-  return range.ofSize ? "zero or of size " + text : text;
+  return range.ofSize ? "zero, or in magnitude " + text : text;
 }
 
 std::string rangeText(const Key& key) {
@@ -87,7 +87,7 @@ std::string typeText(const Key& key) {
     case ValueType::kPerAxis:
       return "an array of " + several(key, "three") + ", or one for all three";
     case ValueType::kExtents:
-      return "an array of " + several(key, "three") + " (two for what is flat), or one for all";
+      return "an array of " + several(key, "three") + " (two for a flat shape), or one for all";
     case ValueType::kMatrix:
       return fmt::format("three rows {} of {}", kTensorLayout, pluralName(key.dimension));
     case ValueType::kQuaternion:

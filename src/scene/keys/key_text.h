@@ -8,21 +8,23 @@
 
 namespace poinsot::scene {
 
-/// Returns "from 1 to 120 deg" or "one of "light", "dark""; empty if any value of the type is allowed.
+/// Describes the values that a key allows, such as "from 1 to 120 deg" or "one of "light", "dark"". Empty if the
+/// key allows all values of its type.
 std::string rangeText(const Key& key);
 
-/// Describes the type of a key's value for messages and the reference: "an angle", "three lengths".
+/// Describes the type of a key's value for messages and the reference, such as "an angle" or "three lengths".
 std::string typeText(const Key& key);
 
-/// Returns "from 1 to 120 deg", without words that may replace the number; empty if any number is allowed.
+/// Describes the numbers that a key allows, such as "from 1 to 120 deg". Leaves out words that the key also
+/// allows. Empty if the key allows any number.
 std::string numbersText(const Key& key);
 
 std::string wordsText(const Key& key);
 
-/// Returns the header of a table: "[show]"; "[[body.part]]" for "body.part" and "body.part[]".
+/// Returns the header of a table as TOML: "[show]" for "show", "[[body.part]]" for "body.part" and "body.part[]".
 std::string tableText(std::string_view table);
 
-/// Returns " kg" for "kg"; empty for a plain number.
+/// Returns the unit with a leading blank, such as " kg"; empty for a plain number.
 std::string unitSuffix(std::string_view unit);
 
 }  // namespace poinsot::scene

@@ -10,12 +10,12 @@
 namespace poinsot::scene {
 namespace {
 
-// More digits than an element's index can have; no element has a longer number.
+// Largest number of digits that count as an index. All valid indices have fewer digits.
 constexpr std::size_t kMostDigits = 9;
 
 bool isIndexDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// Returns the digits between the first '[' and the ']' after it; empty if there are none.
+/// Returns the digits of the first index in a path, such as "3" for "body.part[3].mass"; empty if there is none.
 std::string_view indexIn(std::string_view path) {
   const std::size_t open = path.find('[');
   if (open == std::string_view::npos) return {};

@@ -10,7 +10,7 @@
 
 namespace poinsot::scene {
 
-/// Things with a label of their own, in the order of labelDefaults().
+/// Names of the things that have a label, in the order of labelDefaults().
 enum class LabelName {
   kL,
   kOmega,
@@ -41,8 +41,8 @@ enum class LabelName {
 };
 
 struct LabelDefault {
-  std::string_view key;       ///< name of the key, after "label."
-  std::string_view fallback;  ///< default text, in TOML
+  std::string_view key;       ///< name of the key in the table "label"
+  std::string_view fallback;  ///< default of the text, as TOML
   std::string_view example;
   std::string_view help;
 };
@@ -51,7 +51,7 @@ constexpr std::size_t kLabelCount = static_cast<std::size_t>(LabelName::kCount);
 
 const std::array<LabelDefault, kLabelCount>& labelDefaults();
 
-/// Text of each label, in the TeX subset of the text library. An empty text hides the label.
+/// Texts of all labels, in the TeX subset of the text library. An empty text hides the label.
 class LabelTexts {
  public:
   const std::string& operator[](LabelName name) const { return texts_[static_cast<std::size_t>(name)]; }

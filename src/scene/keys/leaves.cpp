@@ -12,9 +12,9 @@
 namespace poinsot::scene {
 namespace {
 
-constexpr std::size_t kMostUnknown = 20;  // per table; each may be compared with every key that the table lacks
+constexpr std::size_t kMostUnknown = 20;  // stored names per table; a suggestion compares each with all keys
 
-/// Returns the path before the first index: "body.part" of "body.part[3].mass".
+/// Returns the path of the array of tables: "body.part" for "body.part[3].mass".
 std::string_view arrayOf(std::string_view path) { return path.substr(0, path.find('[')); }
 
 class Walk {
@@ -24,7 +24,7 @@ class Walk {
   void table(std::string_view path, const Node::Table& entries) {
     for (const Entry& entry : entries) {
       const bool noName = entry.key.empty() || entry.key.find_first_of(".[]") != std::string::npos;
-      if (noName)  // a quoted "a.b" is not a path
+      if (noName)  // a quoted key with a dot, such as "a.b", is not a path
         problems_.add(entry.keyPlace, fmt::format("\"{}\": unknown key", core::printable(entry.key)));
       else
         value(pathBelow(path, entry.key), entry.keyPlace, entry.value);
@@ -72,7 +72,7 @@ class Walk {
     table(path, entries);
   }
 
-  /// Returns whether the array element that a path goes through exists.
+  /// Returns whether the scene has the element that a path contains, such as "body.part[3]".
   bool exists(std::string_view path) const {
     const std::size_t end = path.find(']');
     return end != std::string_view::npos && leaves_.tables.contains(path.substr(0, end + 1));
@@ -106,7 +106,7 @@ class Walk {
                        [](const Node& element) { return element.as<Node::Table>() != nullptr; });
   }
 
-  /// Removes the elements of an array that is given again.
+  /// Removes the elements of an array of tables, before the values of a new array replace them.
   void forget(const std::string& array) {
     const auto isBelow = [prefix = array + "["](const auto& entry) { return entry.first.starts_with(prefix); };
     std::erase_if(leaves_.values, isBelow);

@@ -11,13 +11,13 @@
 
 namespace poinsot::scene {
 
-/// Values that a scene gives, by path ("body.part[0].mass").
+/// Values that a scene gives, by their paths, such as "body.part[0].mass".
 struct Leaves {
   Limits limits{};
-  std::map<std::string, Node, std::less<>> values{};         ///< values of known keys, each with its place
-  std::map<std::string, Place, std::less<>> tables{};        ///< place at which each table was opened
-  std::map<std::string, std::size_t, std::less<>> counts{};  ///< number of tables in each array of tables
-  /// Unknown or malformed names, by the table in which they are given; only the first of many.
+  std::map<std::string, Node, std::less<>> values{};         ///< values of known keys, with their positions
+  std::map<std::string, Place, std::less<>> tables{};        ///< position of each table
+  std::map<std::string, std::size_t, std::less<>> counts{};  ///< number of elements of each array of tables
+  /// Unknown or malformed names, by the path of their table. For each table, only the first names are stored.
   std::map<std::string, std::vector<std::string>, std::less<>> unknown{};
 
   std::size_t count(std::string_view array) const {
@@ -26,11 +26,11 @@ struct Leaves {
   }
 };
 
-/// Adds the values of a whole document, replacing those of earlier calls. Unknown keys become problems that
-/// suggest the nearest known name. `show.plane = false` is read as show.plane.visible.
+/// Adds the values of a document. They replace values with the same path. An unknown key becomes a problem that
+/// suggests the most similar name. `show.plane = false` becomes the value of show.plane.visible.
 void addLeaves(const Node& document, Leaves& leaves, Problems& problems);
 
-/// Adds the value of one path. An element of an array of tables must already exist.
+/// Adds the value with this path. If the path contains an index, the element must already exist.
 void addLeaf(const std::string& path, const Place& keyPlace, const Node& value, Leaves& leaves,
              Problems& problems);
 

@@ -13,7 +13,7 @@
 #include "physics/unaligned_types.h"
 #include "scene/keys/keys.h"
 
-/// Assignment of checked values to the fields that keep them. The type of the field selects the conversion.
+/// Functions that assign a checked value to a field of the draft. The type of the field selects the conversion.
 namespace poinsot::scene {
 
 inline void assign(double& to, const Checked& value) { to = std::get<double>(value); }
@@ -37,7 +37,6 @@ inline void assign(Eigen::Vector2i& to, const Checked& value) {
   POINSOT_EXPECT(v.size() == 2);
   to = {static_cast<int>(v[0]), static_cast<int>(v[1])};
 }
-/// Assigns nine numbers, row by row.
 inline void assign(Eigen::Matrix3d& to, const Checked& value) {
   const auto& v = std::get<std::vector<double>>(value);
   POINSOT_EXPECT(v.size() == 9);
@@ -59,7 +58,7 @@ inline void assign(physics::Quaternion& to, const Checked& value) {
 template <class E>
 requires std::is_enum_v<E>
 void assign(E& to, const Checked& value) {
-  to = static_cast<E>(std::get<Word>(value).index);  // words are in the order of the enumerators
+  to = static_cast<E>(std::get<Word>(value).index);  // the words are in the order of the enumerators
 }
 template <class E>
 requires std::is_enum_v<E>
@@ -67,7 +66,7 @@ void assign(std::vector<E>& to, const Checked& value) {
   to.clear();
   for (const Word& word : std::get<std::vector<Word>>(value)) to.push_back(static_cast<E>(word.index));
 }
-/// Assigns nullopt for a word such as "auto".
+/// Assigns a number, or nullopt if the value is a word such as "auto".
 inline void assign(std::optional<double>& to, const Checked& value) {
   const auto* number = std::get_if<double>(&value);
   to = number ? std::optional(*number) : std::nullopt;
@@ -77,8 +76,8 @@ void assign(std::optional<T>& to, const Checked& value) {
   assign(to.emplace(), value);
 }
 
-/// Returns the function that stores a key in the draft.
-/// @param place  returns the address of the field; in an array of tables it takes the element's index
+/// Returns the function Key::put for a field of the draft.
+/// @param place  returns the address of the field; for an array of tables, also takes the index of the element
 template <class F>
 std::function<void(Draft&, std::size_t, const Checked&)> into(F place) {
   return [place](Draft& draft, std::size_t element, const Checked& value) {

@@ -7,10 +7,10 @@
 
 namespace poinsot::scene {
 
-/// Returns the JSON Schema (draft 4) of a scene file, for editors; indented, with a newline at the end.
+/// Returns the JSON Schema (draft 4) of a scene file, for editors. The text is indented and ends with a newline.
 std::string schemaJson();
 
-/// Returns docs/scene.md: every key with type, range, default and help; units, presets and limits.
+/// Returns docs/scene.md, which lists all keys with type, range, default and help, and units, presets and limits.
 std::string referenceMarkdown();
 
 }  // namespace poinsot::scene

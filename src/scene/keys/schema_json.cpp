@@ -14,7 +14,7 @@
 namespace poinsot::scene {
 namespace {
 
-using Json = nlohmann::ordered_json;  // keeps the keys in the order of the table
+using Json = nlohmann::ordered_json;  // an ordered object, to keep the order of the table of keys
 
 Json toJson(const Node& node) {
   if (const auto* flag = node.as<bool>()) return *flag;
@@ -33,8 +33,8 @@ Json tomlToJson(std::string_view toml) {
   return toJson(std::get<Node::Table>(document.value).at(0).value);
 }
 
-// Rounds to nine digits, because an editor's bound in radians should not read 2.0943951023931953. A bound that is
-// one too large in the ninth digit accepts values that the program then rejects; the program's check decides.
+// Rounds a bound to nine digits, because an editor shows it and 2.0943951023931953 rad is hard to read. A rounded
+// bound can accept a value that is slightly out of range. The program rejects such a value later.
 double readable(double value) {
   const std::string text = fmt::format("{:.9g}", value);
   double rounded = value;
@@ -47,7 +47,7 @@ Json bound(double value, bool whole) {
   return readable(value);
 }
 
-/// Returns the schema of a bare number in SI units. A range of sizes allows both signs and zero.
+/// Returns the schema of a number without a unit, in SI units. A range with `ofSize` allows both signs and 0.
 Json bareNumber(const Key& key, const char* type) {
   const double unit = unitFactor(key.range.unit, key.dimension);
   const bool whole = std::string_view(type) == "integer";
@@ -60,13 +60,14 @@ Json bareNumber(const Key& key, const char* type) {
 
 constexpr const char* kNumberPattern = R"([+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)";
 
-// Decimals from 0.001 to 1000, or a fraction of any size without zeros. The program checks the fraction's value,
-// and that there are few enough digits before and after the point.
+// Pattern of a frame rate: a decimal from 0.001 to 1000, or a fraction without zeros. The pattern does not limit
+// the value of the fraction or all numbers of digits. The program checks these later.
 constexpr const char* kFrameRatePattern = R"(^(0*[1-9][0-9]{0,2}(\.[0-9]{1,9})?|0*1000(\.0{1,9})?|)"
                                           R"(0+\.([1-9][0-9]{0,8}|0[1-9][0-9]{0,7}|00[1-9][0-9]{0,6})|)"
                                           R"([0-9]*[1-9][0-9]*/[0-9]*[1-9][0-9]*)$)";
 
-/// Returns the schema of text with a unit. The pattern checks number and dimension, the program the range.
+/// Returns the schema of text with a number and a unit. The pattern checks the form of the number and the
+/// dimension of the unit. The program checks the range later.
 Json quantity(const Key& key) {
   const std::string units = fmt::format("number and unit: {}", someUnits(key.dimension));
   return {{"type", "string"},
@@ -74,7 +75,7 @@ Json quantity(const Key& key) {
           {"pattern", fmt::format("^ *{} *{} *$", kNumberPattern, unitPattern(key.dimension))}};
 }
 
-/// Returns the schema of words. A word that is a number may also be given without quotes.
+/// Returns the schema of one of the key's words. A word that is a number may also be given without quotes.
 Json words(const Key& key) {
   Json any = Json::array();
   for (const std::string_view word : key.words) any.push_back(std::string(word));
@@ -95,7 +96,8 @@ Json arrayOf(Json items, int least, int most) {
 
 Json arrayOf(Json items, int count) { return arrayOf(std::move(items), count, count); }
 
-/// Returns the schema of an array of `least` to three numbers, or one number for all.
+/// Returns the schema of an array of numbers, or one number for all elements.
+/// @param least  smallest number of elements; the largest is 3
 Json perAxis(const Key& key, int least) {
   Json any = number(key)["anyOf"];
   any.push_back(arrayOf(number(key), least, 3));
@@ -121,7 +123,7 @@ Json someWords(const Key& key) {
 
 Json line(const Key& key) { return {{"type", "string"}, {"maxLength", static_cast<int>(key.range.most)}}; }
 
-/// Returns the schema of lines of text. The program checks the length of lines within one string.
+/// Returns the schema of lines of text. For several lines in one string, the program checks their lengths later.
 Json lines(const Key& key) {
   const Json text = {{"type", "string"}};
   return {{"anyOf", Json::array({text, arrayOf(line(key), 1, static_cast<int>(kMostLines))})}};
@@ -181,7 +183,7 @@ Json required(std::initializer_list<const char*> names) {
   return {{"required", std::vector<std::string>(names.begin(), names.end())}};
 }
 
-/// Adds requirements that concern several keys: a body and a start are each given in exactly one way.
+/// Adds required keys, and alternatives of which a scene must give exactly one, such as the ways to give a body.
 void addRequired(Json& json, const std::string& table) {
   if (table.empty()) json["required"] = {"body", "motion"};
   if (table == "body")

@@ -22,7 +22,7 @@ using Words = std::vector<std::string>;
 
 bool isNumber(const Node& node) { return node.as<std::int64_t>() || node.as<double>() || node.as<std::string>(); }
 
-/// Returns the numbers of a row as written; empty for anything but an array of numbers.
+/// Returns the numbers of a row as the scene writes them. Empty if the node is not an array of numbers.
 Words numbersOf(const Node& row) {
   const auto* array = row.as<Node::Array>();
   if (!array || !std::ranges::all_of(*array, isNumber)) return {};
@@ -55,8 +55,8 @@ std::string flatAdvice(const Words& words) {
   return words.size() == 9 ? "; write " + rowsOf(words, kInRows) : "";
 }
 
-/// Returns the shortest decimals, of at least six digits, that describe a possible solid, so that pasted advice is
-/// accepted.
+/// Formats numbers with as few digits as possible, but at least six, so that isPossible() accepts the rounded
+/// numbers. A user who copies them into a scene then gets no error.
 template <std::size_t kCount, class IsPossible>
 std::array<std::string, kCount> acceptedDecimals(const std::array<double, kCount>& values, IsPossible isPossible) {
   constexpr int kFewest = 6, kAll = 17;
@@ -91,8 +91,8 @@ std::string signAdvice(const Matrix3d& inertia) {
   Matrix3d turned = -inertia;
   turned.diagonal() = inertia.diagonal();
   if (turned == inertia || !isPossible(turned)) return "";
-  return "; with the signs of its products of inertia turned it is possible (off the diagonal stands -(sum of m x "
-         "y))";
+  return "; the tensor is possible if its products of inertia change sign (an off-diagonal element is -(sum of m "
+         "x y))";
 }
 
 }  // namespace

@@ -12,20 +12,23 @@ namespace poinsot::scene {
 
 inline constexpr std::string_view kTensorLayout = "[[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]]";
 
-/// Returns "; write [[...]]" for a tensor in another layout: six or nine numbers in a row, a triangle, or the
-/// diagonal alone. Empty for anything else.
+/// Returns advice for a tensor that is not written as three rows of three numbers, such as "; write [[...]]".
+/// Recognises six or nine numbers in a row, a triangle, and the diagonal alone. Empty for any other value.
 std::string layoutAdvice(const Node& given);
 
-/// Returns "; repeat ... write [[...]]" for three rows of which one triangle is zero; else empty.
-/// @param values  numbers of the rows, one row after another
+/// Returns advice for a matrix with a zero triangle, such as "; repeat ... write [[...]]"; otherwise empty.
+/// @param rows  the matrix as three rows of three numbers
+/// @param values  the nine numbers of the rows, row by row
 std::string triangleAdvice(const Node& rows, std::span<const double> values);
 
-/// Returns "; the nearest possible moments in kg·m² are [...]" for three moments that no solid has; empty if there
-/// are none.
+/// Returns advice for three moments that no solid body can have: "; the nearest possible moments in kg·m² are
+/// [...]". Empty if there are no possible moments near them.
 std::string nearestMomentsAdvice(std::span<const double> moments);
 
-/// Returns "; the nearest possible tensor in kg·m² is [[...]]" for a tensor that no solid has; empty if there is
-/// none. Adds a remark if the opposite sign of the products of inertia makes the tensor possible. @pre symmetric
+/// Returns advice for a tensor that no solid body can have: "; the nearest possible tensor in kg·m² is [[...]]".
+/// Empty if there is no possible tensor near it. Adds a remark if the tensor becomes possible when its products of
+/// inertia change sign.
+/// @pre symmetric
 std::string nearestTensorAdvice(const Eigen::Matrix3d& inertia);
 
 }  // namespace poinsot::scene

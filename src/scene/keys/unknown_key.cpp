@@ -14,10 +14,10 @@
 namespace poinsot::scene {
 namespace {
 
-// Far longer than any name; the edit distance of untrusted kilobytes takes too long.
+// Far longer than any name. The edit distance of a long name from an untrusted scene takes too long.
 constexpr std::size_t kLongestName = 64;
 
-/// Names that other programs use for keys of this program.
+/// Names in other programs, and the corresponding keys of this program.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 28> kKnownElsewhere = {{
     {"background", "style.colors.paper"},
     {"background_color", "style.colors.paper"},
@@ -49,7 +49,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 28> kKnownEl
     {"cog", "body.centre_of_mass"},
 }};
 
-/// Returns "quantity" for "quantities", "label" for "labels".
+/// Returns the singular of a name: "quantity" for "quantities", "label" for "labels".
 std::string singular(std::string_view name) {
   if (name.ends_with("ies")) return fmt::format("{}y", name.substr(0, name.size() - 3));
   return std::string(name.ends_with('s') ? name.substr(0, name.size() - 1) : name);
@@ -59,13 +59,13 @@ bool isColor(std::string_view name) {
   return name == "color" || name == "colour" || name == "colors" || name == "colours";
 }
 
-/// Returns the key for the colour of a thing. All colours are in one table: style.colors.body for show.body.color.
+/// Returns the key that sets the colour of a thing, such as style.colors.body for show.body.
 std::string colorOf(std::string_view table) {
   const std::string key = fmt::format("style.colors.{}", nameOf(table));
   return findKey(key) ? key : tableText("style.colors");
 }
 
-/// Finds the same name one table deeper: view[1].show.plane for view[1].plane.
+/// Returns the path of a key with the same name in a table one level below: view[1].show.plane for view[1].plane.
 std::optional<std::string> deeper(std::string_view table, std::string_view name) {
   for (const std::string& inner : namesBelow(table)) {
     const std::string path = pathBelow(pathBelow(table, inner), name);
@@ -74,7 +74,7 @@ std::optional<std::string> deeper(std::string_view table, std::string_view name)
   return std::nullopt;
 }
 
-/// Finds the same name in another table, preferably one that is not in an array of tables.
+/// Returns the path of a key with the same name in any table. Prefers keys outside arrays of tables.
 std::optional<std::string> sameName(std::string_view name) {
   std::optional<std::string> found;
   for (const Key& key : keys())
@@ -97,7 +97,7 @@ std::optional<std::string> elsewhere(std::string_view path) {
 
 bool holdsKeys(std::string_view path) { return isTable(path) || isTableArray(path); }
 
-/// Returns the first part of a path that is used as a table but is not one: "tim" of "tim.x".
+/// Returns the first part of a path that is not a table, although names follow it: "tim" for "tim.x".
 std::optional<std::string_view> firstNoTable(std::string_view path) {
   for (std::size_t dot = path.find('.'); dot != std::string_view::npos; dot = path.find('.', dot + 1))
     if (!holdsKeys(path.substr(0, dot))) return path.substr(0, dot);
@@ -137,7 +137,7 @@ std::optional<std::string> meant(std::string_view path) {
   return elsewhere(path);
 }
 
-/// Returns the key of a path to one element, such as "motion.omega_body[1]"; else null.
+/// Returns the key to which a path to a single element belongs, such as "motion.omega_body[1]"; otherwise null.
 const Key* keyOfElement(std::string_view path) {
   const auto bracket = path.rfind('[');
   return path.ends_with(']') && bracket != std::string_view::npos ? findKey(path.substr(0, bracket)) : nullptr;
@@ -147,8 +147,9 @@ const Key* keyOfElement(std::string_view path) {
 
 std::string unknownKey(std::string_view path) {
   if (const Key* key = keyOfElement(path))
-    return fmt::format("{}: one element; give all of them, such as {}={}", core::printable(path),
-                       path.substr(0, path.rfind('[')), key->example.empty() ? key->fallback : key->example);
+    return fmt::format("{}: a single element cannot be set; give the whole array, such as {}={}",
+                       core::printable(path), path.substr(0, path.rfind('[')),
+                       key->example.empty() ? key->fallback : key->example);
   if (const auto noTable = firstNoTable(path)) return unknownTable(path, *noTable);
   const std::string_view table = tableOf(path);
   if (isTableArray(table)) return withoutIndex(path, table);

@@ -7,14 +7,15 @@
 
 namespace poinsot::scene {
 
-/// Returns "path: unknown key; did you mean ...?". Suggests a similar name in the same table, the key that other
-/// programs call by this name, or the same name in another table. Otherwise lists the names of the table.
+/// Returns the message "path: unknown key; did you mean ...?". Suggests a similar name in the same table, the key
+/// for a name of another program, or the same name in another table. Otherwise lists the names in the table.
 std::string unknownKey(std::string_view path);
 
-/// Returns the message for a path into the array of tables `array` that lacks the element's index.
+/// Returns the message for a path into an array of tables that lacks the index of the element.
+/// @param array  path of the array of tables
 std::string withoutIndex(std::string_view path, std::string_view array);
 
-/// Returns the path of the key or table directly below `table` that the unknown `name` resembles.
+/// Returns the path of the key or table in `table` whose name is most similar to `name`; empty if none is similar.
 std::optional<std::string> misspelt(std::string_view table, std::string_view name);
 
 }  // namespace poinsot::scene

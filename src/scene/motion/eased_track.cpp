@@ -10,7 +10,7 @@ namespace {
 
 double eased(double x) { return x * x * x * (10 - x * (15 - 6 * x)); }
 
-// Returns the integral of eased() from 0 to x: 1/2 at 1.
+// Returns the integral of eased() from 0 to x. From 0 to 1 it is 1/2.
 double easedIntegral(double x) { return x * x * x * x * (2.5 - x * (3 - x)); }
 
 }  // namespace

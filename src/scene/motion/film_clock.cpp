@@ -15,7 +15,8 @@ struct Change {
   double at_s, over_s, pace;
 };
 
-/// Returns the timeline's changes of pace, sorted by time. A speed is one change; a hold is two, to 0 and back.
+/// Returns the changes of speed in the timeline, sorted by time. An entry with a speed makes one change. A hold
+/// makes two changes, to 0 and back.
 std::vector<Change> changesOf(const Timeline& timeline) {
   std::vector<Change> changes;
   double pace = 1;

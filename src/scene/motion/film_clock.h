@@ -6,28 +6,30 @@
 
 namespace poinsot::scene {
 
-/// Conversion from film time to motion time, including a timeline's changes of speed. All functions are pure and
-/// in closed form: every worker computes the same bits, and no error accumulates over the frames.
+/// Conversion from film time to motion time, including the changes of speed in the timeline. All functions are
+/// pure and in closed form, so every worker computes the same bits and no error accumulates over the frames.
 class FilmClock {
  public:
   /// @param start_s  motion time at the start of the film
-  /// @param speed  motion seconds per film second, without changes by the timeline
+  /// @param speed  motion seconds per film second, before the timeline changes it
   FilmClock(double start_s, double speed, const Timeline& timeline);
 
-  /// Returns the film time that the same motion would take at plain speed: filmTime_s itself without changes. The
-  /// result never falls as filmTime_s grows.
+  /// Returns the film time at which the same motion would be shown if the timeline did not change the speed. The
+  /// result never decreases as filmTime_s grows.
   /// @pre a finite time.
   /// @throws core::Error(kLimit) if the result is beyond the range of numbers.
   double played_s(double filmTime_s) const;
+  /// Returns the motion time for a result of played_s().
   /// @throws core::Error(kLimit) if the result is beyond the range of numbers.
   double motionTimeOf(double played_s) const;
   double motionTime_s(double filmTime_s) const { return motionTimeOf(played_s(filmTime_s)); }
 
-  /// Returns the factor on the speed at a film time: 1 is plain speed, 0 stands still. @pre not NaN.
+  /// Returns the factor by which the timeline changes the speed at a film time: 1 for no change, 0 for a pause.
+  /// @pre not NaN.
   double pace(double filmTime_s) const;
   bool changes() const { return !pace_.constant(); }
   double fastestPace() const { return pace_.greatest(); }
-  /// Returns motion seconds per film second at pace 1.
+  /// Returns the speed at pace 1, in motion seconds per film second.
   double speed() const { return speed_; }
 
  private:

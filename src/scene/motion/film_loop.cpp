@@ -18,12 +18,12 @@ namespace {
 void checkCanRepeat(const Scene& scene, double speed) {
   if (!scene.motion.forcing.none())
     throw core::sceneError(
-        "what acts on the body never lets the whole motion come back: only free motion can be made to repeat");
+        "something acts on the body, so its motion never repeats exactly: only free motion can be made to repeat");
   if (std::ranges::any_of(scene.views,
                           [&](const View& view) { return movesAlong(scene.motion, view.camera, view.show); }))
     throw core::sceneError(
-        "a thrown body does not come back to where it was; with show.flight = false the picture goes with its "
-        "centre of mass, and can repeat");
+        "a thrown body does not return to its starting point; with show.flight = false the picture follows the "
+        "centre of mass and can repeat");
   if (speed == 0) throw core::sceneError("nothing moves at speed 0: there is no period");
 }
 
@@ -32,14 +32,14 @@ double framesOf(const Time& time, double period_s, double speed, const Limits& l
   if (frames > static_cast<double>(limits[Limit::kFrames]) ||
       film_s > static_cast<double>(limits[Limit::kDuration]))
     throw core::sceneError(
-        fmt::format("the motion repeats after {:.4g} s at the soonest, {:.4g} s of film or {} frames, more than a "
-                    "film may have; a time.speed of {:.2g} or more would do",
+        fmt::format("the motion repeats after {:.4g} s at the earliest, which is {:.4g} s of film or {} frames, "
+                    "more than a film may have; use a time.speed of {:.2g} or more",
                     period_s, film_s, frames, std::abs(speed) * film_s / time.duration_s));
   return frames;
 }
 
-/// Returns a duration with exactly this many frames. Frames lie at k/fps below the duration (core/frame_clock.h),
-/// so rounding must not exceed the exact value.
+/// Returns a duration with exactly this number of frames. Frame k is shown if k/fps < duration
+/// (core/frame_clock.h). Therefore the result must not be rounded up.
 double durationOf(double frames, const core::Rational& fps) {
   const double seconds = frames * static_cast<double>(fps.den);
   const double duration_s = seconds / static_cast<double>(fps.num);

@@ -6,12 +6,12 @@
 
 namespace poinsot::scene {
 
-/// Changes a scene so that its film repeats without a jump. Moves the start of the motion by as little as
-/// possible, at the same |L|, to a start whose attitude returns after about the film's length. Sets the duration
-/// to the nearest whole number of frames and adjusts the speed to fit. Records the changes in Time::loop. Source:
+/// Changes a scene so that its film repeats without a jump. Changes the start of the motion by as little as
+/// possible, at the same |L|, so that the attitude returns after about the length of the film. Rounds the duration
+/// to a whole number of frames, and adjusts the speed to fit. Records the changes in Time::loop. Source:
 /// physics/closed_motion.h.
 /// @throws core::Error(kScene) for driven motion, a thrown body that moves through a view, speed 0, or a film that
-/// would be too long; (kPhysics) on the separatrix.
+/// would be too long; core::Error(kPhysics) on the separatrix.
 void closeLoop(Scene& scene, const Limits& limits = {});
 
 }  // namespace poinsot::scene

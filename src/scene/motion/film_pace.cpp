@@ -16,15 +16,16 @@ namespace {
 
 constexpr double kRevolution = 2 * std::numbers::pi;
 
-// Above about a turn a second the eye loses the rolling; below a twelfth nothing seems to move.
+// Rates of rotation that the eye can follow. Faster than about one turn a second, the rolling is not recognisable.
+// Slower than a twelfth of a turn a second, nothing seems to move.
 constexpr double kCalmest = 0.5, kFastest = 6.5, kPleasant = 2.1;  // rad per film second
-constexpr double kShortestNod_s = 0.25;               // film time; a shorter nutation gets too few frames
+constexpr double kShortestNod_s = 0.25;               // film time; a shorter nutation has too few frames
 constexpr double kMostTurns = 5000;                   // turns of the body in one film; each must be integrated
-constexpr double kLeastPrecession = 0.1;              // turns; a film that shows less seems to show no precession
-constexpr double kSeen_rad = std::numbers::pi / 180;  // smallest visible angle of a cone or a nod
+constexpr double kLeastPrecession = 0.1;              // turns of precession; a film with fewer seems to show none
+constexpr double kSeen_rad = std::numbers::pi / 180;  // smallest visible opening of a cone or nutation
 
-/// Returns the body's rate in rad/s: the larger of its spin at the start and the rate of small swings about
-/// hanging, at least sqrt(M g l/I) with I the largest moment.
+/// Returns the rate of the motion in rad/s: |omega| at the start or, if larger, the frequency of small swings of
+/// the hanging body. For this frequency, uses its lower bound sqrt(M g l/I), where I is the largest moment.
 double rateOfMotion(const Scene& scene) {
   const double swing =
       std::sqrt(scene.motion.forcing.gravity_B.norm() / scene.body.axes.moments().values().maxCoeff());
@@ -39,7 +40,7 @@ bool leans(const physics::Nutation& swing) {
   return swing.mostTilt_rad > kSeen_rad && swing.leastTilt_rad < std::numbers::pi - kSeen_rad;
 }
 
-/// Returns the period of the axis about the vertical; empty if the axis is not seen to go round.
+/// Returns the time in which the axis rotates once about the vertical. Empty if this rotation is not visible.
 std::optional<double> period_s(const physics::Nutation& swing) {
   const double turns = std::abs(swing.precession_rad) / kRevolution;
   if (!leans(swing) || !std::isfinite(swing.period_s) || !(turns > 0)) return std::nullopt;
@@ -47,13 +48,14 @@ std::optional<double> period_s(const physics::Nutation& swing) {
   return std::isfinite(period_s) ? std::optional(period_s) : std::nullopt;
 }
 
-/// Returns the largest number of precession turns in one film, limited by kMostTurns of the body.
+/// Returns the largest number of turns of precession that one film can show, in which the body makes kMostTurns.
+/// @param round_s  period of the precession
 double mostShown(const Scene& scene, double round_s) {
   return kMostTurns * kRevolution / (scene.motion.omega_B.norm() * round_s);
 }
 
-/// Returns the least pace at which the precession is visible, as far as nutation and spin allow. Returns 0 if
-/// there is no precession, or if the body spins too fast for one film to show it.
+/// Returns the smallest pace at which the precession is visible. The pace is smaller if the nutation or the spin
+/// would otherwise be too fast. Returns 0 without precession, or if the spin is too fast for any film to show it.
 double paceOfPrecession(const Scene& scene) {
   const auto top = nearlyHeavyTopStart(scene);
   if (!top) return 0;
@@ -72,8 +74,7 @@ std::string remedy(const Scene& scene, double round_s, double played_s) {
   const double shown = std::min(mostShown(scene, round_s), 1.0);
   if (shown < kLeastPrecession)
     return fmt::format(
-        "the body turns {:.2g} times meanwhile, and one film shows at most {:g} of its turns; give a "
-        "smaller spin",
+        "the body turns {:.2g} times in this period, but one film shows at most {:g} turns; give a smaller spin",
         scene.motion.omega_B.norm() * round_s / kRevolution, kMostTurns);
   return fmt::format("time.speed = {:.3g} shows {} in these {:g} s of film", shown * round_s / played_s,
                      shown < 1 ? fmt::format("{:.2g} of a turn", shown) : "a whole turn", scene.time.duration_s);
@@ -98,7 +99,7 @@ void doubtPrecession(const Scene& scene, Findings& findings) {
   const auto round_s = precessionPeriod_s(scene);
   const double speed = chosenSpeed(scene), film_s = scene.time.duration_s;
   const double played_s = FilmClock(0, speed, scene.timeline).played_s(film_s);
-  if (!round_s || speed == 0 || !(played_s > 0)) return;  // a film of one instant is intentional
+  if (!round_s || speed == 0 || !(played_s > 0)) return;  // the user intends a film that shows one instant
   const double turns = std::abs(speed) * played_s / *round_s;
   if (turns >= kLeastPrecession) return;
   findings.doubt(

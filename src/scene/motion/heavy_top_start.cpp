@@ -8,7 +8,7 @@
 namespace poinsot::scene {
 namespace {
 
-// Largest relative difference of the moments across k: for a top, and for a body that spins like one.
+// Largest relative difference of the two moments perpendicular to k, for any top and for a fast spin.
 constexpr double kSymmetric = 1e-3, kNearly = 0.5;
 
 bool gravityAlone(const physics::Forcing& forcing) {
@@ -17,8 +17,9 @@ bool gravityAlone(const physics::Forcing& forcing) {
   return !forcing.none() && rest.none();
 }
 
-/// Returns the start of a top whose moments across k differ by at most `most` of themselves, and whose centre of
-/// mass is off the axis by at most `most` of its distance.
+/// Returns the start if the body is nearly a symmetric top about an axis k.
+/// @param most  largest relative difference of the two moments perpendicular to k; also the largest distance of
+/// the centre of mass from k, relative to its distance from the fixed point
 std::optional<HeavyTopStart> startOf(const Scene& scene, double most) {
   const physics::PrincipalAxes& axes = scene.body.axes;
   const auto top = physics::heavyTop(axes.moments(), axes.toP(scene.motion.forcing.gravity_B), most);

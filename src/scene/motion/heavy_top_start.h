@@ -9,25 +9,25 @@
 
 namespace poinsot::scene {
 
-/// Symmetric top on its point under gravity alone, and its start.
+/// Start of a heavy top: a symmetric body with a fixed point on its axis k, under gravity alone.
 struct HeavyTopStart {
   physics::HeavyTop top;
-  Eigen::Vector3d omega_P;  ///< rad/s
-  Eigen::Vector3d up_P;     ///< unit vector
-  double uneven = 0;        ///< difference of the moments across k, relative to the moments
+  Eigen::Vector3d omega_P;  ///< angular velocity, rad/s
+  Eigen::Vector3d up_P;     ///< upward vertical, unit vector
+  double uneven = 0;        ///< difference of the two moments perpendicular to k, relative to their mean
 
-  double tilt_rad() const;  ///< angle of k from the vertical
-  double spin() const;      ///< rate about k, rad/s
+  double tilt_rad() const;  ///< angle between k and the vertical
+  double spin() const;      ///< component of omega along k, rad/s
   physics::Nutation nutation() const { return top.nutation(omega_P, up_P); }
 };
 
-/// Returns the start of a heavy top; empty for any other motion. Moments across k count as equal if they differ by
-/// at most a thousandth, which covers measured values.
+/// Returns the start of the scene's motion if the body is a heavy top; otherwise nullopt. The two moments
+/// perpendicular to k may differ by a thousandth, because measured moments are never exactly equal.
 std::optional<HeavyTopStart> heavyTopStart(const Scene& scene);
 
-/// Returns the start of the symmetric top nearest to the body under gravity alone, for estimates about a film.
-/// Ignores drag and dissipation. The moments across k may differ by up to half of themselves if the spin is fast
-/// enough to sleep, because a fast spin averages over the difference. Empty if another torque acts.
+/// Returns the start of the symmetric top that is most similar to the body, for estimates about a film. Ignores
+/// drag and dissipation. The two moments perpendicular to k may differ by half if the spin is at least that of a
+/// sleeping top, because a fast spin averages over the difference. Returns nullopt if another torque acts.
 std::optional<HeavyTopStart> nearlyHeavyTopStart(const Scene& scene);
 
 }  // namespace poinsot::scene

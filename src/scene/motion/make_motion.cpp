@@ -20,8 +20,8 @@ Eigen::Vector3d exaggerated(const Eigen::Vector3d& omega_P, int axis, double fac
   return shown;
 }
 
-// Returns whether the polhode goes round the axis of the largest moment: the sign of L² - 2T I2, in units of I2²
-// (I2 is the middle moment).
+// Returns whether the polhode encloses the axis of the largest moment. This is so if L² >= 2T I2, where I2 is the
+// middle moment. Compares both sides in units of I2².
 bool roundLargest(const physics::PrincipalMoments& moments, const Eigen::Vector3d& omega_P) {
   const Eigen::Vector3d& I = moments.values();
   const double middle = I.sum() - I.maxCoeff() - I.minCoeff();
@@ -52,8 +52,8 @@ int spinAxis(const Eigen::Vector3d& omega_P) {
   return axis;
 }
 
-// Enlarging the small transverse omega gives another exact motion of the same body. It must be of the same kind,
-// or the picture would be false.
+// Enlarging the small omega perpendicular to the spin axis gives another exact motion of the same body. If that
+// motion is of another kind, the picture would be false.
 Eigen::Vector3d drawnOmega_P(const Scene& scene) {
   Eigen::Vector3d omega_P = startOmega_P(scene);
   if (scene.show.exaggerateAngles == 1) return omega_P;
@@ -62,7 +62,8 @@ Eigen::Vector3d drawnOmega_P(const Scene& scene) {
   const bool sameAxis = spinAxis(drawn_P) == spinAxis(omega_P);
   if (sameAxis && roundLargest(moments, drawn_P) == roundLargest(moments, omega_P)) return drawn_P;
   throw core::sceneError(
-      "show.exaggerate_angles: drawn that much larger, the motion would be of another kind; choose less");
+      "show.exaggerate_angles: with this factor the drawn motion would be of another kind; choose a smaller "
+      "factor");
 }
 
 Eigen::Vector3d undrawnOmega_P(const Scene& scene, const Eigen::Vector3d& drawn_P) {

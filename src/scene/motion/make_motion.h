@@ -10,34 +10,34 @@
 
 namespace poinsot::scene {
 
-/// Returns where L points if the scene gives no orientation. Unless the scene chooses, L points down if a view
-/// shows the invariable plane.
+/// Returns whether L points up or down if the scene gives no orientation. If the scene does not choose, L points
+/// down if a view shows the invariable plane, and up otherwise.
 physics::Vertical verticalOfL(const Scene& scene);
 
-/// Returns the attitude at motion time 0, a unit quaternion: the scene's, or the shortest turn of L onto
-/// verticalOfL().
+/// Returns the attitude at motion time 0, as a unit quaternion. If the scene gives none, this is the shortest
+/// rotation that makes L point to verticalOfL().
 physics::Quaternion startOrientation(const Scene& scene);
 
 /// Returns omega at motion time 0, in rad/s along the principal axes.
 Eigen::Vector3d startOmega_P(const Scene& scene);
 
-/// Returns seconds of motion per second of film: the scene's speed, or automaticPace().
+/// Returns the scene's speed, or automaticPace() if it has none, in seconds of motion per second of film.
 double chosenSpeed(const Scene& scene);
 
 /// Returns the index of the principal axis with the largest component of omega.
 int spinAxis(const Eigen::Vector3d& omega_P);
 
-/// Returns omega at motion time 0 as drawn, in rad/s along the principal axes: the scene's omega, with angles
-/// enlarged by exaggerate_angles.
-/// @throws core::Error(kScene) if enlarged angles would change the kind of motion.
+/// Returns omega at motion time 0 as the picture shows it, in rad/s along the principal axes. The key
+/// exaggerate_angles enlarges the angles between omega and its principal axis.
+/// @throws core::Error(kScene) if the enlarged angles would change the kind of motion.
 Eigen::Vector3d drawnOmega_P(const Scene& scene);
-/// Returns the start whose drawnOmega_P() is `drawn_P`.
+/// Returns the omega for which drawnOmega_P() returns `drawn_P`.
 Eigen::Vector3d undrawnOmega_P(const Scene& scene, const Eigen::Vector3d& drawn_P);
 
-/// Makes the motion of a scene, valid from from_s to to_s (in either order) and from there to 0. Free if no
-/// forcing acts, else integrated to Motion::tolerance_rad.
-/// @throws core::Error(kPhysics) for a body or a start without a solution; (kLimit) if it needs more steps than
-/// the user allows.
+/// Makes the motion of a scene. The motion is valid at all times between 0, from_s and to_s, in any order. If no
+/// forcing acts, the motion is exact; otherwise it is integrated to Motion::tolerance_rad.
+/// @throws core::Error(kPhysics) for a body or a start without a solution; core::Error(kLimit) if the integration
+/// needs more steps than the user allows.
 std::unique_ptr<const physics::Motion> makeMotion(const Scene& scene, double from_s, double to_s);
 
 }  // namespace poinsot::scene

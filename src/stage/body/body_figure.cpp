@@ -14,13 +14,14 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kThinnest = 0.07;  // smallest half edge as a share of the longest, for a lamina
-constexpr double kPoint = 1e-3;     // share of the distance to the fixed point; smaller bodies are point masses
+constexpr double kThinnest = 0.07;  // smallest drawn half edge, as a fraction of the longest; used for a lamina
+constexpr double kPoint = 1e-3;     // largest size of a point mass, relative to its distance from the fixed point
 
-/// Returns the largest |A p| on a piece. |A p| is convex, so its maximum lies at a support point. The loop climbs
-/// from each start to the nearest local maximum: p becomes the support point in the direction of Aᵀ A p.
+/// Returns the largest |A p| of all points p of a piece. |A p| is convex, so its maximum is at a support point.
+/// From each start, the loop climbs to a local maximum: it replaces p by the support point in the direction Aᵀ A
+/// p.
 double farthest(const Piece& piece, const Matrix3d& A) {
-  constexpr int kSteps = 40;  // steps gain least on a nearly round body, where little is left to gain
+  constexpr int kSteps = 40;  // largest number of steps; more steps would gain very little
   double most = 0;
   for (const Vector3d& start : cubeDirections()) {
     Vector3d direction = A.transpose() * start;
@@ -43,8 +44,8 @@ Figure equivalentBoxFigure(const physics::PrincipalAxes& axes) {
   return figure;
 }
 
-/// Returns the uniform box of this mass and tensor, at the centre of mass and to scale. A box with half edges h
-/// has I1 = M (h2² + h3²)/3.
+/// Returns the uniform box with this mass and inertia tensor, at the centre of mass and to scale. A box with half
+/// edges h has I1 = M (h2² + h3²)/3.
 Figure uniformBoxFigure(const physics::MassProperties& mass, const Vector3d& origin_B) {
   const physics::SymmetricEigen eigen = physics::symmetricEigen(mass.inertia_B());
   Vector3d I;
@@ -63,7 +64,8 @@ Figure uniformBoxFigure(const physics::MassProperties& mass, const Vector3d& ori
   return figure;
 }
 
-/// Returns the cone that stands on the fixed point, about the principal axis nearest to the centre of mass.
+/// Returns a cone with its apex at the fixed point. The axis of the cone is the principal axis that is nearest to
+/// the direction of the centre of mass.
 Figure equivalentConeFigure(const physics::PrincipalAxes& axes, const Vector3d& gravity_B) {
   const Vector3d gravity_P = axes.toP(gravity_B);
   int axis = 2;

@@ -11,29 +11,32 @@
 
 namespace poinsot::stage {
 
-/// Drawing of the body, with its fixed point at the origin, in m. The drawing consists of the parts to show, or
-/// else of the parts that set the inertia. Without parts, a body with a mass is the uniform box at its centre of
-/// mass, to scale; a body without a mass is the uniform box, or under gravity the uniform cone on its apex, of any
-/// size.
+/// Drawing of the body, with its fixed point at the origin, in m. The drawing shows the parts that the scene
+/// lists. A body without parts is drawn as a solid with the same ratios of principal moments:
+/// - if the mass is known, a uniform box at the centre of mass, to scale;
+/// - otherwise, under gravity, a uniform cone on its apex, of any size;
+/// - otherwise, a uniform box of any size.
 class BodyFigure {
  public:
   explicit BodyFigure(const scene::Scene& scene);
 
-  /// Returns the body's reach from the fixed point along each principal axis, m; negative if the body lies behind.
+  /// Returns how far the body reaches from the fixed point along each principal axis, m. The value is negative if
+  /// the complete body lies on the negative side.
   const Eigen::Vector3d& reachAlongAxes() const { return reachAlongAxes_; }
   /// Returns half the body's extent along each principal axis, m.
   const Eigen::Vector3d& halfExtents() const { return halfExtents_; }
   double radius() const;
-  /// Returns the factor by which an ellipsoid with these semi-axes along the principal axes must grow to hold the
-  /// body.
+  /// Returns the factor by which an ellipsoid must grow to contain the body.
+  /// @param semiAxes_P  semi-axes of the ellipsoid along the principal axes
   double reachIn(const Eigen::Vector3d& semiAxes_P) const;
   Eigen::Vector3d supportPoint(const Eigen::Vector3d& direction_B) const;
 
-  /// Returns the body's farthest points in 26 directions, in V.
+  /// Returns the farthest point of the body in each of 26 directions, in V.
   std::vector<Eigen::Vector3d> outermostPoints(const Placement& place) const;
 
-  /// Returns how far out a point (m) lies: 1 on the body's surface, less inside, infinite if the body is too thin
-  /// to hide anything.
+  /// Returns the position of a point relative to the body's surface: less than 1 inside, 1 on the surface, more
+  /// than 1 outside. Returns infinity if the body is too thin to hide anything.
+  /// @param p_B  point, m
   double gauge(const Eigen::Vector3d& p_B) const;
 
   void add(draw::DrawList& list, const Placement& place, const Palette& colors, double lineWidth_px) const {
@@ -46,13 +49,13 @@ class BodyFigure {
   Eigen::Vector3d reachAlongAxes_, halfExtents_;
 };
 
-/// Returns half the edges of the uniform box that has moments in these proportions, in arbitrary units. The
-/// smallest edge of a lamina is enlarged to stay visible.
+/// Returns half the edges of a uniform box whose moments have the ratios of `moments`, in arbitrary units. The
+/// smallest edge of a lamina is enlarged, so that it stays visible.
 Eigen::Vector3d equivalentBox(const physics::PrincipalMoments& moments);
 
-/// Returns the uniform elliptic cone that has moments in these proportions about its apex, in arbitrary units: the
-/// height along principal axis `axis` (0 to 2), and the semi-axes of the base along the others. Flat cones are
-/// made thick enough to be visible.
+/// Returns the size of a uniform elliptic cone whose moments about its apex have the ratios of `moments`, in
+/// arbitrary units. The component `axis` (0 to 2) is the height of the cone, and the others are the semi-axes of
+/// its base. Flat cones are made thick enough to be visible.
 Eigen::Vector3d equivalentCone(const physics::PrincipalMoments& moments, int axis);
 
 }  // namespace poinsot::stage

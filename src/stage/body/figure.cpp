@@ -14,8 +14,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr float kLift = 0.02f;  // distance of marks in front of their surface, in picture lengths
-constexpr double kStep = 0.2;   // longest segment of a mark, in picture lengths
+constexpr float kLift = 0.02f;  // distance of lines in front of their surface, in picture lengths
+constexpr double kStep = 0.2;   // longest segment of a line, in picture lengths
 
 Vector3d rimPoint(const Vector3d& centre, const Vector3d& normal, double radius, const Vector3d& direction) {
   const Vector3d across = direction - direction.dot(normal) * normal;
@@ -168,8 +168,8 @@ struct Draw {
     return dense;
   }
 
-  /// Returns true if a line would hide the edges of its own part. The renderer keeps two edges of a pixel, so on a
-  /// part of very few pixels the line's edges replace the part's.
+  /// Returns true if a line would hide the outline of its part. The renderer stores two edges per pixel. On a part
+  /// of only a few pixels, the edges of the line would replace those of the part.
   bool tooThinFor(const Mark& mark) const {
     const double least_px = std::max(6.0, 3 * lineWidth_px);
     const double unit_px = list.camera.scale_px(depthOf(list.camera, toPicture(place.origin_V)));
@@ -190,7 +190,7 @@ std::vector<Eigen::Vector4d> tangents(const MeshPiece& unturned) {
   std::vector<Eigen::Vector4d> planes;
   for (const Vector3d& n : cubeDirections()) {
     Eigen::Vector4d& plane = planes.emplace_back();
-    plane << n, std::max(n.dot(Support{n}(unturned)), 1e-3);  // a flat mesh counts as a slab: no division by 0
+    plane << n, std::max(n.dot(Support{n}(unturned)), 1e-3);  // avoids a division by 0 for a flat mesh
   }
   return planes;
 }

@@ -13,9 +13,10 @@ namespace {
 using Eigen::Vector3d;
 using Place = std::array<int, 3>;
 
-constexpr double kWindow = 0.6;  // width of the window, as a share of the cavity's
+constexpr double kWindow = 0.6;  // width of the window, as a fraction of the cavity's width
 
-/// Box cut by planes into 5 x 5 x 3 cells that are full or empty. The surface lies between full and empty cells.
+/// Box that planes divide into 5 x 5 x 3 cells, each full or empty. The surface of the mesh lies between full and
+/// empty cells.
 class Cells {
  public:
   Cells(const Vector3d& edges, double wall) {

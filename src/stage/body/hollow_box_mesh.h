@@ -7,7 +7,7 @@
 
 namespace poinsot::stage {
 
-/// Returns a box with walls of thickness `wall`, and with a window in its face at +z that shows the hollow.
+/// Returns a box with walls of thickness `wall`. A window in the face at +z shows the cavity.
 /// @pre 0 < 2 wall < each edge.
 geometry::Mesh hollowBoxMesh(const Eigen::Vector3d& edges, double wall);
 

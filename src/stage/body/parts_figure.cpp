@@ -15,11 +15,11 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using MeshPointer = std::shared_ptr<const geometry::Mesh>;
 
-// Radii, as shares of the greatest distance of a part from the centre of mass.
+// Radii, as fractions of the greatest distance of a part from the centre of mass.
 constexpr double kLargestBall = 0.15, kRod = 0.013;
 
-/// Returns the centre of the enclosed volume. A mesh that is only drawn need not be closed: if that centre does
-/// not exist or lies outside the mesh's box, returns the middle of the box.
+/// Returns the centre of the volume that a mesh encloses. If the mesh is not closed, this centre may not exist, or
+/// it may lie outside the bounding box. The middle of the bounding box is returned instead.
 Vector3d centreOf(const geometry::Mesh& mesh) {
   const geometry::Bounds box = geometry::boundsOf(mesh);
   const Vector3d centre_M = geometry::integrals(mesh).centre_M;
@@ -57,7 +57,8 @@ double heaviestPoint(const std::vector<scene::Part>& parts) {
   return heaviest;
 }
 
-/// Adds balls of one density, the heaviest of a fixed size, with rods, so that several masses read as one body.
+/// Adds point masses as balls of equal density. Rods join the balls, so that several masses look like one body.
+/// The heaviest ball has a fixed size.
 void addPointMasses(Figure& figure, const std::vector<scene::Part>& parts, const Vector3d& origin_B) {
   const double heaviest = heaviestPoint(parts);
   if (heaviest == 0) return;

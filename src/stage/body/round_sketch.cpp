@@ -17,18 +17,18 @@ using geometry::Vector2;
 using Profile = std::vector<Vector2>;
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kSegments = 120;  // of a mesh: chords lie 0.03 % of the radius inside the circle, 0.1 px of 300
-constexpr double kHeavy = 1.8;  // width of the meridian that shows the rotation, in ordinary lines
+constexpr int kSegments = 120;  // number of segments around a mesh; a circle of radius 300 px is off by 0.1 px
+constexpr double kHeavy = 1.8;  // width of the thick meridian, as a multiple of an ordinary line
 
-// Drawn thickness of solids without thickness, as a share of their radius (of a rod's length): enough to be
-// visible edge on.
+// Drawn thickness of solids without thickness, as a fraction of their radius, or of the length of a rod. With this
+// thickness, solids stay visible edge on.
 constexpr double kDiscHalfThickness = 0.025, kHoopTube = 0.045, kRodRadius = 0.02;
-// Radius of the flat apex of a cone's mesh, as a share of the cone's radius. The flat apex keeps the shading of
-// the side clear of the point, which has no normal.
+// Radius of the flat apex of a cone's mesh, as a fraction of the cone's radius. An exact point has no normal,
+// which would spoil the shading of the side.
 constexpr double kSpeck = 1e-3;
-constexpr double kShellWall = 0.05;   // thickness of a shell, as a share of its radius
+constexpr double kShellWall = 0.05;   // thickness of a shell, as a fraction of its radius
 constexpr double kWindow_rad = 0.55;  // half the angle of the opening at a ball's pole
-constexpr double kGutter_rad = 0.6;   // half the angle of the opening along a torus
+constexpr double kGutter_rad = 0.6;   // half the angle of the opening along a torus shell
 
 Vector3d at(const Vector2& p, double angle) { return {p.x() * std::cos(angle), p.x() * std::sin(angle), p.y()}; }
 
@@ -36,7 +36,7 @@ void ring(const Sketch& sketch, double radius, double z) {
   sketch.mark(loop(96, [&](double s) { return at({radius, z}, s); }), true);
 }
 
-/// Returns an arc of a circle about the origin, both ends included. Angles are from the +z axis.
+/// Returns an arc of a circle about the origin, both ends included. Angles are measured from the +z axis.
 Profile arc(double radius, double from_rad, double to_rad) {
   constexpr int kSteps = 48;
   Profile points;
@@ -52,7 +52,7 @@ Profile joined(Profile first, const Profile& second) {
   return first;
 }
 
-/// Marks a line of the surface of revolution at `count` angles. The first of them is heavy.
+/// Draws a line of a surface of revolution at `count` angles about the z axis. The first line is thicker.
 void meridians(const Sketch& sketch, const Profile& line, int count) {
   for (int i = 0; i < count; ++i) {
     std::vector<Vector3d> points;
@@ -104,7 +104,7 @@ void cylinder(const Sketch& sketch, double radius, double h) {
 
 void add(const Sketch& sketch, const physics::Ellipsoid& solid) { sketch.ellipsoid({0, 0, 0}, solid.semiAxes_m); }
 
-// Opens the shell at an end of its longest axis, as an egg is opened.
+// Opens the shell at one end of its longest axis, like an egg.
 void add(const Sketch& sketch, const physics::EllipsoidShell& solid) {
   const Vector3d& h = solid.semiAxes_m;
   int longest = 2;
@@ -163,8 +163,8 @@ void torusMarks(const Sketch& sketch, double radius, double tubeRadius, const Pr
   ring(sketch, radius + tubeRadius, 0);
 }
 
-/// Returns part of the circle of a torus's tube. Angles are about the tube's centre, from the direction away from
-/// the axis.
+/// Returns an arc of the circular cross-section of a torus's tube. Angles are about the centre of the tube, and
+/// angle 0 points away from the axis of the torus.
 Profile tubeSection(double radius, double tubeRadius, double from_rad, double to_rad, int steps) {
   Profile section;
   for (int i = 0; i <= steps; ++i) {
@@ -184,7 +184,7 @@ void add(const Sketch& sketch, const physics::Torus& solid) {
   torusMarks(sketch, R, a, section, true);
 }
 
-// Draws a gutter: the tube is open towards the axis, like a tyre.
+// Draws the tube with an opening towards the axis, like a tyre.
 void add(const Sketch& sketch, const physics::TorusShell& solid) {
   const double R = solid.radius_m, a = solid.tubeRadius_m, inner = (1 - 2 * kShellWall) * a;
   const double from = -kPi + kGutter_rad, to = kPi - kGutter_rad;

@@ -4,7 +4,8 @@
 #include "physics/solid.h"
 #include "stage/body/sketch.h"
 
-/// Sketches of solids of revolution about z, with rings and meridians. One meridian is heavy.
+/// Sketches of solids of revolution about the z axis. Rings and meridians make the rotation visible, and one
+/// meridian is thicker than the others.
 namespace poinsot::stage {
 
 void add(const Sketch& sketch, const physics::Ellipsoid& solid);

@@ -56,7 +56,7 @@ void Sketch::tube(const std::vector<Vector3d>& points, bool closed, double radiu
 void Sketch::mesh(const geometry::Mesh& mesh, bool edges) const {
   MeshPiece piece = meshPiece(mesh, R_BS_, origin_B_);
   piece.edges = edges;
-  piece.gloss = edges ? 0.15f : 0.35f;  // flat faces flash as a whole: less gloss than on a round body
+  piece.gloss = edges ? 0.15f : 0.35f;  // less gloss on flat faces, because a highlight covers a complete face
   figure_.pieces.push_back(std::move(piece));
 }
 

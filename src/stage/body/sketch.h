@@ -11,7 +11,7 @@ namespace poinsot::stage {
 /// Returns `points` points of the closed curve `at`, whose argument runs from 0 to 2 pi in equal steps.
 std::vector<Eigen::Vector3d> loop(int points, const std::function<Eigen::Vector3d(double)>& at);
 
-/// Builder that adds pieces and marks to a figure, described in a part's own axes S. Lengths in m.
+/// Adds pieces and lines to a figure. Coordinates are in a part's own axes S, in m.
 class Sketch {
  public:
   Sketch(Figure& figure, const Eigen::Matrix3d& R_BS, const Eigen::Vector3d& origin_B)
@@ -21,8 +21,8 @@ class Sketch {
     return {figure_, R_BS_ * R_ST, toB(origin_S)};
   }
 
-  /// Adds an ellipsoid with semi-axes along x, y, z. If `marked`, rings go about the longest axis, or about z if
-  /// the ellipsoid is nearly a ball.
+  /// Adds an ellipsoid with semi-axes along x, y, z. If `marked`, rings are drawn around the longest axis, or
+  /// around z if the ellipsoid is nearly a ball.
   void ellipsoid(const Eigen::Vector3d& centre, const Eigen::Vector3d& semiAxes, bool marked = true) const;
   void ball(const Eigen::Vector3d& centre, double radius, Paint paint = Paint::kBody) const;
   void frustum(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double fromRadius, double toRadius,

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kPlateHalfThickness = 0.02;  // thickness, as a share of the longest edge: visible edge on
+constexpr double kPlateHalfThickness = 0.02;  // half the drawn thickness, as a fraction of the longest edge
 
 Matrix3d zAlong(int axis) {
   Matrix3d R;
@@ -64,7 +64,7 @@ void add(const Sketch& sketch, const physics::THandle& solid) {
   add(sketch.turned(zAlong(1), {0, 0.5 * end, 0}), physics::Cylinder{solid.shaftRadius_m, end});
 }
 
-// The wings end where the hub is as wide as the wings are thick.
+// Each wing extends inwards until its corners reach the round surface of the hub.
 void add(const Sketch& sketch, const physics::WingNut& solid) {
   add(sketch, physics::Cylinder{solid.hubRadius_m, solid.hubHeight_m});
   const Vector3d h = 0.5 * solid.wing_m;

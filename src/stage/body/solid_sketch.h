@@ -6,8 +6,8 @@
 
 namespace poinsot::stage {
 
-/// Draws a solid with lines that show its spin. Solids without thickness get a little, and hollow solids an
-/// opening.
+/// Draws a solid, with lines that make its rotation visible. Solids without thickness, such as a disc, are drawn
+/// with a small thickness. Hollow solids are drawn with an opening.
 void addSolid(const Sketch& sketch, const physics::Solid& solid);
 
 }  // namespace poinsot::stage

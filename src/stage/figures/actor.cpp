@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kDash = 0.035;  // length of dashes and gaps, in picture lengths
-constexpr float kSoft = 0.6f;    // share of the type size; a shorter direction counts as uncertain
+constexpr float kSoft = 0.6f;    // distance below which a direction is shortened, as a fraction of the text size
 
 bool beforeEye(const draw::Camera& camera, glm::vec3 point) { return depthOf(camera, point) >= camera.near; }
 
@@ -35,7 +35,7 @@ void Canvas::line(const std::vector<Vector3d>& points_V, bool closed, const draw
 void Canvas::dashes(const Vector3d& from_V, const Vector3d& to_V, const draw::Color& color, double width) const {
   const double length = (to_V - from_V).norm();
   const int pieces =
-      2 * static_cast<int>(std::round(0.5 * (length / kDash - 1))) + 1;  // odd: dash, gap, ..., dash
+      2 * static_cast<int>(std::round(0.5 * (length / kDash - 1))) + 1;  // an odd number, to end with a dash
   for (int i = 0; i < pieces; i += 2)
     line({from_V + (to_V - from_V) * i / pieces, from_V + (to_V - from_V) * (i + 1) / pieces}, false, color,
          width);

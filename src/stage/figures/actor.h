@@ -15,16 +15,16 @@
 
 namespace poinsot::stage {
 
-/// Amount of glass at the near side, the far side and the rim of a hollow object, in sheets.
+/// Thickness of the glass of a hollow object at its near side, far side and rim, as multiples of one sheet.
 struct GlassShares {
   double near = 1, far = 1, rim = 1;
 };
 
-/// Gap between a place and its label, as a share of the label's size.
+/// Gap between a point and its label, as a fraction of the label's size.
 inline constexpr double kLabelGap = 0.35;
 
-/// Target that actors draw on, for one picture: coordinates in V, lengths in picture units. The camera of `list`
-/// is set.
+/// Target that actors draw on, for one picture. Coordinates are in V, in picture lengths. The camera of `list` is
+/// already set.
 struct Canvas {
   draw::DrawList& list;
   std::vector<Label>& labels;
@@ -34,11 +34,11 @@ struct Canvas {
   double thickness = 1;  ///< factor on the radii of arrows and tubes
   double type_px = 32;   ///< size of an ordinary label; 0: no labels
   double least_px = 0;
-  bool still = false;  ///< no label is faint: each is shown or absent
+  bool still = false;  ///< labels are either opaque or absent, never faint
 
   /// Adds a flat line.
-  /// @param width  in ordinary lines
-  /// @param lift  distance towards the eye
+  /// @param width  width, as a multiple of the width of an ordinary line
+  /// @param lift  distance by which the line is moved towards the eye, in picture lengths
   void line(const std::vector<Eigen::Vector3d>& points_V, bool closed, const draw::Color& color, double width = 1,
             double lift = 0.004) const;
   /// Adds a straight dashed line that begins and ends with a dash.
@@ -49,22 +49,23 @@ struct Canvas {
   void dot(const Eigen::Vector3d& at_V, double radius, const draw::Color& color) const;
   void tube(const std::vector<Eigen::Vector3d>& points_V, bool closed, double radius,
             const draw::Color& color) const;
-  /// Adds a hollow ellipsoid about the origin. `shares` is the thickness of its sides and rim, in sheets of that
-  /// opacity.
+  /// Adds a hollow ellipsoid about the origin.
+  /// @param opacity  opacity of one sheet of glass
+  /// @param shares  thickness of its sides and rim, in sheets
   draw::GlassEllipsoid& glassEllipsoid(const Eigen::Matrix3d& semiAxes_V, const draw::Color& color, double opacity,
                                        const GlassShares& shares) const;
-  /// Returns the opacity of glass that is `share` times as thick as a sheet of the given opacity, and thinner on
-  /// dark paper. An opacity of 1 is always opaque.
+  /// Returns the opacity of glass that is `share` times as thick as a sheet with the given opacity. Glass on dark
+  /// paper counts as thinner, unless its opacity is 1.
   float glass(double opacity, double share = 1) const;
   void arrowFrom(const Eigen::Vector3d& from_V, const Eigen::Vector3d& tip_V, double radius,
                  const draw::Color& color) const;
-  /// Adds a label beside a point, on the side away from the picture of `inside_V`.
+  /// Adds a label beside the point `at_V`, on the side that faces away from the point `inside_V` in the picture.
   void label(const std::string& tex, const Eigen::Vector3d& at_V, const Eigen::Vector3d& inside_V,
              const draw::Color& color, double size = 1) const;
-  /// Adds a label beside a place of the picture. In a still, a label with an opacity below 0.5 is left out, and
-  /// any other is opaque.
-  /// @param size  in ordinary labels
-  /// @param gap  as a share of the label's size
+  /// Adds a label beside a pixel. In a still, a label with an opacity below 0.5 is left out, and all other labels
+  /// are opaque.
+  /// @param size  size, as a multiple of the size of an ordinary label
+  /// @param gap  gap between pixel and label, as a fraction of the label's size
   void labelAt(const std::string& tex, glm::vec2 at_px, glm::vec2 direction, const draw::Color& color,
                double size = 1, double gap = kLabelGap, float opacity = 1) const;
   void label(scene::LabelName name, const Eigen::Vector3d& at_V, const Eigen::Vector3d& inside_V,
@@ -75,20 +76,20 @@ struct Canvas {
                double size = 1, double gap = kLabelGap, float opacity = 1) const {
     labelAt(names[name], at_px, direction, color, size, gap, opacity);
   }
-  /// Returns the pixel where the camera sees a point. A point behind the eye counts as beside the eye, far outside
-  /// the picture.
+  /// Returns the pixel at which the camera sees a point. A point behind the eye is first moved forward to the
+  /// camera's near plane, so its pixel is usually far outside the picture.
   glm::vec2 at_px(const Eigen::Vector3d& at_V) const;
 };
 
-/// Mixes two colours in linear light; `share` is the part of `color`.
+/// Mixes two colours in linear light. `share` is the fraction of `color` in the result.
 draw::Color mixed(const draw::Color& color, const draw::Color& over, double share);
 
-/// Returns a circle around `centre_V`, across the unit vector `axis_V`.
+/// Returns points on a circle around `centre_V`, in the plane perpendicular to the unit vector `axis_V`.
 std::vector<Eigen::Vector3d> circleAbout(const Eigen::Vector3d& centre_V, const Eigen::Vector3d& axis_V,
                                          double radius, int points);
 
-/// Returns a unit vector across a unit vector: `hint` without its part along `axis`, or a fallback direction if
-/// that part leaves little.
+/// Returns a unit vector perpendicular to the unit vector `axis`: the direction of `hint` without its component
+/// along `axis`. If `hint` is nearly parallel to `axis`, uses a coordinate axis instead of `hint`.
 Eigen::Vector3d across(const Eigen::Vector3d& axis, const Eigen::Vector3d& hint);
 
 /// Inputs of an actor's constructor, for one view of a scene. `motion`, `body` and `construction` outlive the
@@ -98,7 +99,7 @@ struct Setting {
   const PictureMotion& motion;
   const BodyFigure& body;
   const Scales& scales;
-  const Construction* construction;  ///< null if no part of it is shown
+  const Construction* construction;  ///< null if no part of the construction is shown
   Eigen::Vector3d axisLengths;       ///< drawn lengths of the principal axes
 };
 
@@ -108,11 +109,11 @@ class Actor {
   virtual ~Actor() = default;
 
   virtual void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const = 0;
-  /// Returns the points, in V, that the frame must hold at that instant.
+  /// Returns the points that must be inside the picture at this instant, in V.
   virtual std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const = 0;
-  /// Returns the radius of a ball about the origin that the frame must hold too; 0: no ball.
+  /// Returns the radius of a ball about the origin that must be inside the picture too; 0: no ball.
   virtual double ballRadius() const { return 0; }
-  /// Returns the point, in V, out of which the object's solids grow when they appear (presence.h).
+  /// Returns the point from which the object's solids grow when they appear (presence.h), in V.
   virtual Eigen::Vector3d growsFrom(const PictureState& /*state*/) const { return Eigen::Vector3d::Zero(); }
 };
 

@@ -28,9 +28,9 @@ namespace {
 template <class A>
 constexpr std::type_identity<A> kA{};
 
-/// Returns the angles whose arcs the frame must hold. Of the angles between the same two directions only the
-/// widest counts, because its arc and the centre enclose the others. The frame of a flight need not hold the
-/// centre, so there every width counts.
+/// Returns the angles whose arcs must be inside the picture. Of several angles between the same two directions,
+/// only the arc with the largest radius counts: if it and the centre are inside the picture, the smaller arcs are
+/// inside too. In a flight, the centre may be outside the picture, so all radii count.
 std::set<const scene::NamedAngle*> outermost(const std::vector<scene::NamedAngle>& angles, bool flight) {
   std::map<std::tuple<scene::Direction, scene::Direction, double>, const scene::NamedAngle*> widest;
   for (const scene::NamedAngle& angle : angles) {

@@ -9,13 +9,13 @@
 
 namespace poinsot::stage {
 
-/// Object drawn in a view, with its name in a scene: "L" for the object that show.L sets.
+/// Object drawn in a view, with its name in a scene, such as "L" for the object that show.L sets.
 struct ShownActor {
   std::string_view name;
   std::unique_ptr<const Actor> actor;
 };
 
-/// Returns everything that a view shows.
+/// Returns the actors for everything that a view shows.
 /// @throws core::Error(kScene) if the view shows something that the motion does not have.
 std::vector<ShownActor> makeActors(const Setting& setting);
 

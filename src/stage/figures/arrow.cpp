@@ -10,8 +10,8 @@ namespace {
 
 // Size of an arrow's head, in radii of the shaft.
 constexpr double kHeadLength = 9.0, kHeadRadius = 3.0;
-constexpr double kLongestHead = 0.45;     // longest head, as a share of the arrow
-constexpr double kSmallestLength = 1e-6;  // shorter arrows have no direction worth showing
+constexpr double kLongestHead = 0.45;     // longest head, as a fraction of the arrow's length
+constexpr double kSmallestLength = 1e-6;  // shorter arrows are not drawn
 
 }  // namespace
 

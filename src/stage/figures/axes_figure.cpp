@@ -10,9 +10,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kSpaceAxisRadius = 0.008, kComponentRadius = 0.017;
-constexpr double kBeyond = 1.15;  // length of a space axis, in radii of the ball that holds body and ellipsoid
-// Shortest component with a name. A shorter one has no room for its arrow's head, and edges of the box would
-// coincide.
+constexpr double kBeyond = 1.15;  // length of a space axis, as a multiple of Scales::reach
+// Shortest component that gets a label. A shorter component has no room for the head of its arrow, and edges of
+// the box would coincide.
 constexpr double kLeastNamed = 0.06;
 
 }  // namespace

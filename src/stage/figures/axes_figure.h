@@ -25,7 +25,8 @@ class ComponentsFigure final : public Actor {
   void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
   std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
 
-  /// Returns the components in its columns, in picture lengths. Their sum is omega.
+  /// Returns a matrix whose columns are the components as vectors, in picture lengths. The sum of the columns is
+  /// omega.
   Eigen::Matrix3d components_V(const PictureState& state) const;
 
  private:

@@ -13,8 +13,8 @@ void BodyActor::add(const Canvas& canvas, double /*filmTime_s*/, const PictureSt
   if (stand_) stand_->add(canvas.list, state, canvas.colors);
 }
 
-// A body about its centre of mass turns inside a ball. A body on a pivot or in flight takes only the space that it
-// sweeps.
+// A body that rotates about its centre of mass stays inside the ball of ballRadius(). For a body on a pivot or in
+// flight, the points of each pose are returned instead, because it sweeps less space than a ball.
 std::vector<Eigen::Vector3d> BodyActor::outermostPoints(const PictureState& state) const {
   if (stand_) return stand_->outermostPoints(state);
   return movesAlong_ ? body_.outermostPoints({state.R_VB, scale_}) : std::vector<Eigen::Vector3d>();

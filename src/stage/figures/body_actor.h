@@ -8,7 +8,7 @@
 
 namespace poinsot::stage {
 
-/// Actor for the body, and for its stand if the body turns about a pivot.
+/// Actor for the body, and for its stand if the body rotates about a pivot.
 class BodyActor final : public Actor {
  public:
   explicit BodyActor(const Setting& setting);

@@ -13,13 +13,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSide = 0.76;  // share of omega, so that its head stands out beyond the rims
+constexpr double kSide = 0.76;  // length of the sides relative to omega, whose head stays visible beyond the rims
 constexpr int kFramedPoints = 24;
 constexpr double kRimWidth = 2.2;
-constexpr double kNarrowest = 1e-3;  // share of a side; a narrower cone would be a line, a flatter one a disc
-constexpr double kSpacing = 0.2;     // approximate distance of the lines along the rim, in sides
+constexpr double kNarrowest = 1e-3;  // smallest radius and height of a drawn cone, as fractions of its side
+constexpr double kSpacing = 0.2;     // approximate distance of the lines along the rim, as a fraction of the side
 constexpr double kLineShare = 0.6;
-constexpr double kInside = 0.3;  // share of a side without lines: they would crowd at the apex
+constexpr double kInside = 0.3;  // fraction of a side without lines, because lines would crowd at the apex
 
 }  // namespace
 
@@ -42,7 +42,8 @@ std::vector<Vector3d> ConesFigure::rim(const Cone& cone) const {
                      side_ * std::sin(cone.halfAngle_rad), kFramedPoints);
 }
 
-// Draws glass with a firm rim. The lines turn with the axes that the cone is fixed to, and so show the rolling.
+// Draws a glass cone with a strong rim, and lines along its side. The lines are fixed in the same axes as the
+// cone, so they make the rolling visible.
 void ConesFigure::addCone(const Canvas& canvas, const Cone& cone, const Vector3d& hint_V,
                           const draw::Color& color) const {
   const double height = side_ * std::cos(cone.halfAngle_rad), radius = side_ * std::sin(cone.halfAngle_rad);

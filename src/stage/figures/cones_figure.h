@@ -6,11 +6,11 @@
 
 namespace poinsot::stage {
 
-/// Actor for the body cone of a free symmetric top, about k, which rolls on the space cone, about L (eq 30 to 37).
-/// The cones touch along omega. Their apexes are at the origin and their sides are equally long.
+/// Actor for the two cones of a free symmetric top (eq 30 to 37). The body cone, about k, rolls on the space cone,
+/// about L. The cones touch along omega. Their apexes are at the origin and their sides are equally long.
 class ConesFigure final : public Actor {
  public:
-  /// @throws core::Error(kScene) if the motion has no such cones.
+  /// @throws core::Error(kScene) unless the motion is that of a free symmetric top.
   explicit ConesFigure(const Setting& setting);
 
   void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;

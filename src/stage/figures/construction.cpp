@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPlaneBeyondEllipsoid = 1.18;  // smallest half width, in longest semi-axes of the ellipsoid
-// Smallest half width of the plane, in distances of the farthest contact point from the plane's centre.
+constexpr double kPlaneBeyondEllipsoid = 1.18;  // smallest half width, relative to the longest semi-axis
+// Smallest half width of the plane, relative to the largest distance of a contact point from the plane's centre.
 constexpr double kPlaneBeyondPath = 1.2;
 constexpr double kCellsToEdge = 7;  // approximate number of grid cells from the centre to the edge
 
@@ -21,8 +21,8 @@ double niceNumber(double x) {
   return 10 * power;
 }
 
-// Returns a fixed direction across L at the start, so that the grid holds still while L moves. The direction is
-// horizontal if L is upright.
+// Returns a fixed horizontal direction that is not along L. The grid follows this direction, so that it does not
+// rotate while L moves.
 Vector3d gridHint(const Vector3d& L_W) {
   return std::abs(L_W.normalized().x()) < 0.9 ? Vector3d(1, 0, 0) : Vector3d(0, 1, 0);
 }
@@ -56,7 +56,8 @@ double Construction::planeHeight(const PictureState& state) const {
   return scale_ * physics::PoinsotConstruction(moments_, state.omega_P).planeHeight();
 }
 
-// The plane belongs to inertial space, so its grid turns with W in views where the body stands still.
+// The plane is fixed in inertial space. In views in which the body is fixed, the grid therefore rotates with the
+// axes W.
 Eigen::Matrix<double, 3, 2> Construction::planeHalfEdges_V(const PictureState& state) const {
   const Vector3d normal_W = state.L_W.normalized();
   const Vector3d u_W = (gridHint_W_ - gridHint_W_.dot(normal_W) * normal_W).normalized();

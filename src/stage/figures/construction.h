@@ -9,23 +9,25 @@
 
 namespace poinsot::stage {
 
-/// Poinsot's construction in the picture: the energy ellipsoid (eq 38) rolls on the invariable plane (eq 40) and
-/// touches it at the tip of omega. If something acts on the body, both belong to the instant.
+/// Poinsot's construction in the picture. The energy ellipsoid (eq 38) rolls on the invariable plane (eq 40) and
+/// touches it at the tip of omega. If something acts on the body, the ellipsoid and the plane change from instant
+/// to instant.
 class Construction {
  public:
   /// @pre the body is not at rest all the time.
   Construction(const PictureMotion& motion, const Scales& scales);
 
-  /// Returns picture lengths per rad/s.
+  /// Returns the scale of the construction, in picture lengths per rad/s.
   double scale() const { return scale_; }
   /// Returns the ellipsoid's semi-axes at the instant when they are longest, in the order of the principal axes.
   const Eigen::Vector3d& semiAxes() const { return semiAxes_; }
-  /// Returns the ellipsoid's semi-axis vectors at an instant, in the order of the principal axes. @pre not at
-  /// rest.
+  /// Returns the vectors of the ellipsoid's semi-axes at an instant, in the order of the principal axes. @pre not
+  /// at rest.
   Eigen::Matrix3d semiAxes_V(const PictureState& state) const;
   /// Returns the distance of the plane from the centre. @pre not at rest.
   double planeHeight(const PictureState& state) const;
-  /// Returns half-edges of the plane's square, along its grid. @pre not at rest.
+  /// Returns the two vectors from the centre of the plane's square to the middles of its edges, along its grid.
+  /// @pre not at rest.
   Eigen::Matrix<double, 3, 2> planeHalfEdges_V(const PictureState& state) const;
   /// Returns the corners of the plane's square, in order. @pre not at rest.
   std::array<Eigen::Vector3d, 4> planeCorners_V(const PictureState& state) const;

@@ -12,11 +12,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kHeightBeside = 1.08;  // distance of the dimension line, in the ellipsoid's longest semi-axes
+constexpr double kHeightBeside = 1.08;  // distance of the dimension line, relative to the longest semi-axis
 constexpr double kHeightEnds = 0.035;
 constexpr double kContactRadius = 0.03;
 constexpr double kPlaneNameSize = 0.57,
-                 kNameGap = 1.2;  // size of the plane's name in ordinary labels; gap in the name's own size
+                 kNameGap = 1.2;  // plane's name: size relative to a label; gap relative to that size
 
 // Directions to the faces and corners of a cube, without the opposite directions.
 const Vector3d kDirections[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {1, 1, -1}};
@@ -83,8 +83,8 @@ void PlaneFigure::add(const Canvas& canvas, double /*filmTime_s*/, const Picture
   addName(canvas, state);
 }
 
-// Puts the name under the edge that runs from the left to the plane's lowest corner. If the plane is above the
-// body, puts the name over the edge that runs to the highest corner.
+// Places the name under the edge that runs from the left to the plane's lowest corner. If the plane is above the
+// body, places the name over the edge that runs to the highest corner.
 void PlaneFigure::addName(const Canvas& canvas, const PictureState& state) const {
   const auto corners_V = construction_.planeCorners_V(state);
   std::array<glm::vec2, 4> corners;
@@ -123,7 +123,7 @@ void HeightFigure::add(const Canvas& canvas, double /*filmTime_s*/, const Pictur
   if (state.atRest()) return;
   const Vector3d down = state.L_V.normalized();
   const Vector3d across = down.cross(fromPicture(canvas.list.camera.R_VC[2]));
-  if (across.norm() < 0.05) return;  // seen along L, the height has no length
+  if (across.norm() < 0.05) return;  // seen along L, the line would be a point
   const Vector3d left = across.normalized();
   const Vector3d head = kHeightBeside * construction_.semiAxes().maxCoeff() * left;
   const Vector3d foot = construction_.planeHeight(state) * down + head;

@@ -4,7 +4,7 @@
 #include "stage/figures/actor.h"
 #include "stage/figures/construction.h"
 
-/// Actors for the parts of Poinsot's construction. At an instant of rest they draw nothing.
+/// Actors for the parts of Poinsot's construction. They draw nothing while the body is at rest.
 /// @pre of each: the setting has a construction.
 namespace poinsot::stage {
 
@@ -57,7 +57,7 @@ class HeightFigure final : public Actor {
   explicit HeightFigure(const Setting& setting);
 
   void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
-  /// Returns no points, because the line stands over the plane where the camera sees it best.
+  /// Returns no points, because the position of the line depends on the camera.
   std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
 
  private:

@@ -6,11 +6,11 @@
 
 namespace poinsot::stage {
 
-/// Actor for omega of a free symmetric top as the diagonal of a parallelogram: omega_p along L, and -Omega_p k
-/// along the axis (eq 32, 34).
+/// Actor for the two parts of omega of a free symmetric top: omega_p along L, and -Omega_p k along the axis k (eq
+/// 32, 34). The parts are the sides of a parallelogram whose diagonal is omega.
 class DecompositionFigure final : public Actor {
  public:
-  /// @throws core::Error(kScene) if the motion has no such parts.
+  /// @throws core::Error(kScene) unless the motion is that of a free symmetric top.
   explicit DecompositionFigure(const Setting& setting);
 
   void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;

@@ -16,10 +16,10 @@ constexpr double kCentreDot = 0.028;
 constexpr double kWeight = 0.55;  // length of the arrow M g
 constexpr double kLongestWeightTorque = 0.9;
 constexpr double kPale = 0.4;           // strength of the path that is still to come
-constexpr std::size_t kPathSteps = 96;  // a parabola over the whole film is 0.1 px off in a picture of 4000 px
+constexpr std::size_t kPathSteps = 96;  // number of steps; a parabola in a picture of 4000 px is 0.1 px off
 constexpr double kNameOfL = 0.55;
-constexpr double kNameOfR = 0.5;   // place of R's name along its arrow
-constexpr double kNearBody = 0.8;  // largest distance of R's name from a body that the camera follows
+constexpr double kNameOfR = 0.5;   // position of R's label along its arrow
+constexpr double kNearBody = 0.8;  // largest distance of R's label from a body that the camera follows
 
 Vector3d unitOrZero(const Vector3d& v) { return v.isZero(0) ? v : Vector3d(v.normalized()); }
 

@@ -5,8 +5,8 @@
 
 namespace poinsot::stage {
 
-/// Actor for the flight of a thrown body (eq 1): the path of its centre of mass, the arrow R to it from the origin
-/// of space, its velocity V and its weight.
+/// Actor for the flight of a thrown body (eq 1). Draws the path of the centre of mass, the arrow R from the origin
+/// of space to the centre of mass, the velocity V and the weight.
 class FlightFigure final : public Actor {
  public:
   /// @pre the body moves through the view: setting.motion.flight().
@@ -27,12 +27,12 @@ class FlightFigure final : public Actor {
   double scale_, velocityScale_;
   Eigen::Vector3d weight_W_;
   bool position_, velocity_, weight_;
-  bool follows_;  // the camera follows the body, so that the origin may be anywhere
+  bool follows_;  // true if the camera follows the body; the origin of space may be outside the picture
 };
 
-/// Actor for the angular momentum of a thrown body about the origin of space and its two parts, R x P and L (eq
-/// 5), each of which begins where the other ends. Also shows the torque of the weight about the origin, which
-/// changes that angular momentum (eq 8).
+/// Actor for the angular momentum of a thrown body about the origin of space. The angular momentum is the sum of R
+/// x P and L (eq 5), so the arrow L is drawn at the tip of R x P. Also draws the torque of the weight about the
+/// origin, which changes this angular momentum (eq 8).
 class TotalAngularMomentumFigure final : public Actor {
  public:
   /// @pre the body moves through the view and has a mass.
@@ -43,7 +43,8 @@ class TotalAngularMomentumFigure final : public Actor {
   Eigen::Vector3d growsFrom(const PictureState& state) const override { return origin_V(state); }
 
   Eigen::Vector3d origin_V(const PictureState& state) const { return -placeScale_ * state.centre_V; }
-  /// Return vectors from the origin of space: R x P, its sum with L, and the torque of the weight.
+  /// Return vectors that start at the origin of space: R x P, the sum of R x P and L, and the torque of the
+  /// weight.
   Eigen::Vector3d orbital_V(const PictureState& state) const;
   Eigen::Vector3d total_V(const PictureState& state) const { return orbital_V(state) + scale_ * state.L_V; }
   Eigen::Vector3d torque_V(const PictureState& state) const;

@@ -47,8 +47,8 @@ Vector3d GhostsFigure::place_V(const Pose& pose, const PictureState& state) cons
   return moves_ ? Vector3d(pose.place_V - flightScale_ * state.centre_V) : pose.place_V;
 }
 
-// If the body moves through the view, only past poses are drawn, as a stroboscope leaves them. Older poses are a
-// little farther from the eye, because faces in one plane would show through each other.
+// If the body moves through the view, only past poses are drawn, as in a stroboscopic photograph. Older poses are
+// moved a little away from the eye, because faces in the same plane would show through each other.
 void GhostsFigure::add(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
   const Palette colors = pale(canvas.colors, strength_);
   const Vector3d away_V = -kGhostsApart * fromPicture(canvas.list.camera.R_VC[2]);

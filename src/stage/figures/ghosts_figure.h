@@ -5,8 +5,8 @@
 
 namespace poinsot::stage {
 
-/// Actor for a stroboscopic picture: the body in pale colours at other times of the film. Each pose stands a step
-/// from the one before, or where a thrown body was at that time.
+/// Actor for a stroboscopic picture: the body in pale colours at other times of the film. Each pose is drawn a
+/// step away from the previous pose. Poses of a thrown body are drawn where the body is at their times.
 class GhostsFigure final : public Actor {
  public:
   explicit GhostsFigure(const Setting& setting);
@@ -17,8 +17,8 @@ class GhostsFigure final : public Actor {
   struct Pose {
     double filmTime_s;
     Eigen::Matrix3d R_WB;
-    /// Position relative to the body, as the camera stands at the film's start. If the body moves through the
-    /// view, relative to the origin of space.
+    /// Position relative to the body, computed for the camera's direction at the start of the film. If the body
+    /// moves through the view: position relative to the origin of space.
     Eigen::Vector3d place_V;
   };
   const std::vector<Pose>& poses() const { return poses_; }

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 constexpr int kRimPoints = 360;
 
-/// Returns the point where a chord between the visible and the hidden side meets the rim.
+/// Returns the point on the rim between a visible and a hidden point of a curve.
 Vector3d onRim(const Vector3d& a, const Vector3d& b) {
   const Vector3d between = a + (b - a) * (a.z() / (a.z() - b.z()));
   return Vector3d(between.x(), between.y(), 0).normalized();
@@ -90,7 +90,7 @@ Globe::Line_px Globe::visiblePart(const Directions& curve,
   return polygon;
 }
 
-// Adds the arc of the rim between two points that lies inside the region.
+// Adds the arc of the rim that joins two points inside the region.
 void Globe::addRim(Line_px& polygon, const Vector3d& from, const Vector3d& to,
                    const std::function<bool(const Vector3d&)>& inside) const {
   constexpr double kTurn = 2 * std::numbers::pi;

@@ -5,7 +5,7 @@
 
 namespace poinsot::stage {
 
-/// Actor for the axis k of the body (symmetric_top.h), an arrow with its name.
+/// Actor for the axis k of the body (symmetric_top.h), drawn as an arrow with a label.
 class MainAxisFigure final : public Actor {
  public:
   explicit MainAxisFigure(const Setting& setting);

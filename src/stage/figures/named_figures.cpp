@@ -13,9 +13,9 @@ using Eigen::Vector3d;
 using scene::Direction;
 
 constexpr double kArrowRadius = 0.016;
-constexpr double kArcShare = 0.72;  // radius of an arc, as a share of the shorter arrow
+constexpr double kArcShare = 0.72;  // radius of an arc, as a fraction of the shorter arrow
 constexpr double kVertical = 1.15;
-constexpr double kSpaceAxisReach = 1.15;  // length, in radii of the ball that holds body and ellipsoid
+constexpr double kSpaceAxisReach = 1.15;  // length of a space axis, as a multiple of Scales::reach
 constexpr int kArcPoints = 48;
 
 draw::Color colorOf(const Palette& colors, scene::Meaning meaning) {
@@ -164,7 +164,8 @@ AngleFigure::AngleFigure(const Setting& setting, const scene::NamedAngle& angle,
       radius_(angle.scale * kArcShare * std::min(directions_.length(angle.from), directions_.length(angle.to))),
       framed_(framed) {}
 
-// sin((1 - s) theta) a + sin(s theta) b over sin(theta) is exact at both ends and needs no axis of rotation.
+// Computes points of the arc as (sin((1 - s) theta) a + sin(s theta) b) / sin(theta). This formula is exact at
+// both ends and needs no axis of rotation.
 std::vector<Vector3d> AngleFigure::arc(const PictureState& state) const {
   const Vector3d a = directions_(angle_.from, state), b = directions_(angle_.to, state);
   const double theta = std::atan2(a.cross(b).norm(), a.dot(b));

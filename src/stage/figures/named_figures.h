@@ -13,7 +13,7 @@ class Directions {
  public:
   explicit Directions(const Setting& setting);
 
-  /// Returns a unit vector, or zero if the direction does not exist (L of a body at rest).
+  /// Returns the unit vector of a direction, or zero if the direction does not exist, such as L of a body at rest.
   Eigen::Vector3d operator()(scene::Direction direction, const PictureState& state) const;
   /// Returns the approximate length with which a direction is drawn.
   double length(scene::Direction direction) const;
@@ -33,8 +33,8 @@ class NamedVectorFigure final : public Actor {
 
   struct Arrow {
     Eigen::Vector3d from_V, tip_V;
-    /// End of V and start of omega × r, the two parts of a body point's velocity. Set while the body moves through
-    /// the view.
+    /// Point where the two parts of a body point's velocity, V and omega × r, meet. Set only while the body moves
+    /// through the view.
     std::optional<Eigen::Vector3d> corner_V = {};
   };
   Arrow arrow(const PictureState& state) const { return arrow_(state); }
@@ -44,17 +44,17 @@ class NamedVectorFigure final : public Actor {
   std::function<Arrow(const PictureState&)> arrow_;
 };
 
-/// Actor for the arc between two directions, with its name.
+/// Actor for an angle: the arc between two directions, with a label.
 class AngleFigure final : public Actor {
  public:
-  /// @param framed  whether the frame must hold the arc.
+  /// @param framed  true if the arc must be inside the picture
   AngleFigure(const Setting& setting, const scene::NamedAngle& angle, bool framed = true);
 
   void add(const Canvas& canvas, double filmTime_s, const PictureState& state) const override;
   std::vector<Eigen::Vector3d> outermostPoints(const PictureState& state) const override;
 
-  /// Returns the arc from one direction to the other, along a great circle. Empty if a direction does not exist or
-  /// both are parallel.
+  /// Returns the arc from one direction to the other, along a great circle. Returns no points if a direction does
+  /// not exist or the directions are parallel.
   std::vector<Eigen::Vector3d> arc(const PictureState& state) const;
 
  private:
@@ -64,8 +64,8 @@ class AngleFigure final : public Actor {
   bool framed_;
 };
 
-/// Actor for show.theta: the angle of the lecture's eq 18 between L and k. Under gravity, the angle between k and
-/// the vertical, which is drawn too.
+/// Actor for the angle theta (show.theta). Without gravity, theta is the angle between L and k (lecture, eq 18).
+/// Under gravity, theta is the angle between the vertical and k, and the vertical is drawn too.
 class ThetaFigure final : public Actor {
  public:
   explicit ThetaFigure(const Setting& setting);

@@ -84,7 +84,8 @@ void PolhodeFigure::addTube(const Canvas& canvas, const PictureState& state, con
   canvas.tube(points_V, closed, radius, color);
 }
 
-// The curve turns with the body. On the ellipsoid it reaches no farther than the ellipsoid.
+// The polhode rotates with the body. If the ellipsoid is shown, it contains the polhode, so only the tip of omega
+// is returned.
 std::vector<Vector3d> PolhodeFigure::outermostPoints(const PictureState& state) const {
   if (onEllipsoid_ || state.atRest()) return {scale_ * state.omega_V};
   std::vector<Vector3d> points_V;

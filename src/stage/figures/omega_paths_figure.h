@@ -4,13 +4,14 @@
 #include "stage/figures/actor.h"
 #include "stage/figures/construction.h"
 
-/// Actors for the paths of omega's tip. If something acts on the body, travelled paths stay as they were.
+/// Actors for the paths of the tip of omega. If something acts on the body, the travelled part of a path does not
+/// change later.
 /// @pre of each: the setting has a construction.
 namespace poinsot::stage {
 
-/// Actor for the polhode on the body: a closed curve, strong where travelled in the last period and faint
-/// elsewhere. If something acts on the body, the faint curve is the one that a free motion would follow from now
-/// on, and everything travelled is shown.
+/// Actor for the polhode, a closed curve that is fixed in the body. The part travelled in the last period is
+/// strong, and the rest is faint. If something acts on the body, everything travelled is strong, and the faint
+/// curve is the one that a free motion would follow from now on.
 class PolhodeFigure final : public Actor {
  public:
   explicit PolhodeFigure(const Setting& setting);
@@ -24,8 +25,8 @@ class PolhodeFigure final : public Actor {
     Eigen::Vector3d omega_P;
   };
 
-  /// Returns the part of a closed curve that was not travelled from `from_s` to now. Returns all of a curve that
-  /// is not closed.
+  /// Returns the part of a closed curve that was not travelled from `from_s` to now. If the curve is not closed,
+  /// returns the complete curve.
   std::vector<Eigen::Vector3d> untravelled(double now_s, double from_s) const;
   void addUntravelled(const Canvas& canvas, const PictureState& state, double now_s, double from_s) const;
   void addTube(const Canvas& canvas, const PictureState& state, const std::vector<Eigen::Vector3d>& omega_P,
@@ -39,7 +40,7 @@ class PolhodeFigure final : public Actor {
 };
 
 /// Actor for the herpolhode on the plane. The travelled part is strong, its last 0.9 s strongest, and the part to
-/// come is faint. In a film of very many turns, only the nearest turns are drawn.
+/// come is faint. If a film has very many turns, only the turns nearest to the present time are drawn.
 class HerpolhodeFigure final : public Actor {
  public:
   explicit HerpolhodeFigure(const Setting& setting);

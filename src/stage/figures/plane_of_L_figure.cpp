@@ -11,9 +11,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSheetReach = 1.06;  // size of the sheet relative to what lies in it
-constexpr double kBehind = 0.12;      // share of the sheet's length on the other side of the origin
-constexpr double kParallel = 1e-6;    // rad; at smaller angles the plane's direction is only rounding
+constexpr double kSheetReach = 1.06;  // size of the sheet relative to the arrows in it
+constexpr double kBehind = 0.12;      // length of the sheet behind the origin, as a fraction of its length ahead
+constexpr double kParallel = 1e-6;    // rad; at smaller angles, rounding errors decide the direction of the plane
 
 }  // namespace
 

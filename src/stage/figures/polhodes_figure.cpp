@@ -23,7 +23,7 @@ constexpr double kTube = 0.012;
 void requireFree(const PictureMotion& motion, const char* key) {
   if (motion.isFree()) return;
   throw core::sceneError(
-      fmt::format("{}: polhodes stay as they are only where nothing acts on the body; leave them out", key));
+      fmt::format("{}: polhodes are constant only if nothing acts on the body; leave them out", key));
 }
 
 /// Returns the polhodes with this L, as curves in momentum space; the separatrix is last.

@@ -13,8 +13,8 @@ struct BodyCurve {
   bool separatrix = false;
 };
 
-/// Actor for polhodes of the body on its energy ellipsoid: states of one energy and of different L, even from the
-/// axes to the separatrix, which is strong.
+/// Actor for several polhodes of the body on its energy ellipsoid. They have the same energy and different L, and
+/// are evenly spaced from the axes to the separatrix. The separatrix is drawn strong.
 class PolhodesFigure final : public Actor {
  public:
   /// @throws core::Error(kScene) unless the motion is free.
@@ -52,7 +52,7 @@ class BinetFigure final : public Actor {
   Eigen::Vector3d semiAxes_P_;
   std::vector<BodyCurve> curves_;
   std::vector<Eigen::Vector3d> polhode_P_;
-  bool closes_;   // false on the separatrix, where the curve does not close
+  bool closes_;   // false on the separatrix, where the curve is not closed
   double scale_;  // picture lengths per kg·m²/s
 };
 

@@ -10,7 +10,7 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr float kPen = 3;  // full line width from a third of the progress on: a pen does not start as a hair
+constexpr float kPen = 3;  // lines have their full width from a third of the progress on
 
 template <class T>
 std::span<T> since(std::vector<T>& all, std::size_t before) {
@@ -39,7 +39,8 @@ void shorten(draw::Curve& curve, float length) {
   }
 }
 
-/// Returns the presence before the timeline's first change: 0 if the thing is shown before it is hidden.
+/// Returns the presence of an object before the timeline's first change: 0 if the timeline shows the object before
+/// hiding it, otherwise 1.
 double initialOf(const scene::Timeline& timeline, int thing) {
   for (const scene::TimelineEntry& entry : timeline.entries) {
     if (std::ranges::find(entry.shown, thing) != entry.shown.end()) return 0;

@@ -12,26 +12,28 @@
 
 namespace poinsot::stage {
 
-/// Presence of each drawn object or text over the film: 0 is not drawn at all, 1 is whole.
+/// Presence of each object or text over the film, from 0 (not drawn) to 1 (drawn completely).
 class PresencePlan {
  public:
   explicit PresencePlan(const scene::Timeline& timeline);
 
-  /// Returns the presence of a thing, by its name in a scene. A thing that the timeline does not name is always
-  /// there. A thing that the timeline shows before hiding it is absent until then.
+  /// Returns the presence of an object or text. An object that the timeline does not name always has presence 1.
+  /// An object that the timeline shows before hiding it is absent until then.
+  /// @param thing  name in a scene, such as "plane"
   double at(std::string_view thing, double filmTime_s) const;
 
  private:
-  std::vector<scene::EasedTrack> tracks_;  // in the order of timelineThings(); empty: everything is always there
+  std::vector<scene::EasedTrack> tracks_;  // in the order of timelineThings(); empty: everything is always shown
 };
 
-/// Ends of a draw list and of its labels before a thing is added.
+/// Sizes of a draw list and of its labels at one moment. Objects that are added later can then be drawn partly.
 class DrawMark {
  public:
   DrawMark(const draw::DrawList& list, const std::vector<Label>& labels);
 
-  /// Makes everything added since the mark look partly drawn. Solids and arrows grow out of `pivot_V`. Lines and
-  /// tubes are drawn along their length, one after another in the order of adding. Glass, grids and type fade in.
+  /// Makes everything that was added since the mark look partly drawn. Solids and arrows grow out of `pivot_V`.
+  /// Lines and tubes are drawn along their length, one after another in the order of adding. Glass, grids and text
+  /// fade in.
   /// @param presence  progress of the drawing, in (0, 1)
   void fade(draw::DrawList& list, std::vector<Label>& labels, const Eigen::Vector3d& pivot_V,
             double presence) const;

@@ -13,12 +13,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Lengths of axes: a share of the ellipsoid's semi-axes, or a multiple of the body's reach plus kClear picture
-// lengths.
+// Lengths of axes: kInEllipsoid times the semi-axes of the ellipsoid. Without an ellipsoid: kBeyondBody times the
+// reach of the body, plus kClear picture lengths.
 constexpr double kInEllipsoid = 0.88, kBeyondBody = 1.3, kClear = 0.12;
-// Smallest reach, as a share of half the body's longest extent, for an axis that leads away from the body.
+// Smallest reach from which the length of an axis is computed, as a fraction of half the body's longest extent.
+// Used for an axis that points away from the body.
 constexpr double kLeast = 0.3;
-// Share of an axis that is framed: labels keep themselves inside, and few axes point outwards.
+// Fraction of an axis that must be inside the picture. The full length is not needed, because labels stay inside
+// the picture by themselves and few axes point outwards.
 constexpr double kFramed = 0.8;
 constexpr double kAxisNameSize = 0.85;
 constexpr std::array kAxisNames{scene::LabelName::kE1, scene::LabelName::kE2, scene::LabelName::kE3};
@@ -71,7 +73,7 @@ float PrincipalAxesFigure::seenPast(const PictureState& state, const Vector3d& p
   return static_cast<float>(glm::smoothstep(0.95, 1.25, nearest));
 }
 
-// The same rules hold for the body (body_actor.cpp).
+// Follows the same rules as BodyActor::outermostPoints().
 std::vector<Vector3d> PrincipalAxesFigure::outermostPoints(const PictureState& state) const {
   if (insideEllipsoid_ || inBall_) return {};
   const Eigen::Matrix3d tips = state.R_VP * lengths_.asDiagonal();

@@ -18,7 +18,8 @@ class PrincipalAxesFigure final : public Actor {
   double ballRadius() const override;
 
  private:
-  /// Returns how visible a point is past the body: 0 behind it or inside, 1 clear of it, smooth between.
+  /// Returns the visibility of a point: 0 if the point is inside or behind the body, 1 if it is clear of the body,
+  /// with a smooth transition.
   float seenPast(const PictureState& state, const Eigen::Vector3d& point_V, const draw::Camera& camera) const;
 
   Eigen::Vector3d lengths_;
@@ -27,8 +28,8 @@ class PrincipalAxesFigure final : public Actor {
   bool insideEllipsoid_, inBall_;
 };
 
-/// Returns the drawn lengths of the principal axes, from the fixed point to inside the ellipsoid or beyond the
-/// body.
+/// Returns the drawn lengths of the principal axes. If the ellipsoid is shown, the axes end inside it. Otherwise
+/// they end beyond the body.
 Eigen::Vector3d principalAxisLengths(const scene::Scene& scene, const BodyFigure& body, const Scales& scales,
                                      const Construction* construction);
 

@@ -12,10 +12,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kHeight = 0.34, kFoot = 0.18;  // height and foot of the pedestal, in radii of the body
+constexpr double kHeight = 0.34, kFoot = 0.18;  // height and foot radius of the pedestal, in radii of the body
 constexpr double kTip = 0.022, kJoint = 0.032, kStandRod = 0.012;  // radii in picture lengths
 constexpr int kFootRimPoints = 12;
-constexpr double kMayDip = 0.01;  // depth below the tip, in radii of the body: a drawn apex is not exact
+constexpr double kMayDip = 0.01;  // tolerated depth below the tip, in radii of the body; a drawn apex is inexact
 
 /// Returns the lowest inertial height that the body reaches in the film, relative to the pivot.
 double lowestPoint_W(const PictureMotion& motion, const BodyFigure& body, double scale) {
@@ -28,9 +28,9 @@ double lowestPoint_W(const PictureMotion& motion, const BodyFigure& body, double
   return lowest;
 }
 
-// Returns true if the body never touches the pedestal, a cone below its tip. Consider the plane through the tip
-// and across the line to the centre of mass. Up to some tilt of that line the cone lies on one side of the plane,
-// so a body on the other side does not touch it.
+// Returns true if the body never touches the pedestal, a cone below the pivot. The body must lie above the plane
+// through the pivot that is perpendicular to the line from the pivot to the centre of mass. The pedestal lies
+// below this plane unless the line is tilted too far.
 bool leavesRoomBelow(const PictureMotion& motion, const BodyFigure& body, const Vector3d& toCentre_B) {
   const Vector3d away_B = toCentre_B.normalized();
   if (-away_B.dot(body.supportPoint(-away_B)) > kMayDip * body.radius()) return false;

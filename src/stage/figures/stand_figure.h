@@ -10,11 +10,12 @@
 
 namespace poinsot::stage {
 
-/// Stand of a body that turns about a point other than its centre of mass: a pedestal under the pivot if the body
-/// stays above it all the time, otherwise a joint. A thin rod is added if the body does not reach the pivot.
+/// Stand of a body that rotates about a point other than its centre of mass. The stand is a pedestal under the
+/// pivot if the body always stays above the pedestal, otherwise a joint. A thin rod is added if the body does not
+/// reach the pivot.
 class StandFigure {
  public:
-  /// @param scale  picture lengths per metre of the body
+  /// @param scale  scale of the body, in picture lengths per metre
   StandFigure(const scene::Scene& scene, const PictureMotion& motion, const BodyFigure& body, double scale);
 
   void add(draw::DrawList& list, const PictureState& state, const Palette& colors) const;
@@ -27,10 +28,10 @@ class StandFigure {
   std::vector<Eigen::Vector3d> outer_B_;  // outermost points of the body, in picture lengths
   bool hasPedestal_ = false;
   double bodyRadius_;
-  Eigen::Vector3d toCentre_B_;  // from the pivot to the centre of mass, in picture lengths; zero: no rod
+  Eigen::Vector3d toCentre_B_;  // vector from the pivot to the centre of mass, in picture lengths; zero: no rod
 };
 
-/// Returns true if the body turns about a point other than its centre of mass.
+/// Returns true if the body rotates about a point other than its centre of mass.
 bool standsOnPivot(const scene::Scene& scene);
 
 }  // namespace poinsot::stage

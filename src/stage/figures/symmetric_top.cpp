@@ -13,12 +13,11 @@ physics::PrecessionCones precessionOf(const PictureMotion& motion, const char* k
   const auto refuse = [key](const char* why) {
     return core::Error(core::ErrorKind::kScene, fmt::format("{}: {}", key, why));
   };
-  if (!motion.isFree())
-    throw refuse("a steady precession exists only where nothing acts on the body; leave it out");
+  if (!motion.isFree()) throw refuse("a steady precession exists only if nothing acts on the body; leave it out");
   const auto cones = physics::precessionCones(motion.moments(), motion.liveliest().omega_P);
   if (!cones)
     throw refuse(
-        "only a symmetric top in rotation precesses steadily: give two equal principal moments, or leave it out");
+        "only a rotating symmetric top precesses steadily: give two equal principal moments, or leave it out");
   return *cones;
 }
 

@@ -7,12 +7,12 @@
 namespace poinsot::stage {
 
 /// Returns the steady precession of the picture's motion.
-/// @param key  scene key that the message names
+/// @param key  scene key to name in the error message
 /// @throws core::Error(kScene) unless the motion is that of a free symmetric top.
 physics::PrecessionCones precessionOf(const PictureMotion& motion, const char* key);
 
-/// Returns the principal axis that theta is measured from, on the side of the spin: the symmetry axis of a
-/// symmetric body, otherwise the axis with the largest component of omega at the start.
+/// Returns the axis k of the body, from which theta is measured, on the side of the spin. For a symmetric body, k
+/// is the symmetry axis. Otherwise k is the principal axis with the largest component of omega at the start.
 Eigen::Vector3d mainAxis_P(const PictureMotion& motion);
 
 }  // namespace poinsot::stage

@@ -13,13 +13,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSphereReach = 1.1;  // radius of the sphere, in radii of the ball that holds the body
+constexpr double kSphereReach = 1.1;  // radius of the sphere, as a multiple of Scales::reach
 constexpr double kStep_rad = 0.015;   // angle between samples of the point on its sphere
 constexpr int kMostTracePoints = 8000;
 constexpr double kPaleTrace = 0.4;
 constexpr double kOverPath = 0.004;  // lifts the travelled part over the part to come
 
-// Returns the end of the body along the principal axis on which the body reaches farthest.
+// Returns the end of the body on a principal axis. The chosen axis is the one along which the body reaches
+// farthest.
 Vector3d endOfBody_B(const Setting& setting) {
   const Vector3d& ahead = setting.body.reachAlongAxes();
   const Vector3d behind = 2 * setting.body.halfExtents() - ahead;
@@ -36,7 +37,8 @@ Vector3d tracedPoint_B(const Setting& setting) {
   return trace.scale * kSphereReach * setting.scales.reach * setting.motion.axes().toB(mainAxis_P(setting.motion));
 }
 
-// Returns the played time in which the point, where fastest, moves by a small angle.
+// Returns the time step between samples of the path, in played time. In a step, the point moves by at most
+// kStep_rad.
 double stepOf(const PictureMotion& motion, const Vector3d& point_B) {
   const Vector3d direction_P = motion.axes().toP(point_B.normalized());
   double fastest = 0;

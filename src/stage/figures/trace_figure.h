@@ -5,9 +5,9 @@
 
 namespace poinsot::stage {
 
-/// Actor for the path of a body point on a sphere about the fixed point, for example the loops of a heavy top's
-/// nutation. If the body moves through the view, the path lies in space and has no sphere. The travelled part is
-/// strong, the part to come faint.
+/// Actor for the path of a body point on a sphere about the fixed point, such as the loops of a heavy top's
+/// nutation. If the body moves through the view, the path is drawn in space without a sphere. The travelled part
+/// is strong, and the part to come is faint.
 class TraceFigure final : public Actor {
  public:
   explicit TraceFigure(const Setting& setting);
@@ -26,7 +26,7 @@ class TraceFigure final : public Actor {
                const draw::Color& color, double width, double lift) const;
 
   const PictureMotion& motion_;
-  Eigen::Vector3d point_B_;  // traced point from the fixed point, in picture lengths
+  Eigen::Vector3d point_B_;  // vector from the fixed point to the traced point, in picture lengths
   double flightScale_, opacity_;
   bool future_;
   double step_s_;

@@ -14,17 +14,17 @@ using Eigen::Vector3d;
 constexpr double kVectorRadius = 0.019;
 constexpr double kNameSize = 1.15;
 constexpr double kLongestTorque = 0.9;
-constexpr double kAlongShaft = 0.62;  // place along the shaft where omega's name stands
-constexpr double kFarRight = 0.9;     // omega's name changes to the right this far right of L, in type sizes
-constexpr double kFading = 0.5;       // width of the fade of omega's name around kFarRight, in type sizes
+constexpr double kAlongShaft = 0.62;  // position of omega's label along the shaft
+constexpr double kFarRight = 0.9;     // distance right of L at which omega's label changes sides, in text sizes
+constexpr double kFading = 0.5;       // distance from kFarRight within which omega's label fades, in text sizes
 
 float headRadius_px(const Canvas& canvas, const Vector3d& tip_V) {
   const draw::Camera& camera = canvas.list.camera;
   return static_cast<float>(headRadius(kVectorRadius)) * camera.scale_px(depthOf(camera, toPicture(tip_V)));
 }
 
-/// Returns the direction of a label at an arrow's tip: right of an upright arrow, square to a slanting one. A
-/// label of a horizontal arrow lies beyond the tip, where it changes sides.
+/// Returns the direction from an arrow's tip to its label. The label is to the right of an upright arrow, and
+/// perpendicular to a slanting arrow. The label of a horizontal arrow is beyond the tip, where it changes sides.
 glm::vec2 besideTip(glm::vec2 along) {
   const float upright = std::clamp(along.y / 0.3f, -1.0f, 1.0f);
   const glm::vec2 square(std::abs(along.y), -along.x * upright);
@@ -57,10 +57,11 @@ void AngularVelocityFigure::add(const Canvas& canvas, double /*filmTime_s*/, con
   addName(canvas, scale_ * state.omega_V);
 }
 
-// In the construction, the name stands left of the shaft, or of L if L is farther left. If the shaft is well to
-// the right of L, the name stands right of the shaft, or it would be read as L's name. The name fades while it
-// changes sides. Otherwise the name stands over the tip and leans outwards, so that it glides from side to side as
-// the tip goes round.
+// In the construction, the label is to the left of the shaft, or to the left of L if L is farther left. If the
+// shaft is far to the right of L, the label is to the right of the shaft, because it could be mistaken for the
+// label of L. The label fades while it changes sides.
+// Without the construction, the label is above the tip and leans outwards. It therefore moves smoothly from side
+// to side while the tip rotates.
 void AngularVelocityFigure::addName(const Canvas& canvas, const Vector3d& tip_V) const {
   using enum scene::LabelName;
   const glm::vec2 centre = canvas.at_px(Vector3d::Zero());

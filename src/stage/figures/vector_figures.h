@@ -27,11 +27,11 @@ class AngularVelocityFigure final : public Actor {
   void addName(const Canvas& canvas, const Eigen::Vector3d& tip_V) const;
 
   double scale_;
-  bool inConstruction_;  // the tip is a point of the ellipsoid and the plane
+  bool inConstruction_;  // true if the plane or the ellipsoid is shown
 };
 
-/// Actor for the torque on the body, an arrow with its name, whose length relates to the film's largest torque. A
-/// torque of zero is not drawn.
+/// Actor for the torque on the body, drawn as an arrow with a label. The length is relative to the largest torque
+/// in the film. A torque of zero is not drawn.
 class TorqueFigure final : public Actor {
  public:
   explicit TorqueFigure(const Setting& setting);

@@ -7,10 +7,11 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr double kRangeRoom = 0.03;  // room beyond the ends of the range, as a share of the range
-constexpr double kFromZero = 0.3;    // share of the high end; a nearer low end is moved to zero
+constexpr double kRangeRoom = 0.03;  // room beyond each end of the range, as a fraction of the range's length
+constexpr double kFromZero = 0.3;    // a low end below this fraction of the high end is moved to zero
 constexpr int kMostTicks = 7;
-// Shortest length of a time axis, as a share of its times, that doubles and ticks resolve.
+// Shortest length of a time axis, as a fraction of its times. On a shorter axis, doubles could not distinguish the
+// ticks.
 constexpr double kTold = 0x1p-40;
 
 struct Span {
@@ -18,7 +19,7 @@ struct Span {
 };
 
 Span constantSpan(double value, double size) {
-  if (std::abs(value) < 0.5 * size) return {-size, size};  // zero except for rounding
+  if (std::abs(value) < 0.5 * size) return {-size, size};  // zero up to rounding errors
   return value > 0 ? Span{0, 1.25 * value} : Span{1.25 * value, 0};
 }
 
@@ -58,7 +59,8 @@ PlotAxis givenAxis(scene::QuantityUnit unit, const QuantityRange& range, const s
 
 PlotAxis timeAxis(double from_s, double to_s, const std::string& tex) {
   auto [low_s, high_s] = std::minmax({from_s, to_s});
-  // The motion stands still, or its times are so large that doubles hardly distinguish them.
+  // The axis would be too short: the motion time does not advance, or it is so large that doubles hardly resolve
+  // it.
   const double told_s = std::abs(low_s) * kTold;
   if (high_s - low_s <= told_s) high_s = low_s + std::max(1.0, told_s);
   PlotAxis axis;

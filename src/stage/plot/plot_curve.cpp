@@ -39,12 +39,12 @@ void addColumn(std::vector<PlotPoint>& kept, std::span<const PlotPoint> column) 
   for (auto pick = std::begin(picks); pick != end; ++pick) kept.push_back(column[static_cast<std::size_t>(*pick)]);
 }
 
-// Number of points in a run. Curves are simplified in runs, because a long curve that returns to its start again
-// and again would take quadratic time.
+// Number of points in a run. Curves are simplified run by run, because a long curve that returns to its start
+// again and again would take quadratic time.
 constexpr std::size_t kRun = 512;
 
-/// Adds the points of a run that are kept. The first point of a later run is left out, because it is the last
-/// point of the run before.
+/// Adds the points of a run that remain after simplification. The first point of a run is the last point of the
+/// previous run, so it is added only once.
 void addRun(std::vector<PlotPoint>& kept, std::span<const PlotPoint> run, double tolerance) {
   std::vector<bool> keep(run.size(), false);
   keep.front() = kept.empty();

@@ -7,8 +7,8 @@
 
 namespace poinsot::stage {
 
-/// Sample of a curve: its film time, and its place in shares of the axes' lengths from their crossing. The place
-/// is not finite if the quantity does not exist.
+/// Sample of a curve. x and y are fractions of the axes' lengths, from the point where the axes meet. x or y is
+/// not finite if the quantity is undefined at this time.
 struct PlotPoint {
   double filmTime_s = 0;
   double x = 0, y = 0;
@@ -18,18 +18,19 @@ using PlotPath = std::vector<std::vector<PlotPoint>>;
 
 PlotPath finiteStretches(std::span<const PlotPoint> points);
 
-/// Returns, of the points in each of `columns` equal columns, the first, the lowest, the highest and the last, in
-/// their order. A band of fast oscillations thus keeps its full height. @pre x runs one way.
+/// Returns at most four points of a curve for each of `columns` columns of equal width: the first, lowest, highest
+/// and last point, in the order of the curve. A band of fast oscillations therefore keeps its full height.
+/// @pre x only increases or only decreases.
 std::vector<PlotPoint> perColumn(std::span<const PlotPoint> points, int columns);
 
-/// Returns the curve without the points that lie within `tolerance` of the remaining lines (Douglas and Peucker
+/// Returns the curve without the points that are within `tolerance` of the simplified curve (Douglas and Peucker
 /// 1973).
 std::vector<PlotPoint> simplified(std::span<const PlotPoint> points, double tolerance);
 
-/// Returns the parts of the curve at 0 <= y <= 1.
+/// Returns the parts of the curve with 0 <= y <= 1.
 PlotPath insideBand(std::span<const PlotPoint> points);
 
-/// Return the part up to a film time, or from that time on. Both contain `cursor`, the point at that time.
+/// Return the part of a curve before or after the film time of `cursor`. Both parts contain `cursor`.
 std::vector<PlotPoint> before(std::span<const PlotPoint> points, const PlotPoint& cursor);
 std::vector<PlotPoint> after(std::span<const PlotPoint> points, const PlotPoint& cursor);
 

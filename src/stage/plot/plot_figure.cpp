@@ -16,20 +16,21 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr double kType = 0.027;                 // size of the type, as a share of Sizing::type_px
-constexpr double kCurve = 1.25, kCursor = 0.6;  // line widths, in ordinary lines
+constexpr double kType = 0.027;                 // size of the text, as a fraction of Sizing::type_px
+constexpr double kCurve = 1.25, kCursor = 0.6;  // line widths, as multiples of an ordinary line
 constexpr double kCurveDot = 0.2;               // radius of the cursor's dot, in em
-constexpr float kFaint = 0.62f;                 // mix towards the paper, for the part still to come
-// In shares of the axes' lengths. The first is a twentieth of a pixel in a plot of 2000 pixels.
+constexpr float kFaint = 0.62f;                 // mix towards the paper, for the future part of a curve
+// Tolerances for simplified(), as fractions of the axes' lengths. In a plot of 2000 pixels, kTolerance is a
+// twentieth of a pixel.
 constexpr double kTolerance = 2.5e-5, kWidestTolerance = 5e-4;
-constexpr int kColumns = 4096;               // a picture has at most twice as many columns of pixels
-constexpr std::size_t kMostPoints = 20'000;  // points of one curve, so that a film of an hour is drawn in time
+constexpr int kColumns = 4096;  // columns of perColumn(); half as many as pixels in the widest picture
+constexpr std::size_t kMostPoints = 20'000;  // largest number of points of a curve; limits the drawing time
 constexpr std::size_t kPointsPerPixel = 4;
-constexpr double kLeastArea = 0.4;  // share of the panel's width and height for curves; type shrinks to leave it
-constexpr double kSmallestArea = 0.25;  // kLeastArea for type that is already smaller than it should be on paper
+constexpr double kLeastArea = 0.4;      // smallest fraction of the panel's width and height for curves
+constexpr double kSmallestArea = 0.25;  // kLeastArea if the text is not larger than Sizing::least_px
 
-// Limits the number of points. A curve with too many points even at the widest tolerance goes round and round, so
-// its first rounds show it all.
+// Limits the number of points. A curve that has too many points even at the widest tolerance repeats similar
+// loops, so its beginning already shows the complete curve.
 std::vector<PlotPoint> bounded(const std::vector<PlotPoint>& points) {
   std::vector<PlotPoint> kept = simplified(points, kTolerance);
   if (kept.size() > kMostPoints) kept = simplified(points, kWidestTolerance);
@@ -112,7 +113,7 @@ struct PlotFigure::Plan {
     frame.equalScales = x.unit == unit && frame.x.unit.perSi == frame.y.unit.perSi && ofLikeLength();
   }
 
-  /// Returns false if one scale for both axes would make the plot a sliver.
+  /// Returns false if the same scale for both axes would make the plot very narrow or very flat.
   bool ofLikeLength() const {
     const double ratio = (frame.x.high - frame.x.low) / (frame.y.high - frame.y.low);
     return ratio > 0.3 && ratio < 4;
@@ -197,7 +198,7 @@ void PlotFigure::Plan::addPath(draw::Picture& picture, const std::vector<PlotPoi
 
 void PlotFigure::Plan::addCurves(draw::Picture& picture, const PixelBox& area, double filmTime_s,
                                  const PlotPen& pen) const {
-  // A film that repeats has travelled the whole curve before it begins.
+  // In a film that repeats, the complete curve counts as travelled.
   const double travelled_s = repeats ? track.duration_s() : filmTime_s;
   std::vector<PlotPoint> at;
   for (std::size_t i = 0; i < curves.size(); ++i) at.push_back(cursor(i, travelled_s));
@@ -210,7 +211,7 @@ void PlotFigure::Plan::addCurves(draw::Picture& picture, const PixelBox& area, d
 
 void PlotFigure::Plan::addCursor(draw::Picture& picture, const PixelBox& area, double filmTime_s,
                                  const PlotPen& pen) const {
-  // The dot is a ring whose width closes its hole, because only strokes lie over strokes.
+  // The dot is a circular stroke that is thick enough to have no hole, because only strokes can lie over strokes.
   constexpr int kCorners = 24;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const PlotPoint p = cursor(i, filmTime_s);
@@ -229,7 +230,7 @@ void PlotFigure::Plan::addCursor(draw::Picture& picture, const PixelBox& area, d
   }
 }
 
-// Adds both values of a phase portrait, at the right above the curves.
+// Writes the current values of both quantities of a phase portrait at the right, above the curves.
 void PlotFigure::Plan::addPair(draw::Picture& picture, const PixelBox& panel, const PixelBox& area,
                                double filmTime_s, const PlotPen& pen) const {
   const double em = pen.em_px, baseline = labelRow(area, pen);

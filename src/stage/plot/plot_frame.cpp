@@ -9,15 +9,15 @@
 namespace poinsot::stage {
 namespace {
 
-// Lengths in em of the plot's type, unless stated otherwise.
+// Lengths in em of the plot's text, unless stated otherwise.
 constexpr double kDigit = 0.67;
 constexpr double kTick = 0.28, kTickGap = 0.35;  // length of a tick; gap between axis and number
 constexpr double kLabelRise = 0.95, kLabelAscent = 0.8;
 constexpr double kTitleSize = 1.1, kTitleRow = 1.6;
-constexpr double kTickRow = 1.15, kLabelRow = 2.45, kBelowLabels = 0.3;  // baselines under the x axis
+constexpr double kTickRow = 1.15, kLabelRow = 2.45, kBelowLabels = 0.3;  // distances of rows below the x axis
 constexpr double kLabelsApart = 0.8;                                     // gap between numbers at the x axis
 constexpr double kRowApart = 1.7;                                        // distance of baselines at the y axis
-constexpr double kAxisLine = 0.6, kZeroLine = 0.45;                      // line widths, in ordinary lines
+constexpr double kAxisLine = 0.6, kZeroLine = 0.45;  // line widths, as multiples of an ordinary line
 
 std::string tickTex(const Ticks& ticks, std::int64_t i, const PlotPen& pen) {
   return numberTex(tickDigits(ticks, i), pen.decimalSign);
@@ -38,7 +38,7 @@ void addStroke(draw::Picture& picture, glm::dvec2 from, glm::dvec2 to, double wi
   picture.strokes.push_back(std::move(stroke));
 }
 
-/// Shrinks the longer side so that both axes have one scale. Spare width is left at both sides.
+/// Shrinks an area in one direction, so that both axes have the same scale. Spare width is left at both sides.
 PixelBox withEqualScales(PixelBox area, const PlotFrame& frame) {
   const double x = frame.x.high - frame.x.low, y = frame.y.high - frame.y.low;
   const double scale = std::min(area.width() / x, area.height() / y);

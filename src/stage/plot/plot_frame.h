@@ -11,7 +11,7 @@
 /// Static parts of a plot: axes, ticks, their labels, the title.
 namespace poinsot::stage {
 
-/// Room between a panel's edges and its contents, in em of the plot's type.
+/// Room between a panel's edges and its contents, in em of the plot's text.
 inline constexpr double kPlotEdge = 0.9;
 
 struct PlotPen {
@@ -23,7 +23,8 @@ struct PlotPen {
 
 enum class Align { kLeft, kCentre, kRight };
 
-/// Adds one line of type at `x`, `baseline`, px. Returns its width in px.
+/// Adds one line of text. Returns its width in px.
+/// @param x  left end, middle or right end of the line, depending on `align`, px
 double addLine(draw::Picture& picture, const std::string& tex, double x, double baseline, Align align,
                double em_px, const draw::Color& color);
 
@@ -36,18 +37,19 @@ struct PlotFrame {
 };
 
 /// Returns the area for curves inside a panel.
-/// @param rightRoom_px  room at the right for what is written beside the curves; at least half a label of the x
-/// axis is left
+/// @param rightRoom_px  room at the right for values beside the curves; at least half the width of an x label is
+/// kept
 PixelBox curveArea(const PixelBox& panel, const PlotFrame& frame, double rightRoom_px, const PlotPen& pen);
 
-/// Returns the frame with so few ticks that their labels stay apart.
+/// Returns the frame with fewer ticks if the labels of its ticks would overlap.
 PlotFrame fitted(const PlotFrame& frame, const PixelBox& area, const PlotPen& pen);
 
+/// Draws the axes with their ticks and labels, and the title.
 /// @pre `frame` is fitted to `area`.
 void addFrame(draw::Picture& picture, const PixelBox& panel, const PixelBox& area, const PlotFrame& frame,
               const PlotPen& pen);
 
-/// Return the left end and the baseline of the y axis's label, which stands over the axis's numbers; px.
+/// Return the left end and the baseline of the y axis's label, px. The label is above the numbers of the axis.
 double labelLeft(const PixelBox& area, const PlotFrame& frame, const PlotPen& pen);
 double labelRow(const PixelBox& area, const PlotPen& pen);
 

@@ -11,7 +11,8 @@
 namespace poinsot::stage {
 namespace {
 
-// Share of a step. An end that rounding moves this far from a tick counts as on the tick.
+// Tolerance for rounding, as a fraction of a step. An end of the range that is this near to a tick counts as on
+// the tick.
 constexpr double kOnTick = 1e-9;
 
 Ticks covering(double low, double high, Ticks ticks) {
@@ -35,7 +36,7 @@ Ticks coarser(Ticks ticks) {
 template <class Placed>
 Ticks finest(double low, double high, int most, Placed placed) {
   POINSOT_EXPECT(low < high && std::isfinite(low) && std::isfinite(high));
-  // A step of a hundredth of the length is too fine for every `most`.
+  // The first step is at most a hundredth of the length, which gives too many ticks for every `most`.
   Ticks ticks{.digit = 1, .power = static_cast<int>(std::floor(std::log10(high - low))) - 2};
   while (placed(low, high, ticks).count() > most) ticks = coarser(ticks);
   return placed(low, high, ticks);
@@ -47,7 +48,7 @@ double Ticks::step() const { return at(1); }
 
 double Ticks::at(std::int64_t multiple) const {
   const auto whole = static_cast<double>(multiple * digit);
-  // Division by a power of ten rounds once: 3 tenths give the double nearest to 0.3.
+  // Division by a power of ten rounds only once, so 3 tenths give the double nearest to 0.3.
   return power < 0 ? whole / std::pow(10.0, -power) : whole * std::pow(10.0, power);
 }
 

@@ -7,10 +7,10 @@
 namespace poinsot::stage {
 namespace {
 
-// Mixes towards ink and towards paper, in linear light. Beyond them, the hue or the contrast of type would be
-// lost. On dark paper a visible step takes away more light.
+// Largest fractions of ink and of paper in a tone, mixed in linear light. Larger fractions would lose the hue, or
+// the contrast that text needs. On dark paper, a visible step needs a larger fraction.
 constexpr float kToInk = 0.75f, kToLightPaper = 0.16f, kToDarkPaper = 0.42f;
-constexpr float kLeastContrast = 4.5f;  // smallest contrast of type; colours with less are not made fainter
+constexpr float kLeastContrast = 4.5f;  // smallest contrast of text
 
 float luminance(const draw::Color& c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; }
 
@@ -22,8 +22,8 @@ float shareOfPaper(const draw::Color& color, const draw::Color& paper) {
   return std::clamp((here - faintest) / (here - there), kToLightPaper, kToDarkPaper);
 }
 
-/// Returns a tone of a colour: `place` is 0 for the strongest and 1 for the faintest. Nothing is stronger than
-/// ink.
+/// Returns a tone of a colour. Ink has no stronger tone than itself.
+/// @param place  0 for the strongest tone, 1 for the faintest
 draw::Color tone(const Palette& colors, const draw::Color& color, float place) {
   const float share = shareOfPaper(color, colors.paper);
   if (color == colors.ink) return glm::mix(color, colors.paper, share * place);

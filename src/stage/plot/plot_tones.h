@@ -10,8 +10,8 @@ namespace poinsot::stage {
 
 draw::Color familyColor(const Palette& colors, scene::QuantityFamily family);
 
-/// Returns one colour for each of a plot's quantities: its family's colour, or tones of it from dark to light if
-/// the plot has several quantities of the family.
+/// Returns a colour for each quantity of a plot: the colour of the quantity's family. If several quantities belong
+/// to one family, they get tones of its colour, from dark to light.
 std::vector<draw::Color> quantityColors(const Palette& colors, const std::vector<int>& quantities);
 
 }  // namespace poinsot::stage

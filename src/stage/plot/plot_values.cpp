@@ -7,11 +7,11 @@
 namespace poinsot::stage {
 namespace {
 
-// Lengths in em of the plot's type.
+// Lengths in em of the plot's text.
 constexpr double kGap = 0.7;     // gap between curve and name
 constexpr double kEquals = 0.3;  // gap between "=" and value
 constexpr double kRow = 1.3;     // distance of baselines
-constexpr double kMiddle = 0.3;  // middle of a letter, over its baseline
+constexpr double kMiddle = 0.3;  // height of a letter's middle above its baseline
 
 std::string nameTex(const PlotValue& value) { return "$" + value.tex + "\\,=$"; }
 
@@ -60,7 +60,8 @@ void addValues(draw::Picture& picture, const PixelBox& panel, const PixelBox& ar
   std::vector<double> wanted;
   for (const PlotValue& value : values)
     wanted.push_back(area.y(std::clamp(value.endShare, 0.0, 1.0)) + kMiddle * em);
-  // Values stay beside the axis as far as there is room, because below it they would touch its last number.
+  // Values stay beside the y axis if there is room. Values below the axis would touch the last number of the x
+  // axis.
   const double first = panel.top + em, rows = static_cast<double>(values.size() - 1) * kRow * em;
   const double last = std::min(std::max(area.bottom + kMiddle * em, first + rows), panel.bottom - 0.5 * em);
   const std::vector<double> baselines = spread(wanted, kRow * em, first, last);

@@ -9,14 +9,14 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr double kSize = 0.037;  // size, as a share of the type height: between a title and a subtitle
-constexpr double kRoom = 0.88;   // width for captions, as a share of the picture's width
-constexpr double kBelow = 0.03;  // share of the type height: free under the lines
-constexpr double kAbove = 0.01;  // share of the type height: free over the lines
+constexpr double kSize = 0.037;  // text size as a fraction of Sizing::type_px, between title and subtitle
+constexpr double kRoom = 0.88;   // largest width of a caption, as a fraction of the picture's width
+constexpr double kBelow = 0.03;  // free room below the lines, as a fraction of Sizing::type_px
+constexpr double kAbove = 0.01;  // free room above the lines, as a fraction of Sizing::type_px
 constexpr double kCapHeight = 0.7, kDescent = 0.2, kLeading = 0.28;
-constexpr double kIn_s = 0.5, kOut_s = 0.3;  // one caption goes before the next comes: two at once are illegible
+constexpr double kIn_s = 0.5, kOut_s = 0.3;  // times to fade in and out; a caption is gone before the next comes
 
-/// Returns the places where a line may be broken: spaces outside formulas and braces.
+/// Returns the positions at which a line may be broken: spaces outside formulas and braces.
 std::vector<std::size_t> breaksIn(const std::string& tex) {
   std::vector<std::size_t> places;
   int depth = 0;
@@ -97,7 +97,7 @@ void CaptionStrip::add(draw::Picture& picture, const Moment& moment, const Sizin
   const std::vector<Line> lines = linesOf(*entry, room_px / wanted_px);
   double widest = 0;
   for (const Line& line : lines) widest = std::max(widest, line.width_em);
-  const double em_px = std::min(wanted_px, room_px / widest);  // text too long for two lines is smaller
+  const double em_px = std::min(wanted_px, room_px / widest);  // smaller if the text is too long for two lines
   double y = picture.size_px.y - height_px(picture.size_px, sizing) + kAbove * sizing.type_px;
   for (const Line& line : lines) {
     y += em_px * line.top_em;

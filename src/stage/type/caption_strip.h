@@ -14,8 +14,8 @@
 
 namespace poinsot::stage {
 
-/// Captions of a film, centred in a strip at the bottom of the picture. The strip stays free all the time, so that
-/// nothing moves when captions come and go. A caption that is too long for one line takes two.
+/// Captions of a film, centred in a strip at the bottom of the picture. The strip is reserved for the complete
+/// film, so that nothing moves when captions come and go. A caption that is too long for one line takes two lines.
 class CaptionStrip {
  public:
   /// @param duration_s  duration of the film; a caption that lasts to the end does not fade out
@@ -28,7 +28,7 @@ class CaptionStrip {
  private:
   struct Line {
     std::string tex;
-    double width_em = 0, top_em = 0, bottom_em = 0;  // width; height of the ink over and under the baseline
+    double width_em = 0, top_em = 0, bottom_em = 0;  // width; height of the ink above and below the baseline
   };
   struct Entry {
     scene::Caption caption;

@@ -13,12 +13,13 @@ namespace poinsot::stage {
 
 namespace {
 
-constexpr int kRounds = 24;             // rounds of pushing labels apart; four labels settle in five rounds
-constexpr float kSpaceToShaft = 0.08f;  // gap to an arrow's shaft, as a share of the type size
-// Shares of the type size. Names that stand closer side by side read as a product.
+constexpr int kRounds = 24;             // largest number of rounds of pushing labels apart; four labels need five
+constexpr float kSpaceToShaft = 0.08f;  // gap to an arrow's shaft, as a fraction of the text size
+// Gaps between labels, across and down, as fractions of the text size. Two names with a smaller gap look like a
+// product.
 constexpr glm::vec2 kApart{0.6f, 0.3f};
-constexpr float kBorder = 0.012f;  // free border, as a share of the picture's shorter side
-constexpr float kHalo = 0.085f;    // width of the halo, as a share of the type size
+constexpr float kBorder = 0.012f;  // free border, as a fraction of the picture's shorter side
+constexpr float kHalo = 0.085f;    // width of the halo, as a fraction of the text size
 
 struct Placed {
   glm::vec2 centre_px;
@@ -35,13 +36,14 @@ Placed place(const Label& label) {
   placed.half_px = 0.5f * glm::vec2(em(run.inkRight_em - run.inkLeft_em), em(run.inkTop_em - run.inkBottom_em));
   placed.inkOffset_px =
       0.5f * glm::vec2(em(run.inkLeft_em + run.inkRight_em), -em(run.inkTop_em + run.inkBottom_em));
-  // The ink's box touches the circle of radius gap around the anchor from outside, in the preferred direction.
+  // Places the box of the ink in the preferred direction, so that it touches the circle of radius gap_px around
+  // the anchor.
   const glm::vec2 d = atMostUnit(label.direction);
   placed.centre_px = label.anchor_px + d * label.gap_px + d * glm::abs(placed.half_px);
   return placed;
 }
 
-// Pushes two overlapping boxes apart along the axis of least overlap, by `share` of the way.
+// Pushes two overlapping boxes apart along the axis of least overlap, by the fraction `share` of the overlap.
 void separate(Placed& a, Placed& b, glm::vec2 space_px, float share) {
   const glm::vec2 between = b.centre_px - a.centre_px;
   const glm::vec2 overlap = a.half_px + b.half_px + space_px - glm::abs(between);
@@ -52,8 +54,9 @@ void separate(Placed& a, Placed& b, glm::vec2 space_px, float share) {
   b.centre_px[axis] += push;
 }
 
-// Called once, from the preferred place, because a repeated push grows to a jump where a shaft passes. Several
-// shafts side by side push at most twice as far as one, so that a label stays near its own shaft.
+// Moves a label off obstacles. Called only once, from the preferred position, because repeated pushes would grow
+// to a jump when a shaft passes. Several shafts push at most twice as far as one shaft, so that a label stays near
+// its own.
 void moveOff(const std::vector<LabelObstacle>& obstacles, float space_px, Placed& p) {
   glm::vec2 sum(0);
   float longest_px = 0;
@@ -66,8 +69,8 @@ void moveOff(const std::vector<LabelObstacle>& obstacles, float space_px, Placed
   p.centre_px += length_px > most_px ? most_px / length_px * sum : sum;
 }
 
-// Moves a label out of a box, across the nearest of the sides that face the picture's middle. If the box lies over
-// the middle, across the nearest of all sides.
+// Moves a label out of a box, through the nearest side that faces the picture's middle. If the box contains the
+// picture's middle, the label moves through the nearest of all sides.
 void giveWay(Placed& p, const PixelBox& box, glm::vec2 size_px, float space_px) {
   const glm::vec2 low(box.left, box.top), high(box.right, box.bottom), middle = 0.5f * (low + high);
   const glm::vec2 reach = 0.5f * (high - low) + p.half_px + glm::vec2(space_px);
@@ -87,7 +90,7 @@ void keepInside(Placed& p, glm::vec2 size_px, float top_px) {
   p.centre_px = glm::clamp(p.centre_px, low, glm::max(size_px - free, 0.5f * size_px));
 }
 
-// Fades the labels of things outside the picture, instead of keeping them at its border.
+// Fades the labels of points outside the picture, instead of keeping such labels at the border.
 std::vector<Label> ofWhatIsInThePicture(const std::vector<Label>& labels, glm::vec2 size_px) {
   std::vector<Label> seen;
   for (Label label : labels) {
@@ -134,8 +137,8 @@ void addLabels(draw::DrawList& list, const std::vector<Label>& all, const draw::
 
 namespace {
 
-constexpr float kTurningShare = 0.3f;  // share of the reach over which the push changes sides
-constexpr float kShortest_px = 1;      // a shorter shaft points at the eye and has no sides
+constexpr float kTurningShare = 0.3f;  // fraction of the reach over which the push changes sides
+constexpr float kShortest_px = 1;      // shorter shafts push no labels, because they point at the eye
 
 float extent(glm::vec2 half_px, glm::vec2 direction) {
   return half_px.x * std::abs(direction.x) + half_px.y * std::abs(direction.y);

@@ -6,9 +6,10 @@
 namespace poinsot::stage {
 namespace {
 
-// Share of the reference height.
+// Width of a line, as a fraction of the reference height.
 constexpr double kLine = 2.0 / 1080;
-// In points. A label is like the text of a book's captions, and no line is so thin that a copier loses it.
+// Sizes in print, in points. Labels are as large as captions in a book, and lines are thick enough to be
+// photocopied.
 constexpr double kPrintedLabel = 8.5, kPrintedLine = 0.6, kLeastPrinted = 6.5;
 
 }  // namespace

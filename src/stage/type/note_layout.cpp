@@ -10,12 +10,12 @@ namespace {
 
 using scene::Spot;
 
-constexpr float kNoteHalo = 0.085f;    // share of the type's size: keeps the drawing clear of the type
-constexpr double kBlocksApart = 0.35;  // gap between blocks, as a share of the free edge
+constexpr float kNoteHalo = 0.085f;    // width of the halo around text, as a fraction of the text size
+constexpr double kBlocksApart = 0.35;  // gap between blocks, as a fraction of the free edge
 constexpr double kMostTop = 0.4, kMostBottom = 0.35,
-                 kMostSide = 0.35;  // largest shares of the picture for type that stands still
+                 kMostSide = 0.35;  // largest fractions of the picture for text at each side
 
-// The nine places are numbered row by row, three in a row.
+// The nine positions are numbered row by row, three in a row.
 int columnOf(Spot at) { return static_cast<int>(at) % 3; }
 int rowOf(Spot at) { return static_cast<int>(at) / 3; }
 
@@ -28,7 +28,7 @@ PixelBox wishedBox(const NoteBlock& block, glm::dvec2 picture_px, double edge_px
 
 PixelBox movedTo(const PixelBox& box, double top) { return {box.left, top, box.right, top + box.height()}; }
 
-/// Moves a box off the boxes near it: up at the picture's bottom, otherwise down.
+/// Moves a box until it is clear of the other boxes: up if `upwards`, otherwise down.
 PixelBox clearOf(const std::vector<PixelBox>& taken, PixelBox box, bool upwards, double apart) {
   const auto blocking = [&](const PixelBox& other) { return near(box, other, apart); };
   for (auto other = std::ranges::find_if(taken, blocking); other != taken.end();
@@ -37,7 +37,8 @@ PixelBox clearOf(const std::vector<PixelBox>& taken, PixelBox box, bool upwards,
   return box;
 }
 
-// Corners come first, because the title is in one. The middle row comes last, because it has room on both sides.
+// Order in which blocks are placed. Corners come first, because the title is in a corner. The middle row comes
+// last, because it has room on both sides.
 constexpr std::array kOrder = {Spot::kTopLeft,    Spot::kTopRight,    Spot::kTop,
                                Spot::kBottomLeft, Spot::kBottomRight, Spot::kBottom,
                                Spot::kLeft,       Spot::kRight,       Spot::kCentre};

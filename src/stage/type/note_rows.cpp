@@ -13,19 +13,19 @@ namespace {
 
 using scene::Spot;
 
-// Sizes of type and width of the free edge, as shares of Sizing::type_px.
+// Text sizes and width of the free edge, as fractions of Sizing::type_px.
 constexpr double kHeading = 0.044, kUnderHeading = 0.028;
 constexpr double kTitle = 0.042, kSubtitle = 0.03, kNote = 0.032, kFootnote = 0.025, kRowsEdge = 0.055;
-// Lengths in em of a row's type.
+// Lengths in em of a row's text.
 constexpr double kRowCapHeight = 0.7, kRowDescent = 0.2, kRowLeading = 0.3;
 constexpr double kRowEquals = 0.3;  // gap between "=" and a value
-constexpr double kReadout = 0.5;    // leading between read-outs, whose digits are all tall
+constexpr double kReadout = 0.5;    // space between rows of read-outs, whose digits are all tall
 
 double sizeOf(double share, const Sizing& sizing) { return std::max(share * sizing.type_px, sizing.least_px); }
 
 void growTo(NoteRow& row, const std::string& tex, double size_px, double leading) {
   const text::GlyphRun run = text::setTex(tex);
-  // Formulas that are built up, such as fractions, need more leading.
+  // Tall formulas, such as fractions, need more space between rows.
   const double tall = std::max(0.0, run.inkTop_em - 1) + std::max(0.0, -run.inkBottom_em - 0.4);
   leading += 0.5 * tall;
   row.ascent_px = std::max(row.ascent_px, size_px * std::max(run.inkTop_em, kRowCapHeight));
@@ -62,7 +62,8 @@ std::string exaggerationText(const scene::Scene& scene) {
   return "angles drawn " + grouped(scene.show.exaggerateAngles, scene.style.decimalSign) + " times larger";
 }
 
-/// Widths of the columns of read-outs under one another, em. Names end at one place and values begin at one.
+/// Column widths of read-outs that are under one another, em. All names end at the same position, and the widest
+/// values begin at the same position.
 struct Columns {
   double name = 0, value = 0, unit = 0;
 

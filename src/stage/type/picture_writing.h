@@ -8,15 +8,16 @@
 
 namespace poinsot::stage {
 
-/// Type of a picture that stands still, at an instant. The places are the same at all instants.
+/// Text at fixed positions of a picture, at an instant. The positions are the same at all instants.
 struct PictureWriting {
   std::vector<NoteBlock> blocks;
   std::vector<PixelBox> boxes;
   NoteReach reach;
 };
 
-/// Returns the type of a picture. Type that takes too much of the picture is set smaller, all of it alike. Only
-/// widths and places decide this, and they do not depend on the time, so that type keeps its size during a film.
+/// Returns the text of a picture. If the text takes too much of the picture, all text is made smaller by the same
+/// factor. The factor depends only on widths and positions that do not change with time, so text keeps its size
+/// during a film.
 PictureWriting pictureWriting(const scene::Scene& scene, const WrittenThings& things, glm::ivec2 size_px,
                               const Sizing& sizing, const Palette& colors);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMostDigits = 4;
 
-/// Returns the decimals with which a positive number has `digits` significant digits.
+/// Returns the number of decimals that gives a positive number `digits` significant digits.
 int decimalsOf(int digits, double number) { return digits - 1 - static_cast<int>(std::floor(std::log10(number))); }
 
 std::vector<int> quantitiesOf(const std::vector<scene::Readout>& readouts) {

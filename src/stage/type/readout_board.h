@@ -17,10 +17,10 @@ namespace poinsot::stage {
 
 struct ReadoutText {
   scene::Spot at = scene::Spot::kTop;
-  std::string name;    ///< name with the equals sign
-  std::string value;   ///< for example "$3.20$"
-  std::string widest;  ///< widest text: no value of the film is wider
-  std::string unit;    ///< unit with the space before it; empty for a bare number
+  std::string name;    ///< name and equals sign
+  std::string value;   ///< value, such as "$3.20$"
+  std::string widest;  ///< text of the widest value in the film
+  std::string unit;    ///< unit and the space before it; empty for a bare number
   draw::Color color{0};
 };
 
@@ -31,19 +31,19 @@ struct ReadoutFormat {
   std::string tex(double si, scene::DecimalSign sign) const;
 };
 
-/// Returns a format with enough decimals to distinguish a film's values, but at most four digits; four digits for
-/// a constant value.
-/// @param asked  unit to write; empty: a suitable one
+/// Returns a format with enough decimals to distinguish a film's values, but at most four digits. A constant value
+/// gets four digits.
+/// @param asked  unit of the read-out; empty: a suitable unit is chosen
 ReadoutFormat readoutFormat(scene::QuantityUnit unit, const QuantityRange& range, const std::string& asked = "");
 
 class ReadoutBoard {
  public:
   /// @param motion  drawnMotion() of the scene
-  /// @param least  ranges that the number of digits must also suit, one for each read-out; may be empty
+  /// @param least  one range for each read-out, whose values must also fit the number of digits; may be empty
   ReadoutBoard(const scene::Scene& scene, std::shared_ptr<const physics::Motion> motion, const Palette& colors,
                std::span<const QuantityRange> least = {});
 
-  /// Returns the range of each read-out, joined with that passed to the constructor.
+  /// Returns the range of each read-out, joined with the range passed to the constructor.
   const std::vector<QuantityRange>& ranges() const { return ranges_; }
 
   std::vector<ReadoutText> at(double filmTime_s) const;

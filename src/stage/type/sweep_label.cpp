@@ -16,8 +16,8 @@ namespace {
 
 struct Symbol {
   std::string_view key;
-  std::string_view tex;  ///< symbol without the index of an element
-  bool inAxes = false;   ///< components along axes of the body, otherwise of space
+  std::string_view tex;  ///< symbol without an index
+  bool inAxes = false;   ///< components along axes of the body; otherwise along axes of space
 };
 
 constexpr std::array kSymbols{Symbol{"motion.omega_body", "\\omega", true},
@@ -31,7 +31,8 @@ constexpr std::array kSymbols{Symbol{"motion.omega_body", "\\omega", true},
                               Symbol{"body.mass", "m"},
                               Symbol{"time.start", "t_0"}};
 
-/// Returns "plane opacity" for "show.plane.opacity". Only under `show` does the object's name precede the key.
+/// Returns the last words of a key's path: "plane opacity" for "show.plane.opacity". Outside `show`, returns only
+/// the last part of the path.
 std::string wordsOf(std::string_view path) {
   auto from = path.rfind('.');
   if (path.starts_with("show.") && from != std::string_view::npos && from > 4) from = path.rfind('.', from - 1);
@@ -41,14 +42,14 @@ std::string wordsOf(std::string_view path) {
   return words;
 }
 
-/// Returns a number for a principal axis, otherwise x, y or z.
+/// Returns the index of a component: 1, 2 or 3 for principal axes, otherwise x, y or z.
 std::string indexOf(int element, bool numbered) {
   constexpr std::string_view kLetters = "xyz";
   if (numbered || element > 2) return fmt::format("{}", element + 1);
   return std::string(1, kLetters[static_cast<std::size_t>(element)]);
 }
 
-/// Returns "1.5e-07" as $1.5\times 10^{-7}$, without dollar signs.
+/// Converts a number to TeX inside a formula: "1.5e-07" becomes 1.5\times 10^{-7}.
 std::string numberInFormula(const std::string& typed, scene::DecimalSign sign) {
   const auto e = typed.find_first_of("eE");
   std::string digits = numberTex(std::string_view(typed).substr(0, e), sign);
@@ -99,7 +100,7 @@ std::vector<SweepLabels> sweepLabels(const std::vector<scene::SweepAxis>& axes,
     for (const scene::SweepValue& value : axes[i].values) {
       const std::string tex = numberInFormula(value.number, scene.style.decimalSign) + gapAndUnit(axes[i].unit);
       labels.values.push_back("$" + tex + "$");
-      // One formula if the name is one, so that TeX spaces it as a formula.
+      // If the name is a formula, name and value become one formula, so that TeX spaces them as a formula.
       const bool formula = labels.name.starts_with('$') && labels.name.ends_with('$');
       labels.whole.push_back(formula ? labels.name.substr(0, labels.name.size() - 1) + " = " + tex + "$"
                                      : labels.name + " $= " + tex + "$");

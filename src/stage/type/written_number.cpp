@@ -13,7 +13,7 @@ namespace {
 
 using scene::QuantityUnit;
 
-constexpr double kResolution = 250;  // smallest number of values that decimals distinguish
+constexpr double kResolution = 250;  // smallest number of values in a range that decimals must distinguish
 
 struct TimeUnit {
   double seconds;
@@ -21,7 +21,8 @@ struct TimeUnit {
   std::string_view tex;
 };
 
-// Ten minutes are 600 s, three hours 180 min, three days 72 h, three years 1096 d. The year is the Julian one.
+// Units change at ten minutes (600 s), three hours (180 min), three days (72 h) and three years (1096 d). The year
+// is the Julian year.
 constexpr TimeUnit kTimeUnits[] = {
     {1e-6, 1e4, "\\text{µ}\\mathrm{s}"}, {1e-3, 100, "\\mathrm{ms}"}, {1, 600, "\\mathrm{s}"},
     {60, 180, "\\mathrm{min}"},          {3600, 72, "\\mathrm{h}"},   {86400, 1096, "\\mathrm{d}"}};
@@ -46,7 +47,7 @@ std::string factorAndUnit(const WrittenUnit& unit) {
   return unit.tex.empty() ? factor : fmt::format("{}\\,{}", factor, unit.tex);
 }
 
-/// Returns a unit's name for use inside \mathrm, which has no letters beyond ASCII.
+/// Returns a unit's name for use inside \mathrm, which supports only ASCII letters.
 std::string nameInFormula(std::string name) {
   if (name == "%") return "\\%";
   constexpr std::pair<std::string_view, std::string_view> kLetters[] = {{"µ", "}\\text{µ}\\mathrm{"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A motion from three moments, as docs/library.md has it: prints a row of t and omega for each time.
+// Computes a motion from three moments, as in docs/library.md, and prints a row of t and omega for each time.
 #include <cstdio>
 #include <vector>
 
