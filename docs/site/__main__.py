@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""docs/ as a site that is read without a network: `./poinsot docs`.
+"""Makes a site of docs/ that can be read without a network: `./poinsot docs`.
 
     python3 -B docs/site --program build/bin/poinsot --work build/site --out out/site
 """
@@ -19,17 +19,17 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 
 def arguments():
-    parser = argparse.ArgumentParser(prog='./poinsot docs', description='docs/ as a site that is read without a network')
+    parser = argparse.ArgumentParser(prog='./poinsot docs', description='make a site of docs/ that can be read without a network')
     parser.add_argument('--program', required=True, help=argparse.SUPPRESS)
     parser.add_argument('--work', type=pathlib.Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument('--root', type=pathlib.Path, default=HERE.parents[1], help=argparse.SUPPRESS)
-    parser.add_argument('-o', '--out', type=pathlib.Path, default='out/site', help='where to (default: out/site)')
-    parser.add_argument('--draft', action='store_true', help='one film of three frames stands for all of the gallery')
+    parser.add_argument('-o', '--out', type=pathlib.Path, default='out/site', help='folder to write to (default: out/site)')
+    parser.add_argument('--draft', action='store_true', help='use one film of three frames in place of all films of the gallery')
     return parser.parse_args()
 
 
 def make_media(options, media):
-    """The films of the gallery, each with the picture that stands for it until it plays."""
+    """Makes the films of the gallery and their posters. Returns the alt text of each scene, by its name."""
     print('poinsot: making the films of the gallery', file=sys.stderr)
     media.mkdir(parents=True, exist_ok=True)
     scenes = sorted(options.root.glob('scenes/*.toml'))
@@ -44,13 +44,13 @@ def make_media(options, media):
 
 
 def check_target(out):
-    """A folder that holds something else than a site is left as it is."""
+    """Exits with an error if `out` exists and is neither empty nor a site."""
     if out.exists() and not (out / '_static/films.js').is_file() and (not out.is_dir() or any(out.iterdir())):
-        sys.exit(f'poinsot: error: {out}: is there, and is no site of this program; name another folder, or remove it')
+        sys.exit(f'poinsot: error: {out}: exists and is not a site of this program; name another folder, or remove it')
 
 
 def stage(options):
-    """All that Sphinx reads, in one folder."""
+    """Collects everything that Sphinx reads in one folder, and returns the folder."""
     films_folder = options.work / ('draft' if options.draft else 'films')
     words = make_media(options, films_folder)
     staged = options.work / 'pages'
@@ -62,7 +62,7 @@ def stage(options):
 
 
 def build(staged, work):
-    """The site in a folder of `work`, when nothing is wrong with it."""
+    """Builds the site in a folder of `work`, and returns the folder. Exits with an error if a page or link is broken."""
     built = work / 'html'
     shutil.rmtree(built, ignore_errors=True)
     told = subprocess.run([sys.executable, '-B', '-m', 'sphinx', '-q', '-W', '--keep-going', '-j', str(os.cpu_count()),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The films of the gallery: of each scene some seconds about the instant that it calls telling, made by the program."""
+"""Makes the films of the gallery: a few seconds of each scene around its time.still."""
 import pathlib
 import re
 import subprocess
@@ -11,7 +11,7 @@ SECONDS = 8
 
 
 def run(program, *words):
-    """What the program prints; what it cannot do ends this one too."""
+    """Runs the program and returns its output. Exits with the program's exit code if it fails."""
     done = subprocess.run([program, *map(str, words)], text=True, stdout=subprocess.PIPE, check=False)
     if done.returncode:
         sys.exit(done.returncode)
@@ -19,12 +19,12 @@ def run(program, *words):
 
 
 def in_words(program, scene):
-    """What is to be seen in the scene's picture; its lines are joined."""
+    """Returns the alt text of the scene's picture on one line."""
     return ' '.join(run(program, 'info', scene, '--alt').split())
 
 
 def frames(program, scene, film, count):
-    """First and last frame of the film's part that is shown: about time.still, a third of the way if there is none."""
+    """Returns first and last frame of the excerpt, around time.still, or around a third of the film by default."""
     told = run(program, 'render', scene, '-o', film, '--force', '--fps', FPS, '--dry-run')
     number = int(re.search(r': (\d+) frames', told)[1])
     still = tomllib.loads(scene.read_text()).get('time', {}).get('still')
@@ -34,7 +34,7 @@ def frames(program, scene, film, count):
 
 
 def make(program, scene, film, count=FPS * SECONDS):
-    """Makes the film, unless it is newer than the program, the scene and what is said here."""
+    """Makes the film, unless it is newer than the program, the scene and this script."""
     made_of = max(path.stat().st_mtime for path in (pathlib.Path(program), scene, pathlib.Path(__file__)))
     if film.exists() and film.stat().st_mtime > made_of:
         return

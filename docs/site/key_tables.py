@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The tables of docs/scene.md have six columns, more than a page of the site is wide: there a key has what it means beside it,
-and under that, smaller, what it takes."""
+"""Converts the tables of keys in docs/scene.md. Their six columns are too wide for the site, which shows two: the key, and
+its meaning with type, range, default and example in small print below."""
 import re
 
 TABLE = re.compile(r'^\| key \| type \| range \| default \| example \| meaning \|\n\|[- |]+\|\n((?:\|.*\n)+)', re.M)
@@ -8,7 +8,7 @@ CELL_END = re.compile(r'(?<!\\)\|')
 
 
 def facts(kind, values, default, example):
-    """What a key takes, in a line."""
+    """Returns type, range, default and example of a key on one line."""
     words = [', '.join(filter(None, (kind, values))), 'no default' if default == 'none' else f'default {default}', f'e.g. {example}']
     return '; '.join(words)
 
@@ -19,5 +19,5 @@ def row(line):
 
 
 def shown(text):
-    """The page with its tables of keys as the site shows them."""
+    """Returns the page with its tables of keys converted to two columns."""
     return TABLE.sub(lambda table: '| key | meaning |\n| --- | --- |\n' + ''.join(map(row, table[1].splitlines())), text)

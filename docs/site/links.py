@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Links of built pages: all that they name must be there, headings too, and nothing may come from another machine.
+"""Checks links of built pages: all targets must exist, also headings, and nothing may be loaded from another machine.
 
-A checker of its own because Debian's linkchecker, for one, reads the pages as another user when root starts it.
+Debian's linkchecker is not used, because it reads the pages as another user when root starts it.
 """
 import html.parser
 import pathlib
@@ -13,7 +13,7 @@ LOADED = {'script': 'src', 'img': 'src', 'video': 'src', 'source': 'src', 'ifram
 
 
 class Styles:
-    """What a style sheet loads."""
+    """Files that a style sheet loads, in the form of a Page."""
 
     def __init__(self, path):
         self.names, self.links = set(), set()
@@ -21,7 +21,7 @@ class Styles:
 
 
 class Page(html.parser.HTMLParser):
-    """What a page has in it: names to link to, links, and what a browser loads to show it."""
+    """Content of an HTML page: anchors, links, and files that a browser loads to show the page."""
 
     def __init__(self, path):
         super().__init__()
@@ -46,7 +46,7 @@ def elsewhere(link):
 
 
 def problem_of(link, place, pages):
-    """What is wrong with a link of the page at `place`, or nothing."""
+    """Returns the problem of a link on the page at `place`, or an empty text."""
     parts = urllib.parse.urlsplit(link)
     target = (place.parent / urllib.parse.unquote(parts.path)).resolve() if parts.path else place
     if not target.is_file():
@@ -58,7 +58,7 @@ def problem_of(link, place, pages):
 
 
 def broken(site):
-    """What is wrong, a line for each link that does not lead anywhere and each thing that is loaded from elsewhere."""
+    """Returns a line for each link without a target, and for each file that is loaded from another machine."""
     site = pathlib.Path(site).resolve()
     pages = {path: Page(path) for path in sorted(site.rglob('*.html'))} | {path: Styles(path) for path in site.rglob('*.css')}
     wrong = []

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The pages of the site, from those of the repository.
+"""Makes the pages of the site from the pages of the repository.
 
-Every page lies in the site where it lies in the repository, so that its links stay what they are. A file that a page
-links to and that is no page (a scene, a source) becomes one that shows it, a folder one that lists what is in it.
-Three things are shown otherwise than in a repository's browser: a row of the gallery is a card with a film, a table of
-keys has two columns (key_tables.py), and of a paragraph that is nothing but a link into examples/ the file's text is
-part.
+Every page has the same path in the site as in the repository, so that its links stay valid. If a page links to another
+file (a scene, a source), that file becomes a page that shows it. A folder becomes a page that lists its files. The site
+differs from the repository's web pages in three ways: a row of the gallery is a card with a film, a table of keys has
+two columns (key_tables.py), and the file is shown below a paragraph that is only a link into examples/.
 """
 import os
 import pathlib
@@ -25,7 +24,7 @@ LANGUAGES = {'.h': 'cpp', '.cpp': 'cpp', '.toml': 'toml', '.py': 'python', '.cma
 
 
 def film(name, where):
-    """A film of media/, as a page in the folder `where` shows it."""
+    """Returns HTML for a film of the gallery on a page in the folder `where`."""
     media = os.path.relpath('_static', where)
     return (f'<video class="film" muted loop playsinline controls preload="none" width="480" height="270" '
             f'poster="{media}/{name}.png" src="{media}/{name}.mp4" aria-label="film: {name}"></video>')
@@ -36,7 +35,7 @@ def raw(html):
 
 
 def cards(rows, where):
-    """Rows of the gallery's tables as cards."""
+    """Returns the rows of a table of the gallery as cards."""
     each = (f':::{{container}} card\n{raw(film(name, where))}\n{link}\n\n{lesson}\n:::\n' for name, link, lesson in ROW.findall(rows))
     return '::::{container} cards\n' + ''.join(each) + '::::\n'
 
@@ -46,7 +45,7 @@ class Pages:
 
     def __init__(self, root, folder, words):
         self.root, self.folder = pathlib.Path(root), pathlib.Path(folder)
-        self.words = words  # of each scene of the gallery, what is to be seen
+        self.words = words  # alt text of each scene of the gallery
         self.staged = set()
 
     def stage(self):
@@ -61,7 +60,7 @@ class Pages:
         path.write_text(text)
 
     def start_page(self):
-        """How the README begins, and where to go on from there."""
+        """Writes the start page: the beginning of README.md, then docs/site/index.md."""
         beginning = (self.root / START[0]).read_text().split('\n## ')[0]
         ways = (self.root / START[1]).read_text()
         parts = zip(START, (beginning, ways))
@@ -69,7 +68,7 @@ class Pages:
         self.write('index.md', '---\nhide-toc: true\n---\n\n' + '\n'.join(lines))
 
     def page(self, place):
-        """Stages a page, and all that it links to."""
+        """Stages a page and everything that it links to. Returns its path."""
         if place in self.staged:
             return place
         self.staged.add(place)
@@ -88,11 +87,11 @@ class Pages:
                 yield '\n' + self.file_text(self.root / self.place_of(shown[1], source))
 
     def place_of(self, link, source):
-        """Where in the repository a link leads."""
+        """Returns the path in the repository of a link on the page `source`."""
         return os.path.normpath(os.path.join(os.path.dirname(source), link))
 
     def linked(self, line, source, place):
-        """The line with its links leading to what is staged."""
+        """Returns the line with links to the staged files."""
         def to(match):
             link, anchor = match[1], match[2] or ''
             if '://' in link:
@@ -102,10 +101,10 @@ class Pages:
         return LINK.sub(to, line)
 
     def target(self, target):
-        """Stages what lies at that place of the repository, if anything does, and says where it is then."""
+        """Stages a file or folder of the repository, if it exists. Returns its path in the site."""
         path = self.root / target
         if target.startswith('..') or not path.exists():
-            return target  # Sphinx will say that it is not there
+            return target  # Sphinx reports the missing file
         if target in START:
             return 'index.md'
         if path.is_dir():
@@ -124,7 +123,7 @@ class Pages:
         return f'{fence}{language}\n{path.read_text().rstrip()}\n{fence}\n'
 
     def file(self, target):
-        """A page that shows a file."""
+        """Writes a page that shows a file. Returns its path."""
         place = target + '.md'
         if place in self.staged:
             return place
@@ -137,7 +136,7 @@ class Pages:
         return place
 
     def listing(self, target):
-        """A page that lists what is in a folder."""
+        """Writes a page that lists the files of a folder. Returns its path."""
         place = target + '/index.md'
         if place in self.staged:
             return place

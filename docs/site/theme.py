@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Debian's theme made whole: it takes a style sheet from the web server's root and a script as a module, and pages that are
-files have neither."""
+"""Repairs Debian's theme for pages that are opened as files. The theme imports a style sheet from a web server's root, and
+a script as a module; neither works without a web server."""
 import pathlib
 import re
 
 IMPORTED_STYLE = re.compile(r'@import url\((/javascript/[^)]+)\);')
-UNRESOLVED_STYLE = re.compile(r'@import "~[^"]+";')  # a name of the theme's build tool, which Debian's package kept
+UNRESOLVED_STYLE = re.compile(r'@import "~[^"]+";')  # name for the theme's build tool, left in Debian's package
 IMPORTED_SCRIPT = re.compile(r'^import (?:\* as )?\w+ from "\./([^"]+)";$', re.M)
 SCRIPT_TAG = re.compile(r'<script [^>]*scripts/furo\.js[^>]*>')
 
 
 def make_whole(site):
-    """Puts what the theme's files import in its place."""
+    """Replaces the imports in the theme's files by the imported texts."""
     styles, script = site / '_static/styles/furo.css', site / '_static/scripts/furo.js'
     if styles.exists():
         text = UNRESOLVED_STYLE.sub('', styles.read_text())
