@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`./poinsot bench`: measures the program. README.md of this folder tells how."""
+"""`./poinsot bench`: measures the program. README.md of this folder explains how."""
 import argparse
 import os
 import pathlib
@@ -15,13 +15,13 @@ import scaling
 from measurement import Failure
 from standard import HERE, Program
 
-# Of a core, used by others: more, and a run is not to be relied on. The kernel's writing to disk takes up to 0.06.
+# Share of a core that other processes may use during a reliable run. The kernel's writing to disk takes up to 0.06.
 DISTURBED = 0.1
 
 
 def main():
     options = parsed()
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))  # so that temporary files go
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))  # removes temporary files
     try:
         text, held = guard.checked(options) if options.guard else (report(options), True)
         if options.markdown:
@@ -41,32 +41,32 @@ def parsed():
                                      epilog='poinsot bench --micro [options] runs the small benchmarks instead.')
     parser.add_argument('--program', type=pathlib.Path, required=True, help=argparse.SUPPRESS)
     modes = parser.add_mutually_exclusive_group()
-    modes.add_argument('--jobs', metavar='J1,J2,...', help='only these of J1 to J5, T and S (default: all)')
+    modes.add_argument('--jobs', metavar='J1,J2,...', help='only these jobs, of J1 to J5, T and S (default: all)')
     modes.add_argument('--peers', dest='mode', action='store_const', const=peers.measured, default=jobs.measured,
-                       help='instead: VTK, Matplotlib and the encoder alone, in turn with this program')
+                       help='instead of the jobs: VTK, Matplotlib and the encoder alone, in turn with this program')
     modes.add_argument('--scaling', dest='mode', action='store_const', const=scaling.measured,
-                       help='instead: by workers, frames and pixels')
-    modes.add_argument('--guard', action='store_true', help='instead: instructions of the parts without OpenGL; exit '
-                       f'status 1 where one takes {guard.TOLERANCE:.0%}% more than recorded')
-    parser.add_argument('--record', action='store_true', help='with --guard: record them')
-    parser.add_argument('--figures', type=pathlib.Path, metavar='FILE', help='with --guard: what is recorded (default: '
-                        'bench/guard.toml)')
-    parser.add_argument('--long', action='store_true', help='with --scaling: a film of 10 000 frames, too')
-    parser.add_argument('--runs', type=int, metavar='N', help='of each; medians are told (default: 3)')
-    parser.add_argument('--quick', action='store_true', help='two frames, one run, no warming up (--guard: one part): '
-                        'does it work?')
-    parser.add_argument('--markdown', type=pathlib.Path, metavar='FILE', help='write the tables to a file, too')
+                       help='instead of the jobs: cost by number of workers, frames and pixels')
+    modes.add_argument('--guard', action='store_true', help='instead of the jobs: count the instructions of the parts '
+                       f'without OpenGL; exit status 1 if a part takes {guard.TOLERANCE:.0%}% more than recorded')
+    parser.add_argument('--record', action='store_true', help='with --guard: record the counts')
+    parser.add_argument('--figures', type=pathlib.Path, metavar='FILE', help='with --guard: file of the recorded '
+                        'counts (default: bench/guard.toml)')
+    parser.add_argument('--long', action='store_true', help='with --scaling: add a film of 10 000 frames')
+    parser.add_argument('--runs', type=int, metavar='N', help='runs of each job; medians are reported (default: 3)')
+    parser.add_argument('--quick', action='store_true', help='two frames, one run, no warming up (--guard: one part), '
+                        'to check that it works')
+    parser.add_argument('--markdown', type=pathlib.Path, metavar='FILE', help='also write the tables to a file')
     options = parser.parse_args()
     if options.guard:
         return for_guard(parser, options)
     if options.record or options.figures:
-        parser.error('--record and --figures are for --guard')
+        parser.error('--record and --figures need --guard')
     if options.runs is None:
         options.runs = 1 if options.quick else 3
     if options.runs < 1:
         parser.error('--runs must be at least 1')
     if options.long and options.mode is not scaling.measured:
-        parser.error('--long is for --scaling')
+        parser.error('--long needs --scaling')
     return options
 
 
@@ -74,14 +74,14 @@ def for_guard(parser, options):
     if options.runs is not None or options.long:
         parser.error('--guard takes no --runs or --long: every run counts the same')
     if options.record and options.quick:
-        parser.error('--quick counts one part, --record needs all')
+        parser.error('--quick counts one part, --record needs all parts')
     options.figures = options.figures or HERE / 'guard.toml'
     return options
 
 
 def report(options):
     with tempfile.TemporaryDirectory(prefix='poinsot-bench-') as folder:
-        if not options.quick:  # a cache of our own: figures do not depend on what ran here before
+        if not options.quick:  # an empty cache, so that figures do not depend on earlier runs
             os.environ['XDG_CACHE_HOME'] = f'{folder}/cache'
         facts = machine.facts(options.program) | {'runs': f'{options.runs}; medians'}
         if options.mode is peers.measured:
@@ -95,7 +95,7 @@ def disturbance(results):
     worst = max(result.foreign_share for result in results)
     if worst < DISTURBED:
         return []
-    return [f'Other processes took up to {worst:.0%} of a core meanwhile: measure again on a quiet machine.']
+    return [f'Other processes took up to {worst:.0%} of a core during the runs: measure again on a quiet machine.']
 
 
 def fail(error, status):

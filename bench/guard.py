@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`poinsot bench --guard`: instructions of the parts without GL, counted by valgrind, beside those recorded.
+"""`poinsot bench --guard`: compares valgrind's count of instructions in the parts without OpenGL with recorded counts.
 
-Unlike times they are the same on every run, on a busy machine too, so that a few per cent can be refused.
+Unlike times, counts are the same in every run, even on a busy machine, so that an increase of a few per cent can fail.
 """
 import os
 import pathlib
@@ -16,19 +16,19 @@ from guard_record import Record
 from measurement import Failure
 from table import table
 
-PARTS = ('motion', 'compose', 'convert', 'compare', 'png')  # of guard_parts.cpp
+PARTS = ('motion', 'compose', 'convert', 'compare', 'png')  # as in guard_parts.cpp
 CHEAPEST = PARTS[:1]
 TOLERANCE = 0.05
-COUNTED = 'poinsotGuardCounted'  # the function in guard.cpp between whose start and end instructions count
-# Those with instructions of their own in the counts; Debian names their files by their versions.
+COUNTED = 'poinsotGuardCounted'  # function in guard.cpp; instructions count from its start to its end
+# Libraries whose instructions are in the counts. Debian's names of their files contain the versions.
 LIBRARIES = ('libc', 'libfmt', 'libfreetype', 'libharfbuzz', 'libisal', 'libpng16', 'libstdc++', 'libz')
-# Nothing of the caller's, such as VALGRIND_OPTS. Symbols are bound at the start: it would count on their first calls.
+# Without the caller's variables, such as VALGRIND_OPTS. LD_BIND_NOW binds symbols at the start, outside the counts.
 ENVIRONMENT = {'PATH': os.defpath, 'LC_ALL': 'C', 'LD_BIND_NOW': '1'}
 
 
 def checked(options):
-    """What is to be printed, and whether it is as recorded; with `--record` writes the figures instead.
-    @throws ValueError for a file of figures that is none; Failure where a part cannot be counted.
+    """Returns the report, and whether no part is refused. With `--record`, writes the counts to the record.
+    @throws ValueError if the record is malformed; Failure if a part cannot be counted.
     """
     recorded = None if options.record else guard_record.read(options.figures)
     counted = count_all(options.program.resolve().parent / 'poinsot_guard', CHEAPEST if options.quick else PARTS)
@@ -51,23 +51,23 @@ def count_all(program, parts):
 
 
 def count(program, part):
-    """The part's instructions, and what the program says that they depend on."""
+    """Returns the instructions of a part, and the facts that they depend on: compiler, flags, versions of libraries."""
     with tempfile.TemporaryDirectory(prefix='poinsot-bench-') as folder:
-        # In that folder, as valgrind reads options from a file in the one where it is started.
+        # Started in an empty folder, because valgrind reads options from a file in its working folder.
         said = output_of('valgrind', '-q', '--tool=callgrind', '--callgrind-out-file=counts',
                          f'--toggle-collect={COUNTED}', program, part, folder=folder)
         totals = re.search(r'^totals: (\d+)', pathlib.Path(folder, 'counts').read_text(), re.MULTILINE)
     if not totals or int(totals[1]) == 0:
-        raise Failure(f'valgrind has not seen {COUNTED} of {program}')
+        raise Failure(f'valgrind did not find {COUNTED} in {program}')
     return int(totals[1]), dict(re.findall(r'^(\S+): (.+)$', said, re.MULTILINE))
 
 
 def versions(program):
-    """Of valgrind and of the files of the libraries that the program loads."""
+    """Returns the versions of valgrind and of the libraries that the program loads."""
     loaded = re.findall(r'=> (/\S+)', output_of('ldd', program))
     names = [pathlib.Path(path).resolve().name.partition('.so') for path in loaded]
     files = {stem: stem + so + version for stem, so, version in names if stem in LIBRARIES}
-    files['libc'] = os.confstr('CS_GNU_LIBC_VERSION')  # its file is libc.so.6, whatever the version
+    files['libc'] = os.confstr('CS_GNU_LIBC_VERSION')  # the name of its file, libc.so.6, has no version
     return {'valgrind': output_of('valgrind', '--version').strip().removeprefix('valgrind-')} | \
         {name: files.get(name, 'none') for name in LIBRARIES}
 
@@ -91,21 +91,21 @@ def compared(recorded, counted):
 
 
 def judged(recorded, counted):
-    """What is to be said, and whether nothing is refused: figures made otherwise are no reason to refuse one."""
+    """Returns messages, and whether no part is refused. If any version differs from the record, no part is refused."""
     said, held = [], True
     others = [f'{name} {counted.made_with.get(name, "none")} (recorded: {recorded.made_with.get(name, "none")})'
               for name in counted.made_with | recorded.made_with
               if counted.made_with.get(name) != recorded.made_with.get(name)]
     if others:
-        said += [f'Not what the figures were recorded with, so that nothing is refused: {", ".join(others)}. '
-                 'Build the commit that is to be compared with here, and record its figures with --record.']
+        said += [f'These versions differ from the recorded ones, so no part is refused: {", ".join(others)}. '
+                 'Build the commit to compare with on this machine, and record its counts with --record.']
     for part, instructions in counted.instructions.items():
         change = instructions / recorded.of(part) - 1
         if change > TOLERANCE:
-            said += [f'{part}: {change:.1%} more than recorded; if that is its price, record it with --record.']
+            said += [f'{part}: {change:.1%} more than recorded; if the increase is justified, record it with --record.']
             held = held and bool(others)
         elif change < -TOLERANCE:
-            said += [f'{part}: {-change:.1%} less than recorded; so that it stays so, record it with --record.']
+            said += [f'{part}: {-change:.1%} less than recorded; to keep it so, record it with --record.']
     return said, held
 
 

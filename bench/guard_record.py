@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The file of recorded figures, guard.toml: how many instructions each part took, and what it was made with."""
+"""Reads and writes guard.toml: recorded instructions of each part, and the versions of compiler and libraries."""
 import dataclasses
 import json
 import re
@@ -13,18 +13,18 @@ HEAD = '''# SPDX-License-Identifier: Apache-2.0
 @dataclasses.dataclass(frozen=True)
 class Record:
     made_with: dict  # name: version
-    instructions: dict  # part: number
+    instructions: dict  # part: count
 
     def of(self, part):
-        """@throws ValueError unless there is a figure to divide by."""
+        """Returns the count of a part. @throws ValueError unless a positive count is recorded."""
         number = self.instructions.get(part)
         if not isinstance(number, int) or number < 1:
-            raise ValueError(f'{part}: no number of instructions is recorded; --record does')
+            raise ValueError(f'{part}: no count of instructions is recorded; record one with --record')
         return number
 
 
 def read(path):
-    """@throws ValueError with the path, for a file that is no such record."""
+    """Reads a record. @throws ValueError, which names the path, if the file is not a record."""
     try:
         tables = tomllib.loads(path.read_text())
         return Record(dict(tables['made_with']), dict(tables['instructions']))
@@ -43,8 +43,8 @@ def _table(name, values):
 
 
 def _key(key):
-    return key if re.fullmatch(r'[\w-]+', key, re.ASCII) else _word(key)  # "libstdc++" stands in quotes
+    return key if re.fullmatch(r'[\w-]+', key, re.ASCII) else _word(key)  # TOML requires quotes around "libstdc++"
 
 
 def _word(value):
-    return json.dumps(value, ensure_ascii=False)  # strings and numbers are written in TOML as they are in JSON
+    return json.dumps(value, ensure_ascii=False)  # TOML and JSON have the same strings and numbers

@@ -8,7 +8,7 @@ import typing
 from measurement import measure
 from split import Split, median_split, split_of
 
-# The kernel counts CPU time in hundredths of a second: what others took of a shorter run is not known.
+# Wall time from which a run is checked for other processes; the kernel counts CPU time in hundredths of a second.
 COUNTED_FROM_S = 0.1
 
 
@@ -16,12 +16,12 @@ COUNTED_FROM_S = 0.1
 class Job:
     name: str
     what: str
-    frames: int  # or rows, of a table
-    command: typing.Callable  # of the number of frames: a list of words
+    frames: int  # or rows, if the job makes a table
+    command: typing.Callable  # takes the number of frames, returns a list of words
     environment: dict = dataclasses.field(default_factory=dict)
-    warmed: bool = True  # one frame is made beforehand, not counted: shaders and files are then cached
-    repeats: int = 1  # in a row, in each run: of a command that ends at once
-    given: list | None = None  # a command that makes what the job works on; run once, not counted
+    warmed: bool = True  # makes one frame before the measured runs, to fill caches of shaders and files
+    repeats: int = 1  # repetitions in each run, for a command that takes milliseconds
+    given: list | None = None  # command that makes the job's inputs; runs once and is not measured
 
 
 @dataclasses.dataclass(frozen=True)
@@ -30,7 +30,7 @@ class Result:
     wall_s: float
     cpu_s: float
     memory_mib: float
-    foreign_share: float  # of one core, used by others meanwhile, in the worst run
+    foreign_share: float  # share of one core that other processes used, in the worst run
     split: Split
 
     @property
@@ -43,7 +43,7 @@ class Result:
 
 
 def run_all(jobs, runs, warm_up=True):
-    """The jobs' results. All jobs run once, then all again, so that a slow minute does not fall on one of them."""
+    """Runs the jobs and returns their results. Each round runs every job once, so that a slow minute affects them all."""
     for job in jobs:
         if job.given:
             measure(job.given)

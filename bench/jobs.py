@@ -1,25 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`poinsot bench`: the jobs that a change is measured by."""
+"""`poinsot bench`: the jobs that measure the speed of the program."""
 from job import Job, run_all
 from standard import HERE
 from table import mebibytes, milliseconds, seconds, table
 
-# Of the gallery the scene whose frames take longest to draw: 70 ms of CPU at 1080p, where the median is 30, the plots
-# of phase_portrait take 54 to 63, the cones of cones_oblate 42 to 56, the two views of football_two_views 63.
+# Scene of the gallery whose frames take longest to draw: 70 ms of CPU at 1080p. The median is 30 ms; phase_portrait
+# takes 54 to 63 ms, cones_oblate 42 to 56 ms, football_two_views 63 ms.
 HEAVIEST = HERE.parent / 'scenes/momentum_sphere.toml'
-HEAVIEST_FROM = 60  # frame: the title stands, the first seconds are over
+HEAVIEST_FROM = 60  # first frame, after the opening seconds; the title is shown
 
 ROWS = 1_000_000
 
 CHECKED = HERE.parent / 'scenes/tennis_racket.toml'
-# What answers before one has noticed, for a command line is typed again and again; and what CI does of each golden.
+# Aims for commands that users type again and again, and for the comparison that CI runs for each golden picture.
 AIMS_S = {'S': 0.020, 'S check': 0.050, 'S diff': 1.0}
-STARTS = 20  # in each run: one takes milliseconds
+STARTS = 20  # in each run, because one start takes milliseconds
 
 
 def measured(options, program, folder):
-    """Tables and results.
-    @throws ValueError if `--jobs` names one that there is not.
+    """Returns tables and results.
+    @throws ValueError if `--jobs` names an unknown job.
     """
     jobs = all_jobs(program, folder, options.quick)
     if options.jobs:
@@ -29,8 +29,8 @@ def measured(options, program, folder):
 
 
 def all_jobs(program, folder, quick):
-    """@param folder  of two pictures to compare
-    @param quick   two frames of each, to see that they work.
+    """@param folder  folder for the two pictures that `diff` compares
+    @param quick   makes two frames in each job, only to check that it works.
     """
     def frames(usual):
         return 2 if quick else usual
@@ -50,13 +50,13 @@ def all_jobs(program, folder, quick):
 
 
 def chosen(jobs, names):
-    """Those of the names; J3 and S stand for all of their kinds.
-    @throws ValueError for a name that is none's.
+    """Returns the named jobs; J3 and S select all their variants.
+    @throws ValueError for an unknown name.
     """
     known = {job.name.split()[0] for job in jobs}
     for name in names:
         if name not in known:
-            raise ValueError(f'there is no job {name!r}, only {", ".join(sorted(known))}')
+            raise ValueError(f'unknown job {name!r}; known jobs: {", ".join(sorted(known))}')
     return [job for job in jobs if job.name.split()[0] in names]
 
 
@@ -82,9 +82,9 @@ def costs(results):
 
 
 def split(results):
-    """A worker's first frame and its start stand apart: they do not grow with the film."""
+    """Returns a table of steps. A worker's start and first frame have their own rows: they do not grow with the film."""
     def lines(kind, unit):
-        # Every job's steps, in the order of the first that has them.
+        # Steps of all jobs, in the order of their first occurrence.
         steps = dict.fromkeys(step for result in results for step in getattr(result.split, kind))
         return [[f'{step}, per {unit}'] + [_cell(getattr(result.split, kind), step) for result in results]
                 for step in steps]

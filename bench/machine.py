@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What figures depend on: the machine, the versions, the commit, the day."""
+"""Facts that figures depend on: machine, versions, commit and date."""
 import datetime
 import os
 import pathlib
@@ -8,12 +8,12 @@ import subprocess
 
 
 def cores():
-    """CPUs that this process may use."""
+    """Returns the number of CPUs that this process may use."""
     return len(os.sched_getaffinity(0))
 
 
 def occasion():
-    """When, and of what sources."""
+    """Returns the date and the commit of the sources."""
     return {
         'date': datetime.datetime.now(datetime.timezone.utc).strftime('%Y-%m-%d %H:%M UTC'),
         'commit': _first(r'(.+)', 'git', '-C', pathlib.Path(__file__).parent, 'describe', '--always', '--dirty'),
@@ -21,7 +21,7 @@ def occasion():
 
 
 def facts(program):
-    """Name and value of each, to be printed above the figures."""
+    """Returns names and values to print above the figures."""
     return occasion() | {
         'CPU': f'{_cpu_model()}, {cores()} cores',
         'poinsot': _first(r'poinsot (.+)', program, '--version'),
@@ -44,7 +44,7 @@ def _cpu_model():
 
 
 def _first(pattern, *command):
-    """What the pattern's group matches first in what the command prints; "unknown" where there is nothing."""
+    """Returns the first match of the pattern's group in the command's output, or "unknown"."""
     try:
         printed = subprocess.run(command, capture_output=True, text=True).stdout
     except OSError:

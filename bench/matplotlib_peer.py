@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The standard scene by Matplotlib: mplot3d, and its own writer of films.
+"""Draws the standard scene with Matplotlib's mplot3d, and writes a film with its FFMpegWriter.
 
     matplotlib_peer.py film.mp4 FRAMES
 """
@@ -37,7 +37,7 @@ class Arrow(FancyArrowPatch):
 
 
 def ellipsoid_points():
-    """As many as in vtk_peer.py."""
+    """Returns a grid of points, as fine as in vtk_peer.py."""
     u, v = np.meshgrid(np.linspace(0, 2 * np.pi, 129), np.linspace(0, np.pi, 65))
     return np.stack([SEMI_AXES[0] * np.cos(u) * np.sin(v), SEMI_AXES[1] * np.sin(u) * np.sin(v),
                      SEMI_AXES[2] * np.cos(v)], -1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What one command costs: wall time, CPU time and memory of all its descendants."""
+"""Measures one command: wall time, CPU time and memory of all its descendants."""
 import contextlib
 import ctypes
 import dataclasses
@@ -13,26 +13,26 @@ import tempfile
 import time
 
 PR_SET_CHILD_SUBREAPER = 36  # <linux/prctl.h>
-SAMPLING_S = 0.5  # between two looks at the memory: one look takes milliseconds of a core
-LAST_ONES_S = 5  # how long orphans (such as an X server told to go) may take to end
+SAMPLING_S = 0.5  # between two samples of memory; a sample takes milliseconds of CPU
+LAST_ONES_S = 5  # longest wait for orphans, such as a terminated X server
 
 
 class Failure(Exception):
-    """A command that ended badly; the text says which and what it said last."""
+    """A command failed. The text has the command and the end of its error output."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Measurement:
     wall_s: float
     cpu_s: float  # user and system, of all descendants
-    memory_mib: float  # peak, of all descendants together; of the largest one where they end within SAMPLING_S
-    foreign_s: float  # CPU time of everything else on the machine meanwhile
+    memory_mib: float  # peak sum of all descendants; peak of the largest if all end within SAMPLING_S
+    foreign_s: float  # CPU time of all other processes of the machine during the run
     stderr: str
 
 
 def measure(command, environment=None):
     """Runs `command` in an empty folder of its own, which is removed afterwards.
-    An environment's value may hold {folder}: the path of that folder.
+    In values of `environment`, {folder} stands for the path of that folder.
     @throws Failure unless it ends with status 0.
     """
     adopt_orphans()
@@ -42,7 +42,7 @@ def measure(command, environment=None):
 
 
 def adopt_orphans():
-    """Descendants whose parent has ended become children of this process, so that their CPU time is counted."""
+    """Makes descendants whose parent has ended children of this process, so that their CPU time is counted."""
     ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1)
 
 
@@ -50,7 +50,7 @@ def _measured(command, folder, environment):
     with tempfile.TemporaryFile() as stderr:
         busy_before, started = _busy_s(), time.monotonic()
         try:
-            # A session of its own: one signal then ends the command and what it has started.
+            # In a new session, one signal ends the command and all processes that it started.
             child = subprocess.Popen(command, cwd=folder, env=environment, stdin=subprocess.DEVNULL,
                                      stdout=subprocess.DEVNULL, stderr=stderr, start_new_session=True)
         except OSError as error:
@@ -60,7 +60,7 @@ def _measured(command, folder, environment):
             wall_s = time.monotonic() - started
             status, usages = _reaped(child)
         except BaseException:
-            with contextlib.suppress(ProcessLookupError):  # all have ended
+            with contextlib.suppress(ProcessLookupError):  # all processes have ended
                 os.killpg(child.pid, signal.SIGKILL)
             child.wait()
             raise
@@ -85,7 +85,7 @@ def _peak_until_end(pid):
 
 
 def _reaped(child):
-    """The child's status, and what it and all adopted descendants have used."""
+    """Returns the child's exit status, and the resource usage of the child and all adopted descendants."""
     _, status, usage = os.wait4(child.pid, 0)
     child.returncode, usages = os.waitstatus_to_exitcode(status), [usage]
     deadline = time.monotonic() + LAST_ONES_S
@@ -107,7 +107,7 @@ def _descendants():
     for pid in filter(str.isdigit, os.listdir('/proc')):
         try:
             parent = pathlib.Path(f'/proc/{pid}/stat').read_text().rsplit(')', 1)[1].split()[1]
-        except OSError:  # has just ended
+        except OSError:  # the process has just ended
             continue
         children.setdefault(int(parent), []).append(int(pid))
     found = list(children.get(os.getpid(), []))
@@ -117,7 +117,7 @@ def _descendants():
 
 
 def _memory_kib(pid):
-    """Proportional set size: what processes share counts once in their sum."""
+    """Returns the proportional set size, so that shared memory counts once in a sum over processes."""
     try:
         rollup = pathlib.Path(f'/proc/{pid}/smaps_rollup').read_text()
     except OSError:
@@ -127,6 +127,6 @@ def _memory_kib(pid):
 
 
 def _busy_s():
-    """CPU time of the whole machine: user, nice, system, interrupts (proc(5)); idle and stolen time left out."""
+    """Returns the CPU time of the machine: user, nice, system, interrupts (proc(5)), without idle and stolen time."""
     user, nice, system, _, _, irq, softirq = map(int, pathlib.Path('/proc/stat').read_text().split()[1:8])
     return (user + nice + system + irq + softirq) / os.sysconf('SC_CLK_TCK')

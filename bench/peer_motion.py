@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The motion of standard.toml as a user of SciPy would compute it, for vtk_peer.py and matplotlib_peer.py.
 
-I' omega = -omega x (I omega) in body axes and q' = q (0, omega) / 2, by DOP853; L points down.
+DOP853 integrates I omega' = -omega x (I omega) in body axes and q' = q (0, omega) / 2. L points down.
 """
 import numpy as np
 from scipy.integrate import solve_ivp
@@ -22,7 +22,7 @@ PLANE_DISTANCE = TWICE_ENERGY / L
 
 
 def _first_attitude():
-    """The least rotation that turns L, in body axes, to -z: (x, y, z, w)."""
+    """Returns the smallest rotation that takes L in body axes to -z, as (x, y, z, w)."""
     u = MOMENTS * OMEGA0_B / L
     q = np.r_[np.cross(u, [0, 0, -1]), 1 - u[2]]
     return q / np.linalg.norm(q)
@@ -38,7 +38,7 @@ _solution = solve_ivp(_rate, (0, SPAN_S), np.r_[OMEGA0_B, _first_attitude()], 'D
 
 
 def states(times_s):
-    """omega_B, R_WB and omega_W at each of the times."""
+    """Returns omega_B, R_WB and omega_W at the given times."""
     y = _solution(np.atleast_1d(times_s))
     rotation = Rotation.from_quat(y[3:].T)
     return y[:3].T, rotation.as_matrix(), rotation.apply(y[:3].T)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`poinsot bench --peers`: what a user would take instead, and the encoder alone, in turn with this program."""
+"""`poinsot bench --peers`: measures other programs and the encoder alone, in turn with this program."""
 import re
 
 from job import Job, run_all
@@ -7,15 +7,15 @@ from measurement import measure
 from standard import FPS, HERE
 from table import mebibytes, milliseconds, ratio, seconds, table
 
-PYTHON = '/usr/bin/python3'  # Debian's, which has Debian's VTK and Matplotlib
+PYTHON = '/usr/bin/python3'  # Debian's Python, which has Debian's VTK and Matplotlib
 WIDTH, HEIGHT = 1920, 1080
-FILM, PICTURES, FEW = 300, 60, 60  # frames; few: of Matplotlib, whose frames all take equally long
+FILM, PICTURES, FEW = 300, 60, 60  # frames; FEW for Matplotlib, whose frames all take equally long
 FFMPEG = ['ffmpeg', '-nostdin', '-y', '-loglevel', 'error']
 AS_OTHERS_ASK = ['-c:v', 'libx264', '-crf', '18', '-preset', 'medium', '-pix_fmt', 'yuv420p']
 
 
 def measured(options, program, folder):
-    """Tables and results."""
+    """Returns tables and results."""
     frames, pictures, few = (2, 2, 2) if options.quick else (FILM, PICTURES, FEW)
     rgb, yuv = raw_frames(program, frames, folder)
     films = [
@@ -38,7 +38,7 @@ def measured(options, program, folder):
 
 
 def raw_frames(program, frames, folder):
-    """Files of the film's pixels before the encoder, as RGB and as YUV; the system keeps them in memory."""
+    """Writes the unencoded pixels of the film to files, as RGB and as YUV, which the system keeps in memory."""
     measure(program.pictures(folder)(frames))
     rgb, yuv = folder / 'film.rgb', folder / 'film.yuv'
     pictures = [*FFMPEG, '-i', folder / 'frame_%05d.png', '-f', 'rawvideo', '-pix_fmt']
@@ -48,13 +48,13 @@ def raw_frames(program, frames, folder):
 
 
 def encoder(raw, pixels):
-    """Of ffmpeg's command line, with the preset and rate factor of the program's films and all cores."""
+    """Returns a job's command: ffmpeg encodes raw frames on all cores, with preset medium and rate factor 18."""
     return lambda frames: [*FFMPEG, '-f', 'rawvideo', '-pix_fmt', pixels, '-s', f'{WIDTH}x{HEIGHT}', '-r', FPS,
                            '-i', raw, '-frames:v', frames, *AS_OTHERS_ASK, 'film.mp4']
 
 
 def film_worths(program, frames, folder):
-    """Of films of the same frames: their bytes and their error, as what took less to make may be worth less."""
+    """Returns a table of size and error of films of the same frames: a film that is faster to make may be worse."""
     exact, ours, theirs = (folder / name for name in ['exact.mp4', 'poinsot.mp4', 'x264.mp4'])
     measure(program.film('-D', 'output.crf=0', output=exact)(frames))
     measure(program.film(output=ours)(frames))
@@ -79,7 +79,7 @@ def matplotlib():
 
 
 def against(job, results):
-    """Each beside the first, this program."""
+    """Returns a table that compares each result with the first, which is this program's."""
     ours = results[0]
     return table([job, 'frames', 'wall', 'frames/s', 'CPU per frame', 'peak memory', "poinsot's frames/s to its",
                   "poinsot's CPU to its"],
@@ -90,8 +90,8 @@ def against(job, results):
 
 
 def beside_its_encoder(film):
-    """The film beside x264 as it is asked by this program, which is for less than by `-preset medium`: the step
-    `encode` of its own frames, and `convert`, which makes YUV of RGB for it."""
+    """Returns a table of the film's CPU time and of the part that encoding takes: the step `encode` alone, and with
+    `convert`, from RGB to YUV. This program's settings of x264 need less time than `-preset medium`."""
     steps_s = {step: ms / 1e3 for step, ms in film.split.per_frame_ms.items()}
     encoders = {'its x264, from RGB': steps_s['encode'] + steps_s['convert'], 'its x264, from YUV': steps_s['encode']}
     return table(["poinsot's film, within", 'CPU per frame', "poinsot's CPU to its"],

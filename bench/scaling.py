@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`poinsot bench --scaling`: what more workers, more frames and more pixels cost."""
+"""`poinsot bench --scaling`: measures the cost of more workers, more frames and more pixels."""
 from job import Job, run_all
 from machine import cores
 from split import DRAWING
@@ -9,20 +9,20 @@ SIZES = {'720p': (1280, 720), '1080p': (1920, 1080), '1440p': (2560, 1440), '4K'
 
 
 def measured(options, program, _):
-    """Tables and results."""
+    """Returns tables and results."""
     parts = [(by_workers, worker_jobs), (by_length, length_jobs), (by_size, size_jobs)]
     results = [run_all(jobs(program, options), options.runs, warm_up=not options.quick) for _, jobs in parts]
     return [tell(part) for (tell, _), part in zip(parts, results)], sum(results, [])
 
 
 def worker_jobs(program, options):
-    # Two segments of 30 frames at least for each worker, or the last one would be waited for.
+    # At least two segments of 30 frames for each worker; with fewer, workers would wait for the last segment.
     frames = 2 if options.quick else max(300, 60 * cores())
     return [Job(f'workers {count}', str(count), frames, program.film('--jobs', count)) for count in worker_counts()]
 
 
 def worker_counts():
-    """1, 2, 4, ... and all cores."""
+    """Returns 1, 2, 4, ... and the number of cores."""
     powers = [1 << power for power in range(cores().bit_length())]
     return sorted({*powers, cores()})
 
@@ -33,7 +33,7 @@ def length_jobs(program, options):
 
 
 def size_jobs(program, options):
-    # One worker: the whole cost of a picture is then that of its pixels and of one start.
+    # With one worker, the cost is that of the pixels and of a single start.
     return [Job(f'size {name}', name, 2 if options.quick else 60,
                 program.film('--size', f'{width}x{height}', '--jobs', 1)) for name, (width, height) in SIZES.items()]
 
@@ -53,7 +53,7 @@ def by_length(results):
 
 
 def by_size(results):
-    """The start is left out: it does not depend on the size, and would flatter the large ones."""
+    """Returns a table without the cost of the start, which is the same for all sizes and would favour large pictures."""
     return table(['size, one worker', 'megapixels', 'CPU per frame', 'per megapixel', 'drawing, per megapixel',
                   'peak memory'], [_size_row(result) for result in results])
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the CPU time of a render goes, step by step: read from what `--stats` prints."""
+"""CPU time of each step of a render, read from the output of `--stats`."""
 import dataclasses
 import re
 import statistics
@@ -11,8 +11,8 @@ DRAWING = ('draw', 'resolve')
 
 @dataclasses.dataclass(frozen=True)
 class Split:
-    per_frame_ms: dict  # step: CPU time, of the frames after each worker's first
-    per_worker_ms: dict  # step: CPU time, once
+    per_frame_ms: dict  # step: CPU time of a frame, without each worker's first frame
+    per_worker_ms: dict  # step: CPU time of a worker's start and first frame
 
 
 def split_of(stderr):

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Renders of the standard scene, and the other commands of the program that are measured."""
+"""Commands of the program that are measured: renders of the standard scene, and others."""
 import pathlib
 
 HERE = pathlib.Path(__file__).resolve().parent
 SCENE = HERE / 'standard.toml'
-SPAN_S = 20  # of motion, over which the frames are spread, whatever their number
+SPAN_S = 20  # seconds of motion that the frames cover, for any number of frames
 FPS = 30
 
 
@@ -15,7 +15,7 @@ class Program:
         self.path = path
 
     def film(self, *options, output='film.mp4'):
-        """H.264 at the scene's rate factor: the number of frames changes how far apart they are, not what they show."""
+        """H.264 at the scene's rate factor. More frames cover the same motion in smaller steps."""
         return lambda frames: self._render(frames, '-o', output, *options)
 
     def pictures(self, folder='.'):
@@ -25,7 +25,7 @@ class Program:
         return lambda _: [self.path, 'still', SCENE, '-o', 'still.png', '--quiet', '--stats']
 
     def excerpt(self, scene, first):
-        """Frames of another scene's film, from the `first` one on."""
+        """Frames of another scene's film, beginning with frame `first`."""
         return lambda frames: [self.path, 'render', scene, '--frames', f'{first}-{first + frames - 1}',
                                '-o', 'film.mp4', '--quiet', '--stats']
 
@@ -40,14 +40,14 @@ class Program:
         return lambda _: [self.path, 'check', scene]
 
     def diff(self, folder):
-        """Of two that `pictures(folder)` makes, which differ, with limits that let any difference pass."""
+        """Compares the first two pictures that `pictures(folder)` makes, with limits that accept any difference."""
         anything = [word for limit, most in {'max': '255', 'pixels': '100%', 'flip-mean': '1', 'flip-max': '0.9999'}.items()
                     for word in (f'--{limit}', f'0-{most}')]
         return lambda _: [self.path, 'diff', folder / 'frame_00000.png', folder / 'frame_00001.png', *anything]
 
     def _render(self, frames, *options):
         duration_s = frames / FPS
-        # The range besides: 100 / 30 s times 30 frames/s is 101 frames.
+        # With --frames, because a film of 100 / 30 s at 30 frames/s has 101 frames.
         return [self.path, 'render', SCENE, '-D', f'time.duration={duration_s!r}',
                 '-D', f'time.speed={SPAN_S / duration_s!r}', '--frames', f'0-{frames - 1}',
                 '--quiet', '--stats', *options]

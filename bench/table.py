@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables that read well in a terminal and are Markdown at the same time."""
+"""Markdown tables that are also readable in a terminal."""
 
 
 def table(heads, rows):
-    """`rows` of texts below `heads`; the first column is words, the others are figures."""
+    """Returns a table of texts. The first column is aligned left, the others right."""
     widths = [max(map(len, column)) for column in zip(heads, *rows)]
     rules = ['-' * widths[0]] + ['-' * (width - 1) + ':' for width in widths[1:]]
     return '\n'.join('| ' + ' | '.join([row[0].ljust(widths[0])] +

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The standard scene by VTK, under an X server (xvfb-run -s '-screen 0 1920x1080x24').
+"""Draws the standard scene with VTK, under an X server (xvfb-run -s '-screen 0 1920x1080x24').
 
     vtk_peer.py OUTPUT FRAMES SMOOTHING
 
-OUTPUT: film.mp4, or a folder for PNG. SMOOTHING: msaablend, 4x MSAA and blending in a fixed order, the like of what
-poinsot draws; peel, depth peeling and FXAA, the usual advice for translucent surfaces.
+OUTPUT: film.mp4, or a folder for PNG. SMOOTHING: msaablend is 4x MSAA with blending in a fixed order, which is
+comparable to poinsot; peel is depth peeling with FXAA, the usual advice for translucent surfaces.
 """
 import pathlib
 import subprocess
@@ -35,7 +35,7 @@ def new_window(renderer, peel):
         renderer.SetMaximumNumberOfPeels(6)
         renderer.SetOcclusionRatio(0.0)
         renderer.SetUseFXAA(True)
-    else:  # the default is VTK's weighted-blended pass, which drops MSAA on translucent actors
+    else:  # VTK's default, a weighted-blended pass, drops MSAA on translucent actors
         renderer.SetPass(vtk.vtkRenderStepsPass())
     return window
 
@@ -92,7 +92,7 @@ class Tube:
 
 
 class Arrow:
-    """With its label."""
+    """Arrow from the origin with a label at its tip."""
 
     def __init__(self, renderer, colour, text, font):
         source = vtk.vtkArrowSource()
@@ -178,7 +178,7 @@ class Scene:
         if peel:
             self.moving.append(add_actor(self.renderer, source, AMBER, .35))
             return
-        # Without peeling: behind the plane's actor, back faces first.
+        # Without peeling, actors blend in the order in which they are added: plane, back faces, front faces.
         back, front = (add_actor(self.renderer, source, AMBER, .35) for _ in range(2))
         back.GetProperty().FrontfaceCullingOn()
         front.GetProperty().BackfaceCullingOn()

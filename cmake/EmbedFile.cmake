@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # poinsot_embed(TARGET SYMBOL FILE): puts FILE into TARGET as
 #   extern "C" const unsigned char SYMBOL[], SYMBOL_end[];
-# .incbin keeps a 700 kB font from becoming 4 MB of C.
+# It uses .incbin, because a C array of a 700 kB font would be 4 MB of source.
 function(poinsot_embed target symbol file)
   set(assembly ${CMAKE_CURRENT_BINARY_DIR}/${symbol}.S)
   file(CONFIGURE OUTPUT ${assembly} @ONLY CONTENT [[

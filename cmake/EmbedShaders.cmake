@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# poinsot_embed_shaders(TARGET): embeds every file of shaders/ and writes the table that names them.
+# poinsot_embed_shaders(TARGET): embeds every file of shaders/ and writes a table of their names and contents.
 include(EmbedFile)
 function(poinsot_embed_shaders target)
   file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/shaders/*)

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-# What takes most of a compiler's time here is reading the headers of Eigen, fmt and GoogleTest: they are read
-# once. Every file includes what it uses all the same; POINSOT_PCH=OFF builds without, and shows it.
+# Precompiles the headers of Eigen, fmt and GoogleTest, because parsing them takes most of the compile time. Every file
+# still includes all headers that it uses; a build with POINSOT_PCH=OFF checks that.
 option(POINSOT_PCH "Precompile the headers of third parties" ON)
 
 set(heavy_headers <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <span>
   <string> <string_view> <variant> <vector> <fmt/format.h> <Eigen/Core> <Eigen/Geometry>)
 
-# A target of its own carries them, as flags must be those of its users: libraries or programs.
+# Precompiles the headers in the target carrier. Its users must have the same flags, so libraries and programs have
+# different carriers.
 function(poinsot_heavy_headers carrier)
   target_link_libraries(${carrier} PRIVATE poinsot_flags Eigen3::Eigen fmt::fmt)
   target_precompile_headers(${carrier} PRIVATE ${heavy_headers} ${ARGN})
@@ -18,7 +19,7 @@ if(POINSOT_PCH)
   poinsot_heavy_headers(poinsot_layer_headers)
 endif()
 
-# After find_package(GTest).
+# Defines the carrier for test programs. Must follow find_package(GTest).
 function(poinsot_test_headers)
   if(POINSOT_PCH)
     add_executable(poinsot_test_headers ${PROJECT_BINARY_DIR}/heavy_headers.cpp)
@@ -27,8 +28,8 @@ function(poinsot_test_headers)
   endif()
 endfunction()
 
-# Lets a target use what its kind's carrier has read. A compiler that cannot use it reads the headers themselves, and must
-# find them.
+# Lets a target reuse the precompiled headers of a carrier. A compiler that cannot use them parses the headers instead,
+# so their include folders are added.
 function(poinsot_use_headers target carrier)
   if(POINSOT_PCH)
     target_precompile_headers(${target} REUSE_FROM ${carrier})
@@ -38,7 +39,7 @@ function(poinsot_use_headers target carrier)
   endif()
 endfunction()
 
-# For a target with options of its own, in whose place those would come that the carrier was made with.
+# Precompiles the headers for one target with its own compile options, which a carrier's options would replace.
 function(poinsot_own_headers target)
   if(POINSOT_PCH)
     target_precompile_headers(${target} PRIVATE ${heavy_headers})

@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-# Rules of `cmake --install`. Two components are packages for Debian: the program is what a user needs;
-# development is what other projects need: static libraries, public headers, and how to find them by CMake or pkg-config.
+# Rules of `cmake --install`. Two components become Debian packages: program for users, and development for other
+# projects, with static libraries, public headers, and files for CMake and pkg-config.
 include(CMakePackageConfigHelpers)
 include(PublicHeaders)
 
-get_property(layers GLOBAL PROPERTY POINSOT_LAYERS)  # from the highest rank down
+get_property(layers GLOBAL PROPERTY POINSOT_LAYERS)  # highest rank first
 
 if(TARGET poinsot)
   install(TARGETS poinsot RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
-  # Where the program looks for its scenes, from its own place (src/cli/scenes_place.cpp).
+  # The program looks for its scenes here, relative to its own path (src/cli/scenes_place.cpp).
   install(DIRECTORY scenes/ DESTINATION share/poinsot/scenes COMPONENT program)
   install(DIRECTORY ${POINSOT_SHARE}/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT program)
   install(FILES packaging/copyright DESTINATION share/doc/poinsot COMPONENT program)
 endif()
-# In no package: Debian has the text of this licence once for all, and refers to it.
+# Not in a package, because Debian packages refer to the system's copy of this licence.
 install(FILES LICENSE CHANGELOG.md DESTINATION share/doc/poinsot COMPONENT licence)
 
 # ---- libraries and headers --------------------------------------------------------------------------------------
@@ -32,13 +32,13 @@ install(CODE "
   set(POINSOT_HEADERS [[${POINSOT_PUBLIC_HEADERS}]])
   set(POINSOT_DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${POINSOT_INSTALL_HEADERS}\")
   include([[${PROJECT_SOURCE_DIR}/cmake/InstallHeaders.cmake]])" COMPONENT development)
-# Suppressions of what sanitizers find in Mesa, for programs that draw (docs/library.md).
+# Sanitizer suppressions for Mesa, for programs that draw (docs/library.md).
 install(FILES tests/support/lsan.supp tests/support/tsan.supp DESTINATION share/poinsot COMPONENT development)
 
 # ---- CMake ------------------------------------------------------------------------------------------------------
 install(EXPORT poinsotTargets NAMESPACE poinsot:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/poinsot COMPONENT development)
 
-# poinsot_find_text(RESULT LAYER): the lines of the config file that find what one layer needs.
+# poinsot_find_text(RESULT LAYER): sets RESULT to the lines of the config file that find the libraries of one layer.
 function(poinsot_find_text result layer)
   get_property(links GLOBAL PROPERTY POINSOT_LINKS_${layer})
   set(text "if(\"${layer}\" IN_LIST _poinsot_wanted)\n")
@@ -53,7 +53,7 @@ function(poinsot_find_text result layer)
   set(${result} "${text}endif()\n" PARENT_SCOPE)
 endfunction()
 
-# From the highest rank down: layers that a layer wants are below it.
+# Highest rank first, because a layer needs only layers of lower rank.
 set(POINSOT_FINDS "")
 foreach(layer ${layers})
   poinsot_find_text(text ${layer})
@@ -63,11 +63,11 @@ set(POINSOT_LAYER_NAMES ${layers})
 list(REVERSE POINSOT_LAYER_NAMES)
 list(JOIN POINSOT_LAYER_NAMES " " POINSOT_LAYER_NAMES)
 
-# poinsot_config(FOLDER COMPONENT): writes and installs poinsotConfig.cmake. The program has one for golden images and the
-# libraries have one; each is complete, and finds what the other component installed.
+# poinsot_config(FOLDER COMPONENT): writes and installs poinsotConfig.cmake. The program and the libraries install a copy
+# each. Each copy is complete, and also finds the files of the other component.
 set(golden_dir ${CMAKE_INSTALL_DATADIR}/cmake/poinsot)
 set(targets_dir ${CMAKE_INSTALL_LIBDIR}/cmake/poinsot)
-# 0.x: a minor version may change the API.
+# SameMinorVersion, because a minor version of 0.x may change the API.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/poinsotConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 function(poinsot_config folder component)
   set(file ${PROJECT_BINARY_DIR}/config/${component}/poinsotConfig.cmake)
@@ -82,8 +82,8 @@ if(TARGET poinsot)
 endif()
 
 # ---- pkg-config -------------------------------------------------------------------------------------------------
-# poinsot_pc(LAYER): writes and installs poinsot-LAYER.pc. Third parties are required in the open, not privately: our
-# libraries are static, theirs are not, and `--static` would ask for all that cairo was built from.
+# poinsot_pc(LAYER): writes and installs poinsot-LAYER.pc. Third parties are in Requires instead of Requires.private:
+# our libraries are static but theirs are shared, and `--static` would demand everything that cairo was built from.
 function(poinsot_pc layer)
   get_property(links GLOBAL PROPERTY POINSOT_LINKS_${layer})
   set(requires "")
@@ -94,7 +94,7 @@ function(poinsot_pc layer)
       list(APPEND requires "poinsot-${CMAKE_MATCH_1}")
     elseif(module)
       list(APPEND requires "${module}")
-    elseif(NOT link MATCHES "::")  # what has no module is in the C library: threads
+    elseif(NOT link MATCHES "::")  # Threads::Threads has no module, because threads are in the C library
       string(APPEND libs " -l${link}")
     endif()
   endforeach()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Run by `cmake --install`, with POINSOT_SOURCES, POINSOT_HEADERS and POINSOT_DESTINATION: installs the headers and all
-# of ours that they include. At that time, so that the list of includes is that of the sources and kept nowhere.
+# Installs POINSOT_HEADERS and all headers of poinsot that they include, from POINSOT_SOURCES to POINSOT_DESTINATION.
+# `cmake --install` runs this script, so that it reads the includes from the current sources.
 cmake_policy(VERSION 3.25)
 set(waiting ${POINSOT_HEADERS})
 set(done "")

@@ -2,26 +2,26 @@
 include(GNUInstallDirs)
 set(POINSOT_INSTALL_HEADERS ${CMAKE_INSTALL_INCLUDEDIR}/poinsot)
 
-# Link-time optimisation reads its own code, not the names in an archive.
+# Renaming symbols in an archive has no effect with link-time optimisation, which does not read these symbols.
 set(POINSOT_OWN_INLINES OFF)
 if(NOT CMAKE_NM OR NOT CMAKE_OBJCOPY OR CMAKE_INTERPROCEDURAL_OPTIMIZATION OR CMAKE_CXX_FLAGS MATCHES "-flto")
-  message(STATUS "Inline functions keep common names, as OwnInlines.cmake needs nm, objcopy and no link-time optimisation")
+  message(STATUS "Inline functions keep common names, because OwnInlines.cmake needs nm, objcopy and no link-time optimisation")
 else()
   set(POINSOT_OWN_INLINES ON)
 endif()
 
-# Programs must be built with this macro where the library was (src/core/abi.h).
+# A program must define this macro if the library was built with it (src/core/abi.h).
 if(CMAKE_CXX_FLAGS MATCHES "-D_GLIBCXX_DEBUG")
   set(POINSOT_CFLAGS -DPOINSOT_BUILT_WITH_GLIBCXX_DEBUG)
   add_compile_options(${POINSOT_CFLAGS})
 endif()
 
-# poinsot_joined(TARGET N SOURCES...): compiles the sources N at a time, as most of a compiler's time goes into what they
-# have in common: headers, and templates that each of them needs. No two sources may therefore define the same name in an
-# unnamed namespace. A source of two targets is in the group that the later call gives it.
-option(POINSOT_JOINED "Compile several sources as one; OFF for tools that want a command for each"
+# poinsot_joined(TARGET N SOURCES...): compiles the sources in groups of N, because most of the compile time goes into
+# headers and templates that the sources share. Two sources must therefore not define the same name in an unnamed
+# namespace. A source of two targets is in the group that the later call gives it.
+option(POINSOT_JOINED "Compile several sources as one; OFF for tools that need a compile command for each source"
   ${PROJECT_IS_TOP_LEVEL})
-# A source that differs from the last commit is compiled by itself, because it will soon be edited again.
+# A source that differs from the last commit is compiled on its own, because it will soon be edited again.
 set(POINSOT_EDITED "")
 if(PROJECT_IS_TOP_LEVEL)
   foreach(list "diff --name-only --relative HEAD" "ls-files --others --exclude-standard")
@@ -35,7 +35,7 @@ endif()
 
 function(poinsot_joined target most)
   if(NOT POINSOT_JOINED OR NOT ARGN)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)  # whatever the project around wants
+    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)  # even if the enclosing project sets it to ON
     return()
   endif()
   set(number 0)
@@ -49,7 +49,7 @@ function(poinsot_joined target most)
     endif()
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # GCC warns of unnamed namespaces outside the main source, and joined sources are outside it.
+  # GCC warns about unnamed namespaces outside the main source, and joined sources are included into another one.
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endif()
@@ -58,10 +58,10 @@ endfunction()
 # poinsot_layer(NAME SOURCES a.cpp b.cpp [APART c.cpp] LINKS poinsot::core ... [PRIVATE lib...]
 #   [HEADER_ONLY lib...] [OPENED lib...] [OPTIONS option...])
 #
-# One folder of src/ is one static library. APART are sources that are compiled by themselves. LINKS are layers (and
-# header-only libraries its headers need); PRIVATE are third parties seen by its .cpp files only: the door stays in one
-# layer. HEADER_ONLY are those of them that leave nothing to link. OPENED are read for their headers and opened at run
-# time, so that nothing is linked either. OPTIONS are the compiler's.
+# Makes a static library of one folder of src/. APART: sources that are compiled one by one. LINKS: layers, and
+# header-only libraries that the layer's headers include. PRIVATE: third parties that only the layer's .cpp files
+# include. HEADER_ONLY: third parties of the .cpp files that need no linking. OPENED: third parties whose headers are
+# included, and which are opened at run time instead of linked. OPTIONS: compile options of the layer.
 function(poinsot_layer name)
   cmake_parse_arguments(ARG "" "" "SOURCES;APART;LINKS;PRIVATE;HEADER_ONLY;OPENED;OPTIONS" ${ARGN})
   add_library(poinsot_${name} STATIC ${ARG_SOURCES} ${ARG_APART})
@@ -71,7 +71,7 @@ function(poinsot_layer name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${POINSOT_INSTALL_HEADERS}>)
   target_compile_features(poinsot_${name} INTERFACE cxx_std_20)
   target_compile_options(poinsot_${name} INTERFACE ${POINSOT_CFLAGS})
-  # BUILD_INTERFACE: what the project that links the installed library need not have.
+  # BUILD_INTERFACE hides targets that a project with the installed library does not need.
   target_link_libraries(poinsot_${name} PUBLIC ${ARG_LINKS} PRIVATE $<BUILD_INTERFACE:poinsot_flags> ${ARG_PRIVATE})
   foreach(library ${ARG_HEADER_ONLY})
     target_link_libraries(poinsot_${name} PRIVATE $<BUILD_INTERFACE:${library}>)
@@ -96,13 +96,13 @@ function(poinsot_layer name)
 endfunction()
 
 # poinsot_test(NAME SOURCES ... [APART ...] LINKS ... LABELS unit|gl|golden|video|cli|slow...)
-# One GoogleTest program; each of its cases is a ctest with the labels, so that `ctest -L unit` takes seconds.
+# Makes a GoogleTest program. Each of its cases is a test of CTest with the labels; `ctest -L unit` takes seconds.
 function(poinsot_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;APART;LINKS;LABELS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES} ${ARG_APART})
   poinsot_joined(${name} 5 ${ARG_SOURCES})
-  # g++ 12 takes the sums of strings that tests are full of for writing past their ends (GCC bug 105651), and at -O1 a
-  # comparison before a delete for one after it.
+  # False positives: g++ 12 reports concatenated strings as writes past their ends (GCC bug 105651) and, at -O1, a
+  # comparison before a delete as a use after it.
   target_compile_options(${name} PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow;-Wno-use-after-free>)
   target_link_libraries(${name} PRIVATE ${ARG_LINKS} poinsot_test_support poinsot_test_flags GTest::gtest

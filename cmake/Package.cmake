@@ -3,13 +3,13 @@
 # libraries; the package for Python.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME poinsot)
-set(POINSOT_CONTACT "poinsot maintainers <poinsot@localhost>" CACHE STRING "Who answers for the packages")
+set(POINSOT_CONTACT "poinsot maintainers <poinsot@localhost>" CACHE STRING "Maintainer of the packages")
 set(CPACK_PACKAGE_CONTACT ${POINSOT_CONTACT})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL program development)
 list(TRANSFORM POINSOT_EVERY_LAYER PREPEND poinsot_ OUTPUT_VARIABLE libraries)
-add_custom_target(poinsot_packed DEPENDS poinsot poinsot_share ${libraries})  # all that is in the packages
+add_custom_target(poinsot_packed DEPENDS poinsot poinsot_share ${libraries})  # everything in the packages
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
@@ -24,9 +24,9 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
 rotation, with angular momentum, angular velocity and Poinsot's ellipsoid
 rolling on the invariable plane. It needs no screen and no graphics card, and
 prints the motion as numbers, too.")
-# Linked libraries say themselves what they need. What is opened at run time is named here: OpenGL, through one of two,
-# and what films are made with. Debian calls FFmpeg's packages by the versions of the interfaces, which the program takes
-# from the headers (src/output/ffmpeg_library.cpp).
+# dpkg-shlibdeps finds the packages of linked libraries. Libraries that are opened at run time are named here: OpenGL,
+# by one of two packages, and the libraries for films. Debian names FFmpeg's packages by interface version, which the
+# program takes from the headers (src/output/ffmpeg_library.cpp).
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(opened "libosmesa6 | libegl1" libgl1-mesa-dri libimagequant0)
 foreach(library libavformat libavcodec libavutil libswscale)
@@ -35,7 +35,7 @@ foreach(library libavformat libavcodec libavutil libswscale)
 endforeach()
 list(JOIN opened ", " CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS)
 
-# poinsot_debian_needs(RESULT LAYER...): the packages that a program which links these layers is built with.
+# poinsot_debian_needs(RESULT LAYER...): sets RESULT to the packages needed to build a program with these layers.
 function(poinsot_debian_needs result)
   foreach(layer ${ARGN})
     get_property(links GLOBAL PROPERTY POINSOT_LINKS_${layer})
@@ -48,7 +48,8 @@ function(poinsot_debian_needs result)
   set(${result} ${packages} PARENT_SCOPE)
 endfunction()
 
-# The physics needs few packages; who wants pictures too is recommended the rest, and what is opened at run time.
+# The package depends on the few packages of the physics. It recommends those for pictures, also the ones opened at
+# run time.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libpoinsot-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
@@ -72,11 +73,11 @@ if(POINSOT_PYTHON)
   set(CPACK_DEBIAN_PYTHON_FILE_NAME DEB-DEFAULT)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
-  # A module is for one minor version of Python. Pictures need OpenGL, which the program brings; so do films.
+  # An extension module fits one minor version of Python. The package poinsot is needed for films, and brings OpenGL.
   math(EXPR next "${Python_VERSION_MINOR} + 1")
   string(CONCAT CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next}), "
     "python3-numpy, poinsot (= ${PROJECT_VERSION})")
-  # What single functions and the examples import.
+  # Packages that only single functions and the examples import.
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, python3-scipy, python3-pil, python3-matplotlib, jupyter-notebook")
   set(CPACK_COMPONENT_PYTHON_DESCRIPTION
 "For Python: the exact motion of rotating rigid bodies as numpy arrays, their
@@ -84,12 +85,12 @@ pictures and films, also in notebooks.")
   install(FILES packaging/copyright DESTINATION share/doc/python3-poinsot COMPONENT python)
 endif()
 
-# Debian wants the changes of a package in a form of its own.
+# Debian requires the changelog of a package in its own format.
 string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/debian/changelog @ONLY CONTENT
 "poinsot (@PROJECT_VERSION@) unstable; urgency=medium
 
-  * What changed is told in CHANGELOG.md of the sources.
+  * The changes are listed in CHANGELOG.md of the sources.
 
  -- @POINSOT_CONTACT@  @now@
 ")

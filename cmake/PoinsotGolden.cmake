@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Golden images as tests of a project: by find_package(poinsot COMPONENTS golden). docs/packages.md explains both functions.
+# Golden-image tests for projects with find_package(poinsot COMPONENTS golden). docs/packages.md explains both functions.
 #
 #   poinsot_add_golden_test(NAME racket SCENE scenes/racket.toml BASELINE approved/racket.png
 #                           [TIME "1.5 s"] [SIZE 256 144] [SET style.theme=dark ...])
@@ -8,14 +8,15 @@
 #       [MAX 0-2] [PIXELS 0-0.5%] [FLIP_MEAN 0-1e-3] [FLIP_MAX 0-0.05] [REASON "why"] [LABELS ...]
 #
 # Adds a test NAME that compares one picture, of a scene or of a command, with the approved one. A limit that is not the
-# default needs a REASON. Paths are from the current source folder; of COMMAND and IMAGE, from WORKING_DIRECTORY
-# (default: the current binary folder). With COMMAND two tests go before: NAME.clear removes IMAGE, NAME.run runs COMMAND.
+# default needs a REASON. Paths are relative to the current source folder; those of COMMAND and IMAGE, to
+# WORKING_DIRECTORY (default: the current binary folder). COMMAND adds two tests that run before NAME: NAME.clear removes
+# IMAGE, NAME.run runs COMMAND.
 #
 #   poinsot_add_golden_suite(golden.toml [NAME name] [WORKING_DIRECTORY folder] [VARIANT name] [LABELS ...]
 #                            [FIXTURES_REQUIRED ...])
 #
 # Adds a test NAME.CASE for each case of a golden.toml, one for each pattern of images (NAME.new/*.png), and NAME.unused,
-# which fails if something is approved that no test makes. NAME is the file's name by default. Images are looked for from
+# which fails if a reference belongs to no test. NAME is the file's name by default. Paths of images are relative to
 # WORKING_DIRECTORY (default: the current binary folder).
 #
 # New pictures, maps, report.html and junit.xml of a test are in golden/TEST of the build folder, and golden/index.html
@@ -27,14 +28,14 @@ find_program(POINSOT_PROGRAM poinsot HINTS ${CMAKE_CURRENT_LIST_DIR}/../../../bi
   DOC "The program poinsot, which compares golden images")
 set(_POINSOT_GOLDEN_INDEX ${CMAKE_CURRENT_LIST_DIR}/PoinsotGoldenIndex.html.in CACHE INTERNAL "")
 
-# Writes a text as TOML has it.
+# Sets result to a text as a quoted TOML string.
 function(_poinsot_toml result value)
   string(REPLACE "\\" "\\\\" value "${value}")
   string(REPLACE "\"" "\\\"" value "${value}")
   set(${result} "\"${value}\"" PARENT_SCOPE)
 endfunction()
 
-# Writes a text as HTML has it between tags.
+# Sets result to a text with the special characters of HTML escaped.
 function(_poinsot_html result value)
   string(REPLACE "&" "&amp;" value "${value}")
   string(REPLACE "<" "&lt;" value "${value}")
@@ -42,7 +43,7 @@ function(_poinsot_html result value)
   set(${result} "${value}" PARENT_SCOPE)
 endfunction()
 
-# Makes a test's name the name of a folder and of a target: a name with other characters is told from others by a hash.
+# Sets result to a test's name as a valid name of folders and targets. A hash keeps names with replaced characters unique.
 function(_poinsot_golden_id result test)
   string(REGEX REPLACE "[^A-Za-z0-9_.+-]" "_" id "${test}")
   if(NOT id STREQUAL test)
@@ -53,7 +54,7 @@ function(_poinsot_golden_id result test)
   set(${result} ${id} PARENT_SCOPE)
 endfunction()
 
-# Writes the page that lists all tests of the build, when all of them are known.
+# Writes the page that lists all golden tests. It is called at the end of configuration, when all tests are known.
 function(_poinsot_golden_write_index)
   get_property(POINSOT_ROWS GLOBAL PROPERTY POINSOT_GOLDEN_ROWS)
   _poinsot_html(POINSOT_TITLE "${CMAKE_PROJECT_NAME}")
@@ -71,8 +72,8 @@ function(_poinsot_golden_add_to_index test id)
     "<tr data-id=\"${id}\"><td class=\"status\">not run</td><td>${name}</td><td></td><td></td></tr>\n")
 endfunction()
 
-# Adds a test that runs COMMAND, `poinsot golden FILE ...`, with reports in a folder of its own. CHOICE says
-# which tests of FILE; it is one word and no list, which brackets in the name of a picture would break.
+# Adds a test that runs COMMAND, `poinsot golden FILE ...`, with reports in a folder of its own. CHOICE selects
+# tests of FILE; it is one word, because brackets in the name of a picture would break a list.
 function(_poinsot_golden_add_test)
   cmake_parse_arguments(PARSE_ARGV 0 ARG "" "TEST;CHOICE;WORKING_DIRECTORY" "COMMAND;LABELS;FIXTURES_REQUIRED")
   _poinsot_golden_id(id "${ARG_TEST}")
@@ -86,11 +87,11 @@ function(_poinsot_golden_add_test)
     -o ${folder} --report ${folder}/report.html --junit ${folder}/junit.xml --outcome ${folder}/outcome.js
     --approve-by "cmake --build ${build} --target poinsot_golden_update_${id}")
   set_tests_properties("${ARG_TEST}" PROPERTIES LABELS "${ARG_LABELS}" FIXTURES_REQUIRED "${ARG_FIXTURES_REQUIRED}"
-    ATTACHED_FILES_ON_FAIL ${folder}/report.html)  # a dashboard of CDash has the page
+    ATTACHED_FILES_ON_FAIL ${folder}/report.html)  # attaches the page to a CDash dashboard
   _poinsot_golden_add_to_index("${ARG_TEST}" ${id})
 endfunction()
 
-# Makes poinsot_golden_update run a target of one test or suite.
+# Adds the update target of one test or suite to poinsot_golden_update.
 function(_poinsot_golden_update_with_all id)
   if(NOT TARGET poinsot_golden_update)
     add_custom_target(poinsot_golden_update)
@@ -98,7 +99,7 @@ function(_poinsot_golden_update_with_all id)
   add_dependencies(poinsot_golden_update poinsot_golden_update_${id})
 endfunction()
 
-# Sets working to the folder in which a test's command runs. @pre POINSOT_PROGRAM is what the caller needs.
+# Checks the arguments that both functions share, and sets working to the folder in which a test's command runs.
 macro(_poinsot_golden_begin function)
   if(ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "${function}: unknown arguments: ${ARG_UNPARSED_ARGUMENTS}")
@@ -107,7 +108,7 @@ macro(_poinsot_golden_begin function)
     message(FATAL_ERROR "${function}: the program poinsot is missing; set POINSOT_PROGRAM")
   endif()
   if(NOT ARG_NAME MATCHES "^[A-Za-z0-9_-][A-Za-z0-9_.-]*$")
-    message(FATAL_ERROR "${function}: NAME \"${ARG_NAME}\": write letters, digits, _ - and .")
+    message(FATAL_ERROR "${function}: NAME \"${ARG_NAME}\": use only letters, digits, _, - and .")
   endif()
   set(working ${CMAKE_CURRENT_BINARY_DIR})
   if(ARG_WORKING_DIRECTORY)
@@ -115,7 +116,7 @@ macro(_poinsot_golden_begin function)
   endif()
 endmacro()
 
-# Writes what poinsot_add_golden_test() was asked for as a golden.toml of one test, called as its reference is.
+# Writes the arguments of poinsot_add_golden_test() as a golden.toml with one test, which has the name of its reference.
 function(_poinsot_golden_write_manifest file reference references)
   _poinsot_toml(references "${references}")
   set(text "references = ${references}\n[[test]]\nname = \"${reference}\"\n")
@@ -188,14 +189,14 @@ function(poinsot_add_golden_test)
   set(folder ${CMAKE_BINARY_DIR}/golden/${ARG_NAME})
   _poinsot_golden_write_manifest(${folder}/golden.toml ${reference} ${references})
   set(golden ${POINSOT_PROGRAM} golden ${folder}/golden.toml)
-  # The files are where this project says that they are, which a golden.toml may not by itself.
+  # A golden.toml may not name files outside its folder, so the folders of this project's files become asset roots.
   foreach(file ${baseline} ${scene} ${image})
     get_filename_component(place ${file} DIRECTORY)
     list(APPEND golden --asset-root ${place})
   endforeach()
 
   if(DEFINED ARG_COMMAND)
-    # A picture or an outcome of an earlier run must not stand for one that COMMAND does not write any more.
+    # Removes picture and outcome of an earlier run, so that the test fails if COMMAND no longer writes the picture.
     set(clear ${CMAKE_COMMAND} -E rm -f ${image} ${folder}/outcome.js)
     add_test(NAME ${ARG_NAME}.clear COMMAND ${clear})
     add_test(NAME ${ARG_NAME}.run COMMAND ${ARG_COMMAND} WORKING_DIRECTORY ${working})
@@ -213,7 +214,7 @@ function(poinsot_add_golden_test)
   _poinsot_golden_update_with_all(${ARG_NAME})
 endfunction()
 
-# Asks for the cases of a golden.toml, as JSON.
+# Sets result to the cases of a golden.toml, as JSON.
 function(_poinsot_golden_list result file)
   execute_process(COMMAND ${ARGN} --list --json WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
     OUTPUT_VARIABLE json ERROR_VARIABLE problem RESULT_VARIABLE code)
@@ -226,7 +227,7 @@ function(_poinsot_golden_list result file)
   set(${result} "${json}" PARENT_SCOPE)
 endfunction()
 
-# Configures again when a pattern of scenes matches other files than now.
+# Runs CMake again when the set of files that match a pattern of scenes changes.
 function(_poinsot_golden_watch folder pattern)
   string(REGEX REPLACE "([[?])" "[\\1]" glob "${folder}/${pattern}")
   set(kind GLOB)
@@ -252,12 +253,12 @@ function(poinsot_add_golden_suite file)
   endif()
   file(STRINGS ${file} variants REGEX "^[ \t]*variant[ \t]*=")
   if(DEFINED ARG_VARIANT OR variants)
-    list(APPEND update --beside)  # references of other variants stay
+    list(APPEND update --beside)  # keeps the references of other variants
   endif()
   _poinsot_golden_list(json ${file} ${golden})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
 
-  # Outcomes of an earlier run must not stand in the index for tests that ctest does not get to.
+  # Removes outcomes of an earlier run, so that the index shows none for tests that ctest does not reach.
   set(cleared poinsot_golden_${ARG_NAME}.clear)
   set(outcomes "")
   set(common COMMAND ${golden} WORKING_DIRECTORY ${working} LABELS ${ARG_LABELS})
@@ -269,13 +270,13 @@ function(poinsot_add_golden_suite file)
     string(JSON path ERROR_VARIABLE missing GET "${json}" tests ${index} image)
     set(fixtures ${ARG_FIXTURES_REQUIRED})
     if(missing)
-      set(fixtures "")  # which make images
+      set(fixtures "")  # fixtures make images; a scene needs none
       string(JSON path GET "${json}" tests ${index} scene)
       if(path MATCHES "[*]")
         _poinsot_golden_watch("${place}" "${path}")
       endif()
     elseif(path MATCHES "[*]")
-      set(only "${path}")  # its images may not be there yet
+      set(only "${path}")  # its images may not exist yet
     endif()
     string(FIND "${seen}" "\n${only}\n" at)
     if(at EQUAL -1)

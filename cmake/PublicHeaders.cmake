@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# The headers that a caller of each layer starts from. They are installed with all that they include; the rest of src/
-# is internal. To make one public is to name it here.
+# Public headers of each layer. They are installed with all headers of src/ that they include; other headers are
+# internal. To make a header public, add it here.
 set(POINSOT_PUBLIC_HEADERS
   compare/changes.h
   compare/difference.h

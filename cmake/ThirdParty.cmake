@@ -2,10 +2,10 @@
 # poinsot_third_party(TARGET PACKAGE name [word ...] [AT_LEAST version] REQUIRES "module >= version" DEBIAN package)
 # poinsot_third_party(PkgConfig::PREFIX MODULES module>=version ... DEBIAN package)
 #
-# Finds a library and keeps how it was found: who links an installed layer must find it too, by CMake (PACKAGE) or by
-# pkg-config (REQUIRES). MODULES say both. DEBIAN is the package that has it. AT_LEAST is compared here, because a package
-# may refuse to stand for an older version of itself: Eigen 5 does for 3.4. A macro, as variables of find_package() are
-# its caller's.
+# Finds a library and records how, because a project that links an installed layer must find the library, too: by CMake
+# (PACKAGE) or pkg-config (REQUIRES); MODULES serves both. DEBIAN is the library's Debian package. AT_LEAST is compared
+# here, because some packages reject requests for an older version, as Eigen 5 rejects 3.4. This is a macro, because
+# find_package() must set variables of its caller.
 macro(poinsot_third_party target)
   cmake_parse_arguments(PARTY "" "AT_LEAST;REQUIRES;DEBIAN" "PACKAGE;MODULES" ${ARGN})
   if(DEFINED PARTY_PACKAGE)

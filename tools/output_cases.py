@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What same_outputs runs: a case is a folder of inputs and the commands that are run in it, one after the other."""
+"""Cases of same_outputs. A case is a folder of inputs and the commands that run in it, one after the other."""
 
 import hashlib
 import re
@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 SMALL = ["--size", "320x180", "--reproducible"]
 PLAIN = ["--progress", "plain"]
-ONE_SCENE = ("football", "heavy_top", "tennis_racket_two_views")  # of free motion, driven motion, several views
+ONE_SCENE = ("football", "heavy_top", "tennis_racket_two_views")  # scenes of free motion, of driven motion, and with several views
 SUBCOMMANDS = ("new preview render still sweep gallery status assemble submit diff golden info trajectory grade check explain "
                "schema doctor help").split()
 
@@ -18,11 +18,11 @@ SUBCOMMANDS = ("new preview render still sweep gallery status assemble submit di
 class Case:
     name: str
     commands: list
-    copies: list = field(default_factory=list)  # of the sources: (from, to)
-    files: dict = field(default_factory=dict)   # name: bytes
-    varying: list = field(default_factory=list) # (pattern, name) beside those of every case
-    common: list = field(default_factory=list)
-    ignored: str = r"$^"                        # files of this name are not compared
+    copies: list = field(default_factory=list)  # (from, to): copies of sources
+    files: dict = field(default_factory=dict)   # name: contents
+    varying: list = field(default_factory=list) # (pattern, replacement) for this case only
+    common: list = field(default_factory=list)  # (pattern, replacement) for all cases
+    ignored: str = r"$^"                        # files that match are not compared
 
     def prepare(self, place):
         (place / "home").mkdir()
@@ -45,7 +45,7 @@ class Case:
         return hashlib.sha256(data).hexdigest()
 
 
-# What may differ from one run to the next.
+# Outputs that may differ between two runs, and their replacements.
 TIMES = [(rb"(poinsot: \d+ of \d+ frames \(\d+ %\)[^\n]*\n)+", b"PROGRESS\n"), (rb"([(,] ?)[\d.]+ s(?=[,)])", rb"\1TIME"),
          (rb"\d{4}-\d\d-\d\d[T ]\d\d:\d\d(:\d\d)?(Z|[+-]\d\d:\d\d)?", b"DATE"), (rb"/tmp/poinsot-\w+", b"TEMPORARY"),
          (rb"(?s)\"spent\": \{.*?\n \}", b"SPENT"), (rb"\"(elapsed_s|seconds)\": ?[\d.e+-]+", b"TIME"), (rb" time=\"[\d.]+\"", b"TIME")]
@@ -53,7 +53,7 @@ NUMBERS = [(rb"[\d.]+", b"N")]
 
 
 def of_scenes(root):
-    """Every scene of the gallery: as a picture, as figures, as words, as numbers, and as a short film."""
+    """Yields a case for each scene: picture, figures, words and numbers; for scenes of the gallery, a short film, too."""
     for path in sorted(root.glob("scenes/*.toml")):
         name = path.stem
         scene = f"scenes/{path.name}"
@@ -173,7 +173,7 @@ def of_numbers(root):
 
 
 def of_words(root):
-    """Help, explanations, schema, and what is wrong in scenes and on the command line."""
+    """Yields cases of help, explanations, the schema, and mistakes in scenes and on the command line."""
     yield Case("help", [["--help"], ["--version"], [], ["nothing"], *([name, "--help"] for name in SUBCOMMANDS), ["help", "render"]])
     yield Case("self-describe", [["self-describe", "share"]])
     yield Case("explain", [["schema"], ["explain"], *(["explain", name] for name in

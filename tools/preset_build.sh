@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# A build of its own below the build folder, as a preset of CMake has it.
+# Configures a preset of CMake in a folder below the build folder, and builds a target there.
 preset_build() { # $1: preset, $2: folder, $3: target; then options of CMake
   local preset=$1 folder=$build/$2 target=$3 log=$build/$2/compile.log
   shift 3

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The site of `./poinsot docs`: it is built without a warning, every link of it leads somewhere, and it works in a browser as
-files, films and search included. A broken link, heading or file is told.
+"""Tests the site of `./poinsot docs`: it is built without warnings, all its links have targets, and films and search work in
+a browser that opens the pages as files. Broken links, headings and files are reported.
 
     site_test.py SITE PROGRAM
 """
@@ -21,7 +21,7 @@ from browser import browser  # noqa: E402
 
 
 def build(folder, *options):
-    """Builds into folder/site."""
+    """Builds the site in folder/site."""
     return subprocess.run([sys.executable, '-B', SITE, '--program', PROGRAM, '--work', f'{folder}/work', '-o', f'{folder}/site',
                            '--draft', *options], capture_output=True, text=True)
 
@@ -57,7 +57,7 @@ class TheSite(unittest.TestCase):
             page = re.sub('<[^>]*>', '', (self.site / f'scenes/{scene.name}.html').read_text())
             self.assertTrue('\n[motion]\n' in page and 'The film lasts' in page, scene.name)
 
-    def test_says_all_of_every_key(self):
+    def test_shows_every_column_of_the_tables_of_keys(self):
         rows = [line.strip('| ').split(' | ') for line in (ROOT / 'docs/scene.md').read_text().splitlines() if line.startswith('| `')]
         keys = [row for row in rows if len(row) == 6]
         self.assertGreater(len(keys), 200)
@@ -85,7 +85,7 @@ class TheSite(unittest.TestCase):
 
 
 class AMistake(unittest.TestCase):
-    def test_in_a_page_is_told(self):
+    def test_in_a_page_is_reported(self):
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder, 'root')
             (root / 'docs/site').mkdir(parents=True)
@@ -103,17 +103,17 @@ class AMistake(unittest.TestCase):
                 self.assertIn(re.split('[/#]', link)[-1], bad.stderr)
             self.assertEqual((pathlib.Path(folder, 'site/docs/page.html')).read_text(), before, 'the site that was there stays')
 
-    def test_of_the_folder_costs_nothing(self):
+    def test_in_the_name_of_the_folder_deletes_nothing(self):
         with tempfile.TemporaryDirectory() as folder:
             pathlib.Path(folder, 'site').mkdir()
             mine = pathlib.Path(folder, 'site/mine.txt')
             mine.write_text('mine')
             refused = build(folder)
             self.assertNotEqual(refused.returncode, 0)
-            self.assertIn('is no site of this program', refused.stderr)
+            self.assertIn('is not a site of this program', refused.stderr)
             self.assertEqual(mine.read_text(), 'mine')
 
-    def test_in_a_built_page_is_told(self):
+    def test_in_a_built_page_is_reported(self):
         with tempfile.TemporaryDirectory() as folder:
             pathlib.Path(folder, 'a.html').write_text(
                 '<h1 id="top">A</h1><a href="#top"><a href="b.html#there"><a href="https://example.org/x"><a href="a%20b.txt">'
