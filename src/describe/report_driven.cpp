@@ -78,7 +78,8 @@ Section heavyTopSection(const scene::Scene& scene) {
   if (!start) return section;
   section.add("weight_moment", "M g l", start->top.weight, "N m", "");
   if (start->uneven > 0)
-    section.add("top_unevenness", "moments across k differ by", start->uneven, "", "relative; their mean is used");
+    section.add("top_unevenness", "moments across k differ by", start->uneven, "",
+                "relative difference; the motion uses the mean of the two moments");
   section.add("top_tilt", "angle between k and the vertical", start->tilt_rad(), "rad", "");
   section.add("top_spin", "spin omega_3", start->spin(), "rad/s", "eq 26");
   section.add("sleeping_spin", "sleeps upright above 2 sqrt(I1 M g l)/I3", start->top.sleepingSpin(), "rad/s", "");

@@ -220,7 +220,7 @@ class Page {
 constexpr const char* kAnyDate = "1970-01-01T00:00:00Z";
 
 void eraseDate(Bytes& pdf) {
-  // With its bracket, the text cannot occur in a title, where brackets are escaped
+  // A title cannot contain this text, because PDF escapes the bracket "(" in titles.
   constexpr std::string_view kEntry = "/CreationDate (";
   const auto begin = std::search(pdf.begin(), pdf.end(), kEntry.begin(), kEntry.end());
   const auto end = std::find(begin, pdf.end(), ')');

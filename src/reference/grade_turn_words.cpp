@@ -23,9 +23,9 @@ struct KnownAxes {
 
 constexpr KnownAxes kKnownAxes[] = {
     {"x, -y, -z", "forward-right-down axes"},
-    {"-x, y, -z", "the same as the y axis mirrored: left-handed axes (Unreal)"},
-    {"-x, -y, z", "the same as the z axis mirrored: left-handed axes (Unity)"},
-    {"-x, -z, -y", "the same as y and z exchanged: left-handed axes with y up (Unity)"},
+    {"-x, y, -z", "left-handed axes (Unreal), as if the y axis were mirrored"},
+    {"-x, -y, z", "left-handed axes (Unity), as if the z axis were mirrored"},
+    {"-x, -z, -y", "left-handed axes with y up (Unity), as if y and z were exchanged"},
     {"y, x, -z", "north-east-down and east-north-up axes"},
     {"x, -z, y", "axes with y up"},
     {"x, z, -y", "axes with z up, where the scene has y up"},

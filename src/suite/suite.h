@@ -17,7 +17,7 @@ namespace poinsot::suite {
 /// Endings of the two files that a run writes for each case: the FLIP map and the amplified difference.
 inline constexpr std::string_view kMapEnding = ".flip.png", kDifferenceEnding = ".difference.png";
 
-/// Picture to compare: one test at one time.
+/// Picture to compare: a test has one picture for each of its film times.
 struct GoldenCase {
   std::string name;  ///< test's name, with the time if there are several ("racket_t1.5")
   GoldenTest test;

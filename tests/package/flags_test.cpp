@@ -73,7 +73,7 @@ TEST(Flags, AreRejectedIfTheySelectAnOlderLanguage) {
 }
 
 // The pointers in a program's glad belong to its own window.
-TEST(Flags, DoNotChangeTheFunctionPointersOfAProgramsGlad) {
+TEST(Flags, LeaveGladPointersOfTheProgramUnchanged) {
   if (const std::string reason = whyNoFlags(); !reason.empty()) GTEST_SKIP() << reason;
   expectKeepsItsGlad(InstalledTree(), {"g++", "-O0 -mavx2"}, "3.3");
 }

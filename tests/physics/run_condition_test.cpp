@@ -122,7 +122,7 @@ TEST(RunCondition, IsRightForAFaintDisturbanceOfTheMiddleAxis) {
 }
 
 // If the same body is described in other axes, the disturbance is known only to the rounding of omega.
-TEST(RunCondition, FaintDisturbanceInOtherAxesIsLessWellKnown) {
+TEST(RunCondition, GrowsIfAFaintDisturbanceIsGivenInOtherAxes) {
   const PrincipalMoments moments({1, 2, 3});
   const Eigen::Quaterniond q_BP(Eigen::AngleAxisd(0.7, Vector3d(1, 2, 2) / 3));
   const PrincipalAxes turned(moments, q_BP);

@@ -57,10 +57,11 @@ TEST(GradeAxes, NamesCommonAxisConventions) {
   };
   expect(rows(x, -y, -z), "both frames are turned by 180 deg about x", "forward-right-down axes");
   expect(rows(x, -y, z), "both frames are turned by 180 deg about y",
-         "y axis mirrored: left-handed axes (Unreal)");
-  expect(rows(x, y, -z), "both frames are turned by 180 deg about z", "z axis mirrored: left-handed axes (Unity)");
+         "left-handed axes (Unreal), as if the y axis were mirrored");
+  expect(rows(x, y, -z), "both frames are turned by 180 deg about z",
+         "left-handed axes (Unity), as if the z axis were mirrored");
   expect(rows(x, z, y), "both frames are turned by 180 deg about (0, 0.707, -0.707)",
-         "y and z exchanged: left-handed axes with y up (Unity)");
+         "left-handed axes with y up (Unity), as if y and z were exchanged");
   expect(rows(y, x, -z), "both frames are turned by 180 deg about (0.707, 0.707, 0)", "north-east-down");
   expect(rows(x, z, -y), "both frames are turned by 90 deg about x",
          "axes with y up; the scene's x, y, z are the log's x, -z, y");

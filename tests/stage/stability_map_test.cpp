@@ -101,7 +101,7 @@ TEST(StabilityMap, ColoursMatchIntegratedEulerEquations) {
 
 // The scale begins at pi over the faster rate of circling about the axis of smallest or largest moment. It ends at
 // the longer time for a direction one degree from the middle axis.
-TEST(StabilityScale, RangesFromSteadySpinToOneDegreeFromTheMiddle) {
+TEST(StabilityScale, RangesFromSteadySpinToOneDegreeOffTheMiddleAxis) {
   const double L = 5;
   const StabilityScale scale(physics::PrincipalMoments(kMoments), L);
   // Linearised Euler's equations: w² = (I_k - I_i)(I_k - I_j)/(I_i I_j) times the square of the spin.

@@ -81,7 +81,7 @@ TEST(Coverage, IsUnchangedByShiftsOfWholePixels) {
 }
 
 // The rectangle's place is known, so that coverage is a product of lengths.
-TEST(Coverage, IsExactForARectangularRule) {
+TEST(Coverage, IsExactForARectangle) {
   GlyphRun run;
   run.rules.push_back({0, 0, 1, 0.5});
   const CoverageMap map = rasterize(run, 8, 10.25, 20.5);  // x 10.25..18.25, y 16.5..20.5

@@ -10,7 +10,7 @@
 namespace poinsot::stage {
 namespace {
 
-constexpr float kPen = 3;  // lines have their full width from a third of the progress on
+constexpr float kPen = 3;  // factor on the progress: lines reach their full width at a third of it
 
 template <class T>
 std::span<T> since(std::vector<T>& all, std::size_t before) {

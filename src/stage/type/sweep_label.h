@@ -22,7 +22,8 @@ struct SweepLabels {
 std::string sweptName(const scene::SweepAxis& axis, const scene::Scene& scene);
 
 /// Returns the labels of each range.
-/// @param names  names that replace those of the first ranges
+/// @param names  names given by the user, for the first range, the second and so on; a range without one is named
+/// by sweptName()
 /// @throws core::Error(kUsage) if a name is not TeX.
 std::vector<SweepLabels> sweepLabels(const std::vector<scene::SweepAxis>& axes,
                                      const std::vector<std::string>& names, const scene::Scene& scene);
