@@ -113,7 +113,7 @@ std::vector<Breach> ofStage() {
        [=] {
          PictureLayout({wide, second});
        }},
-      {"stage/plot/plot_figure.h", "of one kind", [=] { joined(PlotRanges{}, portrait); }},
+      {"stage/plot/plot_figure.h", "or neither plot has one", [=] { joined(PlotRanges{}, portrait); }},
       {"stage/plot/plot_figure.h", "quantities are of one unit",
        [=] {
          plotOf({indexOf("omega_1"), indexOf("T")}, {});
@@ -236,11 +236,11 @@ std::vector<Breach> ofResults() {
   using namespace reference;
   const std::vector<double> three = {1, 2, 3}, two = {1, 2};
   return {
-      {"compare/film_diff.h", "there is one",
+      {"compare/film_diff.h", "there is at least one frame",
        [] {
          FilmDiff{"", {25, 1}, FilmTimes(1), {}}.worst();
        }},
-      {"compare/film_diff.h", "there is one",
+      {"compare/film_diff.h", "there is at least one frame",
        [] {
          FilmDiff{"", {25, 1}, FilmTimes(1), {}}.first();
        }},
