@@ -12,9 +12,9 @@ void addGoldenOptions(const Command& command, GoldenOptions& options) {
               "file that lists the pictures to make and compare (default: golden.toml)")
       .notEmpty();
   command
-      .option(
-          "--only", options.only,
-          "only the tests with these names (* matches any characters), or of a file as written in the manifest")
+      .option("--only", options.only,
+              "only tests with these names (* matches any characters), or tests whose scene or image has this "
+              "path in the manifest")
       .type("NAME")
       .notEmpty();
   command.flag("--update", options.update,

@@ -64,10 +64,10 @@ void addCondition(Section& section, const scene::Scene& scene, const ReportSpan&
   const auto condition =
       physics::runCondition(scene.body.axes, scene.motion.omega_B, std::abs(first ? span.from_s : span.to_s));
   section.add("turns", "turns from time 0 to " + end, condition.turns, "", "|omega| t/(2 pi), omega at time 0");
-  section.add("flips", "half periods of the polhode until then", condition.flips, "", "");
-  section.add("end_uncertainty", "attitude uncertain there by", condition.attitude_rad, "rad",
+  section.add("flips", "half periods of the polhode up to " + end, condition.flips, "", "");
+  section.add("end_uncertainty", "attitude uncertainty at " + end, condition.attitude_rad, "rad",
               "if the input is rounded");
-  section.add("meaningful_digits", "meaningful digits there", condition.digits, "", "");
+  section.add("meaningful_digits", "meaningful digits at " + end, condition.digits, "", "");
 }
 
 }  // namespace

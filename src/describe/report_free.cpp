@@ -75,7 +75,7 @@ void addMiddleAxis(Section& section, const physics::FlipTimes& flips) {
               flips.interval_s, "s", "omega_mid changes sign");
   section.add("least_angle_to_middle", "least angle between L and the middle axis", flips.nearestToMiddle_rad,
               "rad", "");
-  section.add("largest_tilt", "largest angle between L and the axis circled",
+  section.add("largest_tilt", "largest angle between L and the axis that it circles",
               std::numbers::pi / 2 - flips.nearestToMiddle_rad, "rad", "");
 }
 

@@ -255,10 +255,14 @@ std::vector<std::string_view> shapeWords() {
 
 const std::vector<LengthKey>& lengthKeys() {
   static const std::vector<LengthKey> table = {
-      {"radius", "Radius of a round shape. For a torus, radius of the circle that its tube follows.", "\"10 cm\""},
-      {"inner_radius", "Radius of the hollow in a sphere or a cylinder (a tube). By default, there is no hollow.",
+      {"radius", "Radius of a round shape. The radius of a torus is that of the circle that its tube follows.",
+       "\"10 cm\""},
+      {"inner_radius",
+       "Radius of the hollow in a sphere or in a cylinder, which is then a tube. By default, there is no hollow.",
        "\"5 cm\""},
-      {"height", "Height along z. For a capsule, height of the cylinder between the half balls.", "\"20 cm\""},
+      {"height",
+       "Height of a shape along z. The height of a capsule is that of the cylinder between its half balls.",
+       "\"20 cm\""},
       {"length", "Length of a rod, along x. For a racket, overall length.", "\"68.5 cm\""},
       {"width", "Width of a racket's hoop.", "\"26 cm\""},
       {"edge", "Edge length of a regular polyhedron.", "\"10 cm\""},
@@ -272,7 +276,8 @@ const std::vector<LengthKey>& lengthKeys() {
       {"hub_radius", "Radius of a wing nut's hub.", "\"5 mm\""},
       {"hub_height", "Height of a wing nut's hub, along z.", "\"10 mm\""},
       {"wing_centre", "Distance of a wing's centre from the hub's axis, along x.", "\"11 mm\""},
-      {"wing_rise", "Height of a wing's centre above the hub's centre. By default, 0.", "\"3 mm\"", true},
+      {"wing_rise", "Height of the centre of a wing nut's wing above the hub's centre. The default is 0.",
+       "\"3 mm\"", true},
   };
   return table;
 }

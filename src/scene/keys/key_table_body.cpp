@@ -37,10 +37,11 @@ std::vector<Key> momentKeys() {
        .dimension = kMomentOfInertia,
        .range = kMoments,
        .example = "[1.0, 2.0, 2.5]",
-       .help = "Moments of inertia about the body's principal axes, in any order. None may exceed the sum of the "
-               "other two. If the body has a mass, they are about the centre of mass (see moments_about). Without "
-               "a mass, they are about the fixed point of the motion. A body is given by this key, by inertia, by "
-               "shape with its keys, by catalogue, or by parts and point masses.",
+       .help = "Moments of inertia about the body's principal axes, in any order. No moment may exceed the sum of "
+               "the other two. If the body has a mass, the moments are about the centre of mass unless "
+               "moments_about names another point. Without a mass, the moments are about the fixed point of the "
+               "motion. A scene gives its body by principal_moments, by inertia, by shape with its keys, by "
+               "catalogue, or by parts and point masses.",
        .advice = nearestMomentsAdvice,
        .put = into([](Draft& d) { return &d.body.moments; })},
       {.path = "body.inertia",
@@ -48,11 +49,12 @@ std::vector<Key> momentKeys() {
        .dimension = kMomentOfInertia,
        .range = kProducts,
        .example = "[[2, 0.1, 0], [0.1, 3, 0], [0, 0, 4]]",
-       .help = "Inertia tensor in body axes. If the body has a mass, it is about the centre of mass (see "
-               "moments_about). Without a mass, it is about the fixed point of the motion. The off-diagonal "
-               "elements are -(sum of m x y), -(sum of m x z) and -(sum of m y z). URDF, MuJoCo and SolidWorks' "
-               "negative tensor notation have the same signs. Aerospace tables and many CAD sheets print +(sum of "
-               "m x y): reverse the signs of their off-diagonal elements.",
+       .help =
+           "Inertia tensor of the body in body axes. If the body has a mass, the tensor is about the centre of "
+           "mass unless moments_about names another point. Without a mass, the tensor is about the fixed point of "
+           "the motion. The off-diagonal elements are -(sum of m x y), -(sum of m x z) and -(sum of m y z). URDF, "
+           "MuJoCo and SolidWorks' negative tensor notation have the same signs. Aerospace tables and many CAD "
+           "sheets print +(sum of m x y), so reverse the signs of their off-diagonal elements.",
        .put = into([](Draft& d) { return &d.body.inertia; })},
       {.path = "body.centre_of_mass",
        .type = kVector,
@@ -60,24 +62,26 @@ std::vector<Key> momentKeys() {
        .range = kPositions,
        .fallback = "[0, 0, 0]",
        .example = "[0, 0, \"12 mm\"]",
-       .help = "Position of the centre of mass in body axes. Only for a body given by mass and by inertia or "
-               "principal_moments. In URDF, it is the xyz of the inertial origin.",
+       .help = "Position of the body's centre of mass in body axes. Only a body that is given by mass and by "
+               "inertia or principal_moments can have this key. In a URDF file, this position is the xyz of the "
+               "inertial origin.",
        .put = into([](Draft& d) { return &d.body.centre_B; })},
       {.path = "body.moments_about",
        .type = kWord,
        .words = {"centre_of_mass", "origin", "pivot"},
        .fallback = "\"centre_of_mass\"",
        .example = "\"pivot\"",
-       .help = "The point that inertia or principal_moments are about, for a body with a mass. In URDF, it is the "
-               "centre of mass. `origin` is the origin of the body axes, which CAD programs call the output "
-               "coordinate system. The moments are then moved from this point to the pivot (eq 14).",
+       .help = "The point that inertia or principal_moments are about, if the body has a mass. In a URDF file, "
+               "this point is the centre of mass. `origin` is the origin of the body axes, which CAD programs "
+               "call the output coordinate system. poinsot moves the moments from this point to the pivot by eq "
+               "14 of docs/physics.md.",
        .put = into([](Draft& d) { return &d.body.momentsAbout; })},
       {.path = "body.catalogue",
        .type = kWord,
        .words = catalogueWords(),
        .example = "\"t_handle\"",
-       .help = "Name of a real body, with its mass. The section Catalogue of docs/scene.md gives the source of "
-               "each number.",
+       .help = "Name of a real body, which sets the body's mass and moments. The section Catalogue of "
+               "docs/scene.md gives the source of each number.",
        .put = into([](Draft& d) { return &d.body.catalogue; })},
   };
 }
@@ -94,15 +98,15 @@ std::vector<Key> wholeKeys() {
        .dimension = kDensity,
        .range = kDensities,
        .example = "\"2.7 g/cm^3\"",
-       .help = "Density of a shape that has a volume. Use it instead of mass.",
+       .help = "Density of a shape that has a volume. Use the key density instead of mass.",
        .put = into([](Draft& d) { return &d.body.whole.density; })},
       {.path = "body.pivot",
        .type = kVector,
        .dimension = kLength,
        .range = kPositions,
        .example = "[0, 0, \"-5 cm\"]",
-       .help = "The point of the body that is held fixed, in body axes. Without a pivot, the body turns about its "
-               "centre of mass. Needs a body with a mass.",
+       .help = "Point of the body that is held fixed in space, in body axes. Without a pivot, the body turns "
+               "about its centre of mass. Only a body with a mass can have a pivot.",
        .put = into([](Draft& d) { return &d.scene.body.pivot_B; })},
   };
 }
@@ -111,15 +115,17 @@ ShapeTable wholeShape() {
   return {.path = "body",
           .of = [](Draft& d, std::size_t) -> ShapeDraft& { return d.body.whole.shape; },
           .shapeHelp =
-              "Uniform solid or shell that sets the moments. It needs the keys of the shape, and mass or density; "
-              "see Shapes in docs/scene.md.",
+              "Uniform solid or shell that sets the body's moments. A shape also needs its own keys, such as size "
+              "or radius, and mass or density. The section Shapes of docs/scene.md lists the keys of each shape.",
           .sizeHelp = "Extents of the shape along the body's x, y and z axes. One number sets all three."};
 }
 
 ShapeTable partShape() {
   return {.path = "body.part[]",
           .of = [](Draft& d, std::size_t i) -> ShapeDraft& { return elementAt(d.body.parts, i).shape; },
-          .shapeHelp = "Uniform solid or shell of the part. It needs the keys of the shape, and mass or density.",
+          .shapeHelp =
+              "Uniform solid or shell that is one part of the body. The part also needs the keys of its shape, "
+              "such as size or radius, and mass or density.",
           .sizeHelp = "Extents of the shape along its own x, y and z axes. One number sets all three."};
 }
 
@@ -135,7 +141,7 @@ std::vector<Key> partMassKeys() {
        .dimension = kDensity,
        .range = kDensities,
        .example = "\"2.7 g/cm^3\"",
-       .help = "Density of a shape that has a volume. Use it instead of mass.",
+       .help = "Density of a shape that has a volume. Use the key density instead of mass.",
        .put = intoPart([](PieceDraft& p) { return &p.density; })},
   };
 }
@@ -147,14 +153,15 @@ std::vector<Key> partPlaceKeys() {
        .dimension = kLength,
        .range = kPositions,
        .example = "[0, \"5 cm\", 0]",
-       .help = "Position of the part's origin in body axes. By default, the body's origin.",
+       .help = "Position of the part's origin in body axes. By default, the part's origin is the body's origin.",
        .put = intoPart([](PieceDraft& p) { return &p.offset; })},
       {.path = "body.part[].rotation",
        .type = kQuaternion,
        .range = kQuaternionNorm,
        .example = "[1, 0, 0, 1]",
-       .help = "Quaternion w, x, y, z that takes the part's axes to body axes. It is normalised on reading. You "
-               "can give axis and angle instead. Without a rotation, the part's axes are the body's axes.",
+       .help = "Quaternion w, x, y, z that takes the part's axes to body axes. The quaternion is normalised on "
+               "reading. Instead of rotation, you can give the keys axis and angle. Without a rotation, the "
+               "part's axes are the body's axes.",
        .put = intoPart([](PieceDraft& p) { return &p.rotation; })},
       {.path = "body.part[].axis",
        .type = kVector,

@@ -31,8 +31,9 @@ std::vector<Key> framesKeys() {
            .type = kWords,
            .words = kFrames,
            .example = "[\"space\", \"body\"]",
-           .help = "Several frames, shown at the same instant in panels side by side, one panel for each frame. "
-                   "Use it instead of `frame`.",
+           .help = "Several frames of reference for one picture, such as `space` and `body`. The picture has one "
+                   "panel for each of them, side by side, and all panels show the same instant. Use this key "
+                   "instead of `frame`.",
            .put = into([](Draft& d) { return &d.frames; })}};
 }
 
@@ -42,9 +43,9 @@ std::vector<Key> cameraKeys() {
        .type = kWord,
        .words = presetWords(),
        .example = "\"front\"",
-       .help = "Named viewpoint. It sets azimuth and elevation unless they are given. `front` has x to the right "
-               "and z up, `side` has y to the right, `top` has y up. `low` is just above the plane, `high` far "
-               "above it. `isometric` also sets the projection.",
+       .help = "Named viewpoint of the camera. The preset sets azimuth and elevation unless the scene gives them. "
+               "`front` has x to the right and z up, `side` has y to the right, and `top` has y up. `low` is just "
+               "above the invariable plane, and `high` is far above it. `isometric` also sets the projection.",
        .put = into([](Draft& d) { return &d.preset; })},
       {.path = "camera.projection",
        .type = kWord,
@@ -59,8 +60,8 @@ std::vector<Key> cameraKeys() {
        .range = kAzimuth,
        .fallback = "\"22 deg\"",
        .example = "\"-120 deg\"",
-       .help = "Direction of the camera about the world's vertical, from the x axis. By default, the camera of a "
-               "thrown body stands beside the path.",
+       .help = "Angle about the world's vertical, from the x axis, at which the camera stands. For a thrown body, "
+               "the default is a camera beside the path of the flight.",
        .put = into([](Draft& d) { return &d.scene.camera.azimuth_rad; })},
       {.path = "camera.elevation",
        .dimension = kAngle,
@@ -74,7 +75,8 @@ std::vector<Key> cameraKeys() {
        .range = kFov,
        .fallback = "\"24 deg\"",
        .example = "\"40 deg\"",
-       .help = "Vertical field of view in perspective. A small angle looks flat, as from far away.",
+       .help = "Vertical field of view of the camera in perspective. With a small angle, the picture looks flat, "
+               "as if seen from far away.",
        .put = into([](Draft& d) { return &d.scene.camera.fov_rad; })},
       {.path = "camera.zoom",
        .range = kZoom,
@@ -94,15 +96,16 @@ std::vector<Key> cameraKeys() {
        .words = kFrames,
        .fallback = "\"space\"",
        .example = "\"body\"",
-       .help = "Axes that stand still in the picture. `space` is inertial, `body` is fixed in the body, and "
-               "`precession` turns about L with the axis of a symmetric body.",
+       .help = "Frame of reference that stands still in the picture. `space` is inertial, `body` is fixed in the "
+               "body, and `precession` turns about L with the axis of a symmetric body.",
        .put = into([](Draft& d) { return &d.scene.camera.frame; })},
       {.path = "camera.follow",
        .type = kBool,
        .fallback = "false",
        .example = "true",
-       .help = "Whether the camera moves with a thrown body. It is then as near as the body allows, and the path "
-               "passes by. Otherwise, the camera stands still and frames the whole flight.",
+       .help = "Whether the camera moves with a thrown body. If true, the camera is as near as the size of the "
+               "body allows, and the path of the flight passes by. If false, the camera stands still and frames "
+               "the whole flight.",
        .put = into([](Draft& d) { return &d.scene.camera.follow; })},
   };
 }

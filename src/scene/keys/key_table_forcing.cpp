@@ -28,15 +28,17 @@ std::vector<Key> gravityKeys() {
        .dimension = kTorque,
        .range = kTorques,
        .example = "[0, 0, 2.84375]",
-       .help = "M g r in body axes: the weight times the vector from the fixed point to the centre of mass. "
-               "Gravity pulls along the world's -z. Without body.mass, the moments are about the fixed point. "
-               "With mass and pivot, mgr_body must point from the pivot to the centre of mass, within 0.001 rad.",
+       .help = "Vector M g r in body axes. M g is the weight of the body, and r is the vector from the fixed "
+               "point to the centre of mass. Gravity pulls along the world's -z. Without body.mass, the moments "
+               "are about the fixed point. With mass and pivot, mgr_body must point from the pivot to the centre "
+               "of mass, within 0.001 rad.",
        .put = into([](Draft& d) { return &d.forcing.mgr_B; })},
       {.path = "motion.gravity.g",
        .dimension = kAcceleration,
        .range = kPull,
        .example = "9.81",
-       .help = "Acceleration of gravity, for a body with mass and pivot. Use it instead of mgr_body.",
+       .help =
+           "Acceleration of gravity, for a body that has a mass and a pivot. Use the key g instead of mgr_body.",
        .put = into([](Draft& d) { return &d.forcing.g; })},
   };
 }
@@ -61,21 +63,22 @@ std::vector<Key> torqueKeys() {
        .type = kText,
        .range = kPathLength,
        .example = "\"torque.csv\"",
-       .help = "CSV file with the torque over time, in the scene's folder or below it. Each line is t,Nx,Ny,Nz in "
-               "s and N m, with ascending times. The first line may hold exactly these names.",
+       .help = "CSV file that gives the torque over time. The file must be in the scene's folder or below it. "
+               "Each line holds t,Nx,Ny,Nz: a time in s and three components in N m. The times must ascend. The "
+               "first line may be the header t,Nx,Ny,Nz.",
        .put = into([](Draft& d) { return &d.forcing.torqueFile; })},
       {.path = "motion.torque.file_axes",
        .type = kWord,
        .words = {"body", "space"},
        .example = "\"space\"",
-       .help = "Axes of the components in the file. By default, the body's axes.",
+       .help = "Axes of the torque's components in the file. By default, these are the body's axes.",
        .put = into([](Draft& d) { return &d.forcing.fileAxes; })},
       {.path = "motion.torque.interpolation",
        .type = kWord,
        .words = {"linear", "steps"},
        .example = "\"steps\"",
-       .help = "Interpolation between two lines of the file. `linear`, the default, is a straight line. `steps` "
-               "keeps the earlier value until the next line.",
+       .help = "Interpolation of the torque between two lines of the CSV file. `linear`, the default, joins the "
+               "two values by a straight line. `steps` keeps the earlier value until the time of the next line.",
        .put = into([](Draft& d) { return &d.forcing.interpolation; })},
   };
 }
@@ -86,22 +89,22 @@ std::vector<Key> stepKeys() {
        .dimension = kTime,
        .range = kInstants,
        .example = "2.5",
-       .help = "Motion time at which this torque begins. It acts until the next step. Each step must begin later "
-               "than the step before.",
+       .help = "Motion time at which the torque of this step begins. The torque acts until the next step begins. "
+               "Each step must begin later than the step before.",
        .put = intoStep([](TorqueStepDraft& s) { return &s.from; })},
       {.path = "motion.torque.step[].body",
        .type = kVector,
        .dimension = kTorque,
        .range = kTorques,
        .example = "[0, 0, 0.01]",
-       .help = "Torque in body axes. A torque of zero ends the torque of the step before.",
+       .help = "Torque of this step in body axes. A torque of zero ends the torque of the step before.",
        .put = intoStep([](TorqueStepDraft& s) { return &s.torque_B; })},
       {.path = "motion.torque.step[].space",
        .type = kVector,
        .dimension = kTorque,
        .range = kTorques,
        .example = "[\"5 mN m\", 0, 0]",
-       .help = "Torque in world axes, in addition to `body` or instead of it.",
+       .help = "Torque of this step in world axes. A step can have `body`, `space` or both.",
        .put = intoStep([](TorqueStepDraft& s) { return &s.torque_W; })},
   };
 }
@@ -113,16 +116,16 @@ std::vector<Key> lossKeys() {
        .dimension = kRate,
        .range = kRates,
        .example = "[0.01, 0.01, 0.05]",
-       .help = "Drag rate d in dL_i/dt = ... - d_i L_i, for the components of L along the principal axes. One "
-               "number sets all three.",
+       .help = "Rate d of a drag that slows the rotation, as in dL_i/dt = ... - d_i L_i. L_i are the components "
+               "of L along the principal axes. One number sets d for all three axes.",
        .put = into([](Draft& d) { return &d.forcing.dragRates; })},
       {.path = "motion.dissipation.alpha",
        .dimension = kInverseAction,
        .range = kAlphas,
        .example = "0.02",
-       .help = "Coefficient alpha of an energy loss inside the body at constant L. In the body, dL/dt = L x omega "
-               "+ alpha L x (L x omega). The attitude then turns at omega + alpha L x omega, not at omega = I^-1 "
-               "L. `trajectory` writes both.",
+       .help = "Coefficient alpha of an energy loss inside the body that leaves L constant in space. In body "
+               "axes, dL/dt = L x omega + alpha L x (L x omega). The attitude then turns at the rate omega + "
+               "alpha L x omega instead of omega = I^-1 L. The command `trajectory` writes both rates.",
        .put = into([](Draft& d) { return &d.forcing.dissipation; })},
   };
 }
@@ -134,15 +137,15 @@ std::vector<Key> flightKeys() {
        .dimension = kLength,
        .range = kPositions,
        .example = "[0, 0, 1.5]",
-       .help =
-           "Position of a thrown body's centre of mass at motion time 0, in world axes. By default, the origin.",
+       .help = "Position of a thrown body's centre of mass at motion time 0, in world axes. The default is the "
+               "origin.",
        .put = into([](Draft& d) { return &d.flight.position; })},
       {.path = "motion.flight.velocity",
        .type = kVector,
        .dimension = kVelocity,
        .range = kVelocities,
        .example = "[\"10 km/h\", 0, 4]",
-       .help = "Velocity of the centre of mass at motion time 0. By default, 0.",
+       .help = "Velocity of a thrown body's centre of mass at motion time 0. The default is 0.",
        .put = into([](Draft& d) { return &d.flight.velocity; })},
       {.path = "motion.flight.gravity",
        .type = kVector,

@@ -24,8 +24,8 @@ std::vector<Key> vectorStartKeys() {
        .dimension = kAngularVelocity,
        .range = kSpins,
        .example = "[0.01, \"3 rpm\", 0]",
-       .help = "Angular velocity at motion time 0, in components along the body's axes. A start is given by this "
-               "key, omega_space, L_body, L_space, spin, or energy and L.",
+       .help = "Angular velocity at motion time 0, in components along the body's axes. A scene gives the start "
+               "of the motion by omega_body, omega_space, L_body, L_space, spin, or energy and L.",
        .put = into([](Draft& d) { return &d.start.omega_B; })},
       {.path = "motion.omega_space",
        .type = kVector,
@@ -57,30 +57,33 @@ std::vector<Key> spinKeys() {
        .dimension = kAngularVelocity,
        .range = kSpins,
        .example = "\"3 rev/s\"",
-       .help = "Component of omega along spin_axis. L is vertical, and spin_axis leans from L by `tilt`. For a "
-               "throw end over end, give omega_space instead.",
+       .help = "Component of the angular velocity omega along spin_axis. The angular momentum L is then vertical, "
+               "and spin_axis leans from L by the angle `tilt`. If the body is thrown end over end, give "
+               "omega_space instead of spin.",
        .put = into([](Draft& d) { return &d.start.spin; })},
       {.path = "motion.spin_axis",
        .type = kWord,
        .words = {"1", "2", "3", "smallest", "middle", "largest"},
        .example = "\"middle\"",
-       .help = "Principal axis of the spin, by number or by moment. If the body's axes are principal axes, 1, 2 "
-               "and 3 are x, y and z. Otherwise they are in order of moment.",
+       .help = "Principal axis about which the body spins. Name the axis by its number or by its moment. If the "
+               "body's axes are principal axes, the numbers 1, 2 and 3 are x, y and z. Otherwise, the numbers are "
+               "in order of moment.",
        .put = into([](Draft& d) { return &d.start.spinAxis; })},
       {.path = "motion.tilt",
        .dimension = kAngle,
        .range = kTilts,
        .example = "\"2 deg\"",
-       .help =
-           "Angle between L and spin_axis. By default 0, which is a steady spin. Under gravity, tilt is an error: "
-           "lean the body with motion.orientation instead. The error message contains the value for it.",
+       .help = "Angle between the angular momentum L and spin_axis. The default is 0, which is a steady spin. "
+               "Under gravity, tilt is an error. To lean the body, give motion.orientation instead, with the "
+               "value that the error message contains.",
        .put = into([](Draft& d) { return &d.start.tilt; })},
       {.path = "motion.tilt_towards",
        .dimension = kAngle,
        .range = kTiltSides,
        .example = "\"90 deg\"",
-       .help = "Side towards which L leans by `tilt`, as an angle. At 0, the default, L leans to the principal "
-               "axis after spin_axis in the order 1, 2, 3, 1. At 90 deg, L leans to the axis after that.",
+       .help = "Side towards which the angular momentum L leans from spin_axis, as an angle. At 0, the default, L "
+               "leans towards the principal axis that follows spin_axis in the order 1, 2, 3, 1. At 90 deg, L "
+               "leans towards the axis after that one.",
        .put = into([](Draft& d) { return &d.start.tiltTowards; })},
   };
 }
@@ -97,21 +100,23 @@ std::vector<Key> energyKeys() {
        .dimension = kAngularMomentum,
        .range = kLengthOfL,
        .example = "4.2",
-       .help = "Magnitude of the angular momentum. It must be from sqrt(2 T I1) to sqrt(2 T I3), where I1 is the "
-               "least and I3 the largest moment.",
+       .help = "Magnitude of the angular momentum. It must be from sqrt(2 T I1) to sqrt(2 T I3). T is the kinetic "
+               "energy, I1 the least moment and I3 the largest moment.",
        .put = into([](Draft& d) { return &d.start.L; })},
       {.path = "motion.phase",
        .range = kPhases,
        .example = "0.25",
-       .help = "Point of the polhode at which the motion starts, as a fraction of the polhode's period. At 0, the "
-               "default, L has no component along the axis of middle moment.",
+       .help = "Point of the polhode (the path of omega in the body) at which the motion starts. The point is "
+               "given as a fraction of the polhode's period. At 0, the default, L has no component along the axis "
+               "of middle moment.",
        .put = into([](Draft& d) { return &d.start.phase; })},
       {.path = "motion.branch",
        .type = kWord,
        .words = {"positive", "negative"},
        .example = "\"negative\"",
-       .help = "One of the two polhodes with this energy and L. `positive`, the default, goes round the positive "
-               "half of the polhode's axis, `negative` round the negative half.",
+       .help = "Choice between the two polhodes that have the given energy and L. Both go round the same "
+               "principal axis. `positive`, the default, goes round the positive half of this axis, and "
+               "`negative` goes round the negative half.",
        .put = into([](Draft& d) { return &d.start.branch; })},
   };
 }
@@ -122,26 +127,29 @@ std::vector<Key> attitudeKeys() {
        .type = kQuaternion,
        .range = kQuaternionNorm,
        .example = "[1, 0, 0, 0]",
-       .help = "Quaternion w, x, y, z that takes body axes to world axes at motion time 0. It is normalised on "
-               "reading. By default, L is turned onto the vertical, so that the invariable plane is level. If the "
-               "start is given in world axes, or under gravity, torque or drag, body and world axes agree "
-               "instead. A top that leans by an angle a from z towards -y has [cos(a/2), sin(a/2), 0, 0].",
+       .help = "Quaternion w, x, y, z that takes body axes to world axes at motion time 0. The quaternion is "
+               "normalised on reading. By default, the body is turned so that L is vertical and the invariable "
+               "plane is level. If the start is given in world axes, body and world axes agree instead. They also "
+               "agree under gravity, torque or drag. For example, a top that leans by an angle a from z towards "
+               "-y has [cos(a/2), sin(a/2), 0, 0].",
        .put = into([](Draft& d) { return &d.scene.motion.orientation_WB; })},
       {.path = "motion.L_points",
        .type = kWord,
        .words = {"auto", "down", "up"},
        .fallback = "\"auto\"",
        .example = "\"up\"",
-       .help = "Direction of L, up or down, if no orientation is given. `auto` is down if the plane is shown, so "
-               "that the ellipsoid rolls on the plane as on a table. Otherwise, `auto` is up.",
+       .help = "Direction of the angular momentum L, up or down, if the scene gives no motion.orientation. `auto` "
+               "is down if the invariable plane is shown, so that the ellipsoid rolls on the plane as on a table. "
+               "Otherwise, `auto` is up.",
        .put = into([](Draft& d) { return &d.scene.motion.lPoints; })},
       {.path = "motion.tolerance",
        .dimension = kAngle,
        .range = kTolerances,
        .fallback = "1e-12",
        .example = "1e-9",
-       .help = "Largest error of the attitude over the run under gravity, torque, drag or dissipation. Free "
-               "motion is exact to rounding.",
+       .help = "Largest error that the attitude may have at any time of the run, if gravity, torque, drag or "
+               "dissipation acts. Free motion does not depend on this key, because it is computed exactly, to "
+               "rounding.",
        .put = into([](Draft& d) { return &d.scene.motion.tolerance_rad; })},
   };
 }

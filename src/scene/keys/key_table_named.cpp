@@ -35,30 +35,31 @@ std::vector<Key> vectorKeys() {
        .type = kVector,
        .range = kComponents,
        .example = "[0, 0, 1]",
-       .help = "Direction of the arrow, in the axes of `frame`. The arrow is as long as the body is wide, times "
-               "`scale`.",
+       .help = "Direction of the arrow, in the axes that `frame` names. The arrow's length is the width of the "
+               "body times `scale`.",
        .put = intoVector([](VectorDraft& v) { return &v.components; })},
       {.path = "vector[].frame",
        .type = kWord,
        .words = {"space", "body", "principal"},
        .example = "\"body\"",
-       .help =
-           "Axes of `components`: the axes of space (the default), the axes of the body, or its principal axes.",
+       .help = "Axes in which `components` gives the arrow: the axes of space (the default), the axes of the "
+               "body, or its principal axes.",
        .put = intoVector([](VectorDraft& v) { return &v.frame; })},
       {.path = "vector[].position_of",
        .type = kVector,
        .dimension = kLength,
        .range = kPositions,
        .example = "[0.3, 0, 0.1]",
-       .help = "Point of the body. The arrow leads to it from the point that the body turns about. Use it instead "
-               "of `components`.",
+       .help = "Point of the body to which the arrow leads. The arrow starts at the point that the body turns "
+               "about. Use position_of instead of `components`.",
        .put = intoVector([](VectorDraft& v) { return &v.position; })},
       {.path = "vector[].velocity_of",
        .type = kVector,
        .dimension = kLength,
        .range = kPositions,
        .example = "[0.3, 0, 0.1]",
-       .help = "Point of the body whose velocity is drawn at the point. Use it instead of `components`.",
+       .help = "Point of the body whose velocity the arrow shows. The arrow starts at this point. Use velocity_of "
+               "instead of `components`.",
        .put = intoVector([](VectorDraft& v) { return &v.velocity; })},
       {.path = "vector[].scale",
        .range = kFactors,
@@ -69,7 +70,8 @@ std::vector<Key> vectorKeys() {
        .type = kWord,
        .words = {"vector", "ink", "L", "omega", "body", "axes", "torque"},
        .example = "\"omega\"",
-       .help = "Colour of the arrow, one of the colours of [style.colors]. `axes` is the colour `axis`.",
+       .help = "Colour of the arrow, which is one of the colours of [style.colors]. The word `axes` stands for "
+               "the colour `axis`.",
        .put = intoVector([](VectorDraft& v) { return &v.color; })},
   };
 }
@@ -80,7 +82,8 @@ std::vector<Key> angleKeys() {
        .type = kWords,
        .words = {"L", "omega", "torque", "axis", "e1", "e2", "e3", "x", "y", "z"},
        .example = "[\"L\", \"omega\"]",
-       .help = "The two directions that enclose the angle. `axis` is the axis of show.main_axis.",
+       .help = "The two directions that enclose the angle. The word `axis` stands for the axis that "
+               "show.main_axis draws.",
        .put = intoAngle([](AngleDraft& a) { return &a.between; })},
       {.path = "angle[].name",
        .type = kText,

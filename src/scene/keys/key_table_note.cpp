@@ -36,8 +36,8 @@ std::vector<Key> readoutKeys() {
        .type = kWord,
        .words = spotWords(),
        .example = "\"bottom left\"",
-       .help =
-           "Place in the picture. Several read-outs at one place stand under one another. By default, top right.",
+       .help = "Place of the read-out in the picture. The default is the top right. Several read-outs at the same "
+               "place stand under one another.",
        .put = intoReadout([](Readout& r) { return &r.at; })},
       {.path = "readout[].label",
        .type = kText,
@@ -50,7 +50,7 @@ std::vector<Key> readoutKeys() {
        .type = kText,
        .range = {.least = 0, .most = kLongestUnit},
        .example = "\"ms\"",
-       .help = "Unit of the value. By default, a unit that suits the numbers.",
+       .help = "Unit of the read-out's value. By default, poinsot chooses a unit that suits the numbers.",
        .put = intoReadout([](Readout& r) { return &r.unit; })},
   };
 }
@@ -61,21 +61,21 @@ std::vector<Key> textKeys() {
        .type = kLines,
        .range = {.least = 0, .most = 200},
        .example = "'$\\mathbf{L} = I\\,\\boldsymbol{\\omega}$'",
-       .help = "Text that does not change during the film, such as a caption or an equation. For several lines, "
-               "give an array of lines, or end each line with a line break.",
+       .help = "Text of the note, such as a caption or an equation. The text does not change during the film. For "
+               "several lines, give an array of lines, or end each line with a line break.",
        .isTex = true,
        .put = intoNote([](Note& n) { return &n.lines; })},
       {.path = "note[].at",
        .type = kWord,
        .words = spotWords(),
        .example = "\"left\"",
-       .help = "Place in the picture, with the words of readout.at. At one place, notes stand above read-outs. By "
-               "default, bottom.",
+       .help = "Place of the note in the picture. The default is the bottom. If a note and a read-out have the "
+               "same place, the note stands above the read-out.",
        .put = intoNote([](Note& n) { return &n.at; })},
       {.path = "note[].size",
        .range = kTypeFactor,
        .example = "1.5",
-       .help = "Factor on the size of the note's text, in addition to style.text_size. By default, 1.",
+       .help = "Factor on the size of the note's text, in addition to style.text_size. The default is 1.",
        .put = intoNote([](Note& n) { return &n.size; })},
   };
 }

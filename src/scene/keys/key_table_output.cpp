@@ -28,7 +28,8 @@ std::vector<Key> outputKeys() {
        .words = qualityWords(),
        .fallback = "\"1080p\"",
        .example = "\"preview\"",
-       .help = "Preset of `size` and `crf`. An explicit `size` or `crf` overrides the preset.",
+       .help = "Preset that sets both `size` and `crf`. If the scene also gives `size` or `crf`, that value "
+               "overrides the preset.",
        .put = into([](Draft& d) { return &d.quality; })},
       {.path = "output.size",
        .type = kPixels,
@@ -40,29 +41,30 @@ std::vector<Key> outputKeys() {
        .type = kInteger,
        .range = {.least = 0, .most = 51},
        .example = "20",
-       .help = "Constant rate factor of the film: 0 is lossless, 18 shows no loss, 51 is worst.",
+       .help = "Constant rate factor of the film, which sets its quality. 0 is lossless, 18 shows no loss to the "
+               "eye, and 51 is the worst quality.",
        .put = into([](Draft& d) { return &d.crf; })},
       {.path = "output.codec",
        .type = kWord,
        .words = listOf(codecWords()),
        .example = "\"hevc\"",
-       .help = "Codec of the film. By default, the usual codec of the file's type. .mp4 holds h264 and hevc, "
-               ".webm holds vp9 and av1, .mov holds prores.",
+       .help = "Codec of the film. The default is the usual codec of the film's file type. A .mp4 file holds h264 "
+               "or hevc, a .webm file holds vp9 or av1, and a .mov file holds prores.",
        .put = into([](Draft& d) { return &d.codec; })},
       {.path = "output.chroma",
        .type = kWord,
        .words = listOf(chromaWords()),
        .fallback = "\"4:2:0\"",
        .example = "\"4:4:4\"",
-       .help = "Colour resolution of the film. 4:2:0 stores one colour for each square of four pixels, which "
-               "every player shows. 4:4:4 stores a colour for each pixel.",
+       .help = "Colour resolution of the film. 4:2:0 stores one colour for each square of four pixels, and every "
+               "player can show it. 4:4:4 stores a colour for each pixel.",
        .put = into([](Draft& d) { return &d.chroma; })},
       {.path = "output.effort",
        .type = kWord,
        .words = listOf(effortWords()),
        .fallback = "\"medium\"",
        .example = "\"slow\"",
-       .help = "Time that the encoder spends on a smaller file of the same quality.",
+       .help = "Amount of time that the encoder spends to make the film's file smaller at the same quality.",
        .put = into([](Draft& d) { return &d.effort; })},
   };
 }

@@ -23,16 +23,16 @@ std::vector<Key> curveKeys() {
        .words = quantityWords(),
        .wordList = "quantities",
        .example = "[\"omega_1\", \"omega_2\"]",
-       .help =
-           "Quantities that the curves show, all of one unit. Each curve has the colour of its quantity's family.",
+       .help = "Quantities that the plot shows as curves. All must have the same unit. Curves of related "
+               "quantities, such as the components of omega, are tones of one colour.",
        .put = intoPlot([](PlotDraft& p) { return &p.plot.quantities; })},
       {.path = "plot[].x",
        .type = kWord,
        .words = quantityWords(),
        .wordList = "quantities",
        .example = "\"theta\"",
-       .help =
-           "Quantity of the horizontal axis instead of time, for a phase portrait. The plot then has one curve.",
+       .help = "Quantity on the horizontal axis of the plot instead of time. A plot with this key is a phase "
+               "portrait and has one curve.",
        .put = intoPlot([](PlotDraft& p) { return &p.plot.x; })},
       {.path = "plot[].title",
        .type = kText,
@@ -50,32 +50,34 @@ std::vector<Key> axisKeys() {
        .type = kText,
        .range = {.least = 0, .most = kLongestUnit},
        .example = "\"rpm\"",
-       .help = "Unit of the values. By default, a unit that suits the numbers.",
+       .help = "Unit of the values in the plot. By default, poinsot chooses a unit that suits the numbers.",
        .put = intoPlot([](PlotDraft& p) { return &p.plot.unit; })},
       {.path = "plot[].range",
        .type = kPair,
        .range = kAxisEnds,
        .example = "[-2, 2]",
-       .help = "Ends of the vertical axis, in the unit written at the axis. By default, the axis covers all "
-               "values of the film.",
+       .help = "Ends of the plot's vertical axis, in the unit that is written at the axis. By default, the axis "
+               "covers all values of the film.",
        .put = intoPlot([](PlotDraft& p) { return &p.range; })},
       {.path = "plot[].time",
        .type = kWord,
        .words = {"motion", "film"},
        .example = "\"film\"",
-       .help = "Time on the horizontal axis: the time of the motion (the default), or the time of the film.",
+       .help = "Time on the horizontal axis of the plot. It is the time of the motion (the default) or the time "
+               "of the film.",
        .put = intoPlot([](PlotDraft& p) { return &p.plot.time; })},
       {.path = "plot[].future",
        .type = kBool,
        .example = "false",
-       .help = "Whether the part of the curve still to come is drawn too, faintly. By default, true.",
+       .help = "Whether the part of the curve that is still to come is also drawn, as a faint line. The default "
+               "is true.",
        .put = intoPlot([](PlotDraft& p) { return &p.plot.future; })},
       cellKey("plot[].at", kCellNumber, "[1, 1]",
-              "Column and row of the plot's top left cell, in the grid of the views. By default, the plot is to "
-              "the right of the panel before.",
+              "Column and row of the plot's top left cell, counted in the same grid as the panels. By default, "
+              "the plot is to the right of the panel before.",
               intoPlot([](PlotDraft& p) { return &p.at; })),
       cellKey("plot[].span", kCellCount, "[2, 1]",
-              "Number of columns and rows that the plot takes. By default, one cell.",
+              "Number of columns and rows that the plot takes. The default is one column and one row.",
               intoPlot([](PlotDraft& p) { return &p.span; })),
   };
 }

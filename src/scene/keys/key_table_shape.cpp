@@ -53,7 +53,7 @@ std::vector<Key> wingAndFileKeys(const ShapeTable& table) {
            .type = kText,
            .range = kPathLength,
            .example = "\"body.stl\"",
-           .help = "Mesh file of type OBJ, STL or PLY, in the scene's folder or below it.",
+           .help = "Mesh file of type OBJ, STL or PLY. The file must be in the scene's folder or below it.",
            .put = intoShape(table, [](ShapeDraft& shape) { return &shape.file; })},
           {.path = table.path + ".file_unit",
            .dimension = kLength,

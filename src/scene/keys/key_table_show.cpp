@@ -45,8 +45,8 @@ std::vector<Key> pictureKeys() {
        .range = {.least = 0, .most = 200},
        .fallback = "\"\"",
        .example = "\"Tennis racket\"",
-       .help = "Title at the top left of the picture. Write mathematics between dollar signs, in single quotes: "
-               "'About $\\hat{\\mathbf{e}}_2$'.",
+       .help = "Title at the top left of the picture. To use mathematics, write it between dollar signs and put "
+               "the title in single quotes: 'About $\\hat{\\mathbf{e}}_2$'.",
        .isTex = true,
        .put = into([](Draft& d) { return &d.scene.show.title; })},
       {.path = "show.subtitle",
@@ -61,14 +61,14 @@ std::vector<Key> pictureKeys() {
        .type = kBool,
        .fallback = "true",
        .example = "false",
-       .help = "Whether the picture has views of the body. If false, the picture has only its plots.",
+       .help = "Whether the picture has panels that show the body. If false, the picture has only its plots.",
        .put = [](Draft& d, std::size_t, const Checked& value) { d.noViews = !std::get<bool>(value); }},
       {.path = "show.exaggerate_angles",
        .range = {.least = 1, .most = 1e9},
        .fallback = "1",
        .example = "100",
-       .help = "Factor by which the part of omega across the main axis of spin is drawn larger. The picture "
-               "states this factor.",
+       .help = "Factor by which poinsot enlarges small angles in the picture, so that they can be seen. It "
+               "enlarges the part of omega across the main axis of spin. The picture states this factor.",
        .put = into([](Draft& d) { return &d.scene.show.exaggerateAngles; })},
   };
 }
@@ -79,7 +79,8 @@ std::vector<Key> drawnBodyKeys() {
        .type = kBool,
        .fallback = "true",
        .example = "false",
-       .help = "Names beside the vectors and axes. An empty text in [label] removes one name.",
+       .help = "Whether the vectors and axes have names beside them. To remove a single name, give it an empty "
+               "text in [label].",
        .put = into([](Draft& d) { return &d.scene.show.labels; })},
       visibleKey("show.body.visible", "The body itself.",
                  into([](Draft& d) { return &d.scene.show.body.visible; })),
@@ -92,10 +93,11 @@ std::vector<Key> drawnShapeKeys() {
   return shapeKeys(
       {.path = "show.body",
        .of = [](Draft& d, std::size_t) -> ShapeDraft& { return d.drawn; },
-       .shapeHelp = "Shape to draw instead of the shape that sets the moments. If neither is given, the uniform "
-                    "box with the body's moments is drawn.",
-       .sizeHelp = "Extents of the shape to draw. Only their proportions count. By default, body.size if it is "
-                   "given and suits the shape. Otherwise, the shape's usual proportions."});
+       .shapeHelp = "Shape that is drawn instead of body.shape, which sets the moments. If the scene gives "
+                    "neither of the two, poinsot draws the uniform box that has the body's moments.",
+       .sizeHelp =
+           "Extents of the shape that is drawn. Only their proportions count. The default is body.size, if the "
+           "scene gives it and it suits the shape. Otherwise, the shape has its usual proportions."});
 }
 
 std::vector<Key> drawnThingKeys() {
@@ -111,14 +113,15 @@ std::vector<Key> drawnThingKeys() {
       visibleKey("show.omega.visible", "The angular velocity omega, an arrow to the point of contact.",
                  into([](Draft& d) { return &d.scene.show.omega.visible; })),
       scaleKey("show.omega.scale",
-               "Factor on the arrow's length. If it is not 1, the tip leaves the point of contact.",
+               "Factor on the length of the arrow omega. If the factor is not 1, the arrow's tip is not at the "
+               "point of contact.",
                into([](Draft& d) { return &d.scene.show.omega.scale; })),
 
       visibleKey("show.ellipsoid.visible", "Poinsot's energy ellipsoid, in the space of omega.",
                  into([](Draft& d) { return &d.scene.show.ellipsoid.visible; })),
       scaleKey("show.ellipsoid.scale",
-               "Factor on the drawn size of the ellipsoid and of everything that touches it: plane, curves, point "
-               "of contact.",
+               "Factor on the drawn size of the ellipsoid. The plane, the curves and the point of contact, which "
+               "touch the ellipsoid, are scaled too.",
                into([](Draft& d) { return &d.scene.show.ellipsoid.scale; })),
       opacityKey("show.ellipsoid.opacity", "0.13", into([](Draft& d) { return &d.scene.show.ellipsoid.opacity; })),
       {.path = "show.ellipsoid.graticule",
@@ -150,7 +153,7 @@ std::vector<Key> drawnThingKeys() {
        .type = kBool,
        .fallback = "true",
        .example = "false",
-       .help = "Whether the part of the path still to come is drawn too, faintly.",
+       .help = "Whether the part of the path that is still to come is also drawn, as a faint line.",
        .put = into([](Draft& d) { return &d.scene.show.herpolhode.future; })},
       visibleKey("show.height.visible", "The constant height of the centre above the plane, 2T/|L|.",
                  into([](Draft& d) { return &d.scene.show.height.visible; })),

@@ -76,7 +76,9 @@ class FigureKeys {
             .range = {.least = 1, .most = 20},
             .fallback = fallback,
             .example = "6",
-            .help = "Number of polhodes between the separatrix and each of the two outer axes.",
+            .help =
+                "Number of polhodes that are drawn between the separatrix and the axis of the least moment. The "
+                "same number is drawn between the separatrix and the axis of the largest moment.",
             .put = put(place)};
   }
 
@@ -133,11 +135,13 @@ std::vector<Key> coneKeys(const ShowTable& table) {
   const FigureKeys key(table, "cones");
   return {
       key.visible(
-          "The two cones of a free symmetric top. The body cone is fixed in the body about its axis. It rolls on "
-          "the space cone, which is about L. The cones touch along omega.",
+          "The two cones of a free symmetric top. The body cone is fixed in the body and surrounds its axis of "
+          "symmetry. It rolls on the space cone, which surrounds the angular momentum L. The cones touch along "
+          "omega.",
           [](ShownFigures & f) -> auto& { return f.cones.visible; }),
       key.scale(
-          "Factor on the length of the cones' sides, which is three quarters of omega by default.",
+          "Factor on the length of the cones' sides. If the factor is 1, the sides are three quarters as long as "
+          "omega.",
           [](ShownFigures & f) -> auto& { return f.cones.scale; }),
       key.opacity(
           "0.22", [](ShownFigures & f) -> auto& { return f.cones.opacity; }),
@@ -152,7 +156,8 @@ std::vector<Key> decompositionKeys(const ShowTable& table) {
           "the axis.",
           [](ShownFigures & f) -> auto& { return f.decomposition.visible; }),
       key.scale(
-          "Factor on the size of the parallelogram. If it is not 1, the corner leaves the tip of omega.",
+          "Factor on the size of the parallelogram. If the factor is not 1, the parallelogram's corner is not at "
+          "the tip of omega.",
           [](ShownFigures & f) -> auto& { return f.decomposition.scale; }),
   };
 }
@@ -167,7 +172,8 @@ std::vector<Key> angleKeys(const ShowTable& table) {
       axis.scale(
           "Factor on the length of the axis.", [](ShownFigures & f) -> auto& { return f.mainAxis.scale; }),
       theta.visible(
-          "The angle theta between k and L; under gravity, between k and the vertical.",
+          "The angle theta between the body's axis k and the angular momentum L. Under gravity, it is the angle "
+          "between k and the vertical.",
           [](ShownFigures & f) -> auto& { return f.theta.visible; }),
       theta.scale(
           "Factor on the radius of the angle's arc.", [](ShownFigures & f) -> auto& { return f.theta.scale; }),
@@ -178,20 +184,21 @@ std::vector<Key> traceKeys(const ShowTable& table) {
   const FigureKeys key(table, "trace");
   return {
       key.visible(
-          "The path of a point of the body, on a sphere about the point that the body turns about.",
+          "The path of one point of the body. The path lies on a sphere, whose centre is the point that the body "
+          "turns about.",
           [](ShownFigures & f) -> auto& { return f.trace.visible; }),
       key.scale(
           "Factor on the sphere's radius, if no point is given.",
           [](ShownFigures & f) -> auto& { return f.trace.scale; }),
       key.position(
           "point", "[0, 0, 0.5]",
-          "The point whose path is drawn, in body axes. By default, a point on the axis k beyond the body; for a "
-          "thrown body, the body's end.",
+          "Point of the body whose path is drawn, in body axes. The default is a point on the axis k beyond the "
+          "body. For a thrown body, the default is the body's end.",
           [](ShownFigures & f) -> auto& { return f.trace.point_B; }),
       key.opacity(
           "0.06", [](ShownFigures & f) -> auto& { return f.trace.opacity; }),
       key.flag(
-          "future", true, "Whether the part of the path still to come is drawn too, faintly.",
+          "future", true, "Whether the part of the path that is still to come is also drawn, as a faint line.",
           [](ShownFigures & f) -> auto& { return f.trace.future; }),
   };
 }
@@ -203,8 +210,8 @@ std::vector<Key> axesKeys(const ShowTable& table) {
           "The components of omega along the principal axes, and the box whose diagonal is omega.",
           [](ShownFigures & f) -> auto& { return f.components.visible; }),
       parts.scale(
-          "Factor on the size of the components and the box. If it is not 1, the box's corner leaves the tip of "
-          "omega.",
+          "Factor on the size of the components and their box. If the factor is not 1, the box's corner is not at "
+          "the tip of omega.",
           [](ShownFigures & f) -> auto& { return f.components.scale; }),
       axes.visible(
           "The axes x, y, z of space, at rest.", [](ShownFigures & f) -> auto& { return f.spaceAxes.visible; }),
@@ -217,14 +224,14 @@ std::vector<Key> polhodeKeys(const ShowTable& table) {
   const FigureKeys key(table, "polhodes"), binet(table, "binet");
   return {
       key.visible(
-          "Other polhodes of a free body on the ellipsoid, of the same energy, and the separatrix between the two "
-          "kinds.",
+          "Other polhodes that a free body of the same energy can have, drawn on the ellipsoid. The separatrix, "
+          "which divides the two kinds of polhode, is drawn too.",
           [](ShownFigures & f) -> auto& { return f.polhodes.visible; }),
       key.count(
           "4", [](ShownFigures & f) -> auto& { return f.polhodes.count; }),
       binet.visible(
-          "Binet's construction for a free body: the momentum sphere |m| = L and the energy ellipsoid, both fixed "
-          "in the body. The path of L along their intersection is drawn too.",
+          "Binet's construction for a free body. It consists of the momentum sphere |m| = L and the energy "
+          "ellipsoid, both fixed in the body. The path of L along the intersection of the two is drawn too.",
           [](ShownFigures & f) -> auto& { return f.binet.visible; }),
       binet.opacity(
           "0.12", [](ShownFigures & f) -> auto& { return f.binet.opacity; }),
@@ -240,10 +247,10 @@ std::vector<Key> vectorKeys(const ShowTable& table) {
           "The torque on the body: gravity, given torques and drag together.",
           [](ShownFigures & f) -> auto& { return f.torque.visible; }),
       torque.scale(
-          "Factor on the arrow's length. The largest torque of the film sets that length.",
+          "Factor on the length of the torque's arrow. The length is relative to the largest torque of the film.",
           [](ShownFigures & f) -> auto& { return f.torque.scale; }),
       plane.visible(
-          "The plane of L and omega. The axis of a symmetric top lies in this plane too.",
+          "The plane that contains L and omega. The axis of a symmetric top lies in this plane too.",
           [](ShownFigures & f) -> auto& { return f.planeOfL.visible; }),
       plane.scale(
           "Factor on the plane's size.", [](ShownFigures & f) -> auto& { return f.planeOfL.scale; }),
@@ -259,20 +266,22 @@ std::vector<Key> ghostKeys(const ShowTable& table) {
           "Pale copies of the body at other times, as in a stroboscopic picture.",
           [](ShownFigures & f) -> auto& { return f.ghosts.visible; }),
       key.times(
-          "[0, 0.5, 1]", "Film times of the copies. By default, `count` copies are spread evenly over the film.",
+          "[0, 0.5, 1]",
+          "Film times at which the copies show the body. By default, `count` copies are spread evenly over the "
+          "film.",
           [](ShownFigures & f) -> auto& { return f.ghosts.times_s; }),
       key.number(
           "count", {.least = 1, .most = 60}, "5", "8", "Number of copies, if no times are given.",
           [](ShownFigures & f) -> auto& { return f.ghosts.count; }),
       key.share(
           "strength", "0.35",
-          "Strength of the copies' colours: 0 is the colour of the paper, 1 is the colour of the body.",
+          "Strength of the colours of the pale copies: 0 is the colour of the paper, 1 is the colour of the body.",
           [](ShownFigures & f) -> auto& { return f.ghosts.strength; }),
       key.shift(
           "step", "[1.1, 0, 0]",
-          "Shift from each copy to the next: to the right, up and nearer, in units of the body's longest extent. "
-          "The body itself comes first. For a thrown body there is no shift: each copy is where the body is at "
-          "that time.",
+          "Shift from each copy of the body to the next. The three numbers are the shifts to the right, up and "
+          "nearer, in units of the body's longest extent. The body itself comes first. The copies of a thrown "
+          "body are not shifted, because each copy is where the body is at that time.",
           [](ShownFigures & f) -> auto& { return f.ghosts.step; }),
   };
 }
@@ -282,18 +291,18 @@ std::vector<Key> flightKeys(const ShowTable& table) {
   return {
       key.flag(
           "visible", true,
-          "The flight of a thrown body ([motion.flight]), in views at rest in space. The body moves along the "
-          "path of its centre of mass, which is drawn. Poinsot's construction is hidden unless the scene turns it "
-          "on. If false, the picture moves with the centre of mass.",
+          "The flight of a thrown body ([motion.flight]), in views that are at rest in space. If true, the body "
+          "moves along the path of its centre of mass, and this path is drawn. Poinsot's construction is then "
+          "hidden unless the scene turns it on. If false, the picture moves with the centre of mass.",
           [](ShownFigures & f) -> auto& { return f.flight.visible; }),
       {.path = table.path + ".flight.scale",
        .range = {.least = 1e-6, .most = 100},
        .words = {"auto"},
        .fallback = "\"auto\"",
        .example = "0.2",
-       .help = "Factor on the lengths of the path. If it is not 1, the path is not to the scale of the body. "
-               "`auto` is 1 if the body is then large enough to be seen. Otherwise, `auto` shortens the path "
-               "until the body can be seen.",
+       .help = "Factor on the lengths of a thrown body's path. If the factor is not 1, the path and the body have "
+               "different scales. `auto` is 1 if the body is then large enough to be seen. Otherwise, `auto` "
+               "shortens the path until the body can be seen.",
        .put = key.put([](ShownFigures & f) -> auto& { return f.flight.scale; })},
       key.flag(
           "position", true, "The arrow R from the origin to the centre of mass.",
@@ -303,14 +312,17 @@ std::vector<Key> flightKeys(const ShowTable& table) {
           [](ShownFigures & f) -> auto& { return f.flight.velocity; }),
       key.flag(
           "weight", false,
-          "The force of gravity M g. Only its direction counts; the arrow's length has no meaning.",
+          "The force of gravity M g, as an arrow. Only the arrow's direction counts, because its length has no "
+          "meaning.",
           [](ShownFigures & f) -> auto& { return f.flight.weight; }),
       total.visible(
-          "The angular momentum of a thrown body about the origin, and its two parts. They are R x P of the "
-          "centre of mass, and L. The arrows are drawn at the origin in the scale of L. Needs a body with a mass.",
+          "The angular momentum of a thrown body about the origin, and its two parts. One part is R x P of the "
+          "centre of mass, and the other part is L. The three arrows start at the origin, in the scale of L. The "
+          "body must have a mass.",
           [](ShownFigures & f) -> auto& { return f.totalL.visible; }),
       total.scale(
-          "Factor on the arrows' length. If it is not 1, the arrows are not in the scale of L.",
+          "Factor on the length of the arrows that show.total_L draws. If the factor is not 1, these arrows are "
+          "not in the scale of L.",
           [](ShownFigures & f) -> auto& { return f.totalL.scale; }),
       total.flag(
           "torque", false, "The torque of gravity about the origin, R x M g.",

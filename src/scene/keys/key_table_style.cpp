@@ -29,16 +29,17 @@ std::vector<Key> formKeys() {
        .type = kText,
        .range = kPathLength,
        .example = "\"house.style.toml\"",
-       .help = "A file with a [style] table, in the scene's folder or below it. Keys of the scene override keys "
-               "of this file.",
+       .help = "Style file, which contains a [style] table. The file must be in the scene's folder or below it. "
+               "Keys in the scene override the same keys in this file.",
        .put = [](Draft&, std::size_t, const Checked&) {}},  // stores nothing: addStyleFile() runs before put
       {.path = "style.theme",
        .type = kWord,
        .words = {"light", "dark", "print"},
        .fallback = "\"light\"",
        .example = "\"dark\"",
-       .help = "Colours and lines of the picture. `light` has a white background. `dark` is for slides in a dark "
-               "room. `print` has thin lines in black, greys and one colour, and survives a photocopier.",
+       .help = "Theme that sets the colours and lines of the picture. `light` has a white background. `dark` is "
+               "for slides in a dark room. `print` has thin lines in black, greys and one colour, and is still "
+               "readable after photocopying.",
        .put = into([](Draft& d) { return &d.scene.style.theme; })},
       {.path = "style.line_width",
        .range = kFactor,

@@ -25,8 +25,8 @@ std::vector<Key> timeKeys() {
        .range = {.least = 1e-3, .most = usual(Limit::kDuration), .limit = Limit::kDuration},
        .fallback = "10",
        .example = "12.5",
-       .help = "Length of the film. Its frames are k = 0, 1, 2 and so on while k/fps is below the length, at most "
-               "36000.",
+       .help = "Length of the film. The film has the frames k = 0, 1, 2 and so on, as long as k/fps is below this "
+               "length. A film has at most 36000 frames.",
        .put = into([](Draft& d) { return &d.scene.time.duration_s; })},
       {.path = "time.fps",
        .type = kFrameRate,
@@ -40,17 +40,18 @@ std::vector<Key> timeKeys() {
        .words = {"auto"},
        .fallback = "\"auto\"",
        .example = "0.5",
-       .help = "Seconds of motion per second of film. A negative speed runs backwards. `auto` chooses a pace that "
-               "the eye can follow. For a heavy top, it chooses a pace that shows the precession.",
+       .help =
+           "Seconds of motion per second of film. A negative speed plays the motion backwards. `auto` chooses a "
+           "speed that the eye can follow. For a heavy top, `auto` chooses a speed that shows the precession.",
        .put = into([](Draft& d) { return &d.scene.time.speed; })},
       {.path = "time.loop",
        .type = kBool,
        .fallback = "false",
        .example = "true",
-       .help =
-           "Whether the film repeats without a jump. The start is then moved as little as possible, at the same "
-           "|L|, so that the motion returns to its start. The film lasts until then. The speed changes slightly, "
-           "so that the film has a whole number of frames; `info` prints the change. Free motion only.",
+       .help = "Whether the film repeats without a jump. If true, the start of the motion is moved as little as "
+               "possible, at the same |L|, so that the motion returns to its start. The film ends when the motion "
+               "has returned. The speed changes slightly, so that the film has a whole number of frames; `info` "
+               "prints the change. Only free motion can loop.",
        .put = into([](Draft& d) { return &d.loop; })},
       {.path = "time.still",
        .dimension = kTime,
@@ -58,8 +59,9 @@ std::vector<Key> timeKeys() {
        .words = {"auto"},
        .fallback = "\"auto\"",
        .example = "\"3.2 s\"",
-       .help = "Film time of the most telling picture, which `still` and `gallery` draw. `auto` is a third of the "
-               "film's length. A time after the end counts as the end.",
+       .help = "Film time of the frame that the commands `still` and `gallery` draw, usually the frame that shows "
+               "most of the motion. `auto` is a third of the film's length. A time after the end of the film "
+               "counts as the end.",
        .put = into([](Draft& d) { return &d.scene.time.still_s; })},
   };
 }

@@ -27,13 +27,14 @@ std::vector<Key> whenKeys() {
        .dimension = kTime,
        .range = kFilmTime,
        .example = "\"4 s\"",
-       .help = "Film time at which the changes begin. Entries may be in any order.",
+       .help = "Film time at which the changes of this timeline entry begin. The entries of a timeline may be in "
+               "any order.",
        .put = intoEntry([](TimelineDraft& e) { return &e.at; })},
       {.path = "timeline[].over",
        .dimension = kTime,
        .range = kFilmTime,
        .example = "\"2 s\"",
-       .help = "Duration of the changes, with a soft start and a soft end. By default, 0.8 s.",
+       .help = "Duration of the changes of this timeline entry, which start and end softly. The default is 0.8 s.",
        .put = intoEntry([](TimelineDraft& e) { return &e.over; })},
   };
 }
@@ -44,8 +45,8 @@ std::vector<Key> whatKeys() {
        .type = kWords,
        .words = things(),
        .example = "[\"ellipsoid\", \"plane\"]",
-       .help = "Things that appear, as if drawn on a board. Before this entry, they are hidden. You need not turn "
-               "them on in [show].",
+       .help = "Parts of the picture that appear with this entry, as if drawn on a board. Before this entry, they "
+               "are hidden. You need not turn them on in [show].",
        .put = intoEntry([](TimelineDraft& e) { return &e.shown; })},
       {.path = "timeline[].hide",
        .type = kWords,
@@ -57,15 +58,17 @@ std::vector<Key> whatKeys() {
        .type = kText,
        .range = {.least = 0, .most = 200},
        .example = "'The height $2T/L$ is constant'",
-       .help = "Text under the picture, in at most two lines, until the next caption. An empty caption ends the "
-               "caption before. Captions are also written beside the film, as .srt and .vtt.",
+       .help = "Caption under the picture, in at most two lines. The caption stays until the next caption. An "
+               "empty caption ends the caption before. poinsot also writes all captions to .srt and .vtt files "
+               "beside the film.",
        .isTex = true,
        .put = intoEntry([](TimelineDraft& e) { return &e.caption; })},
       {.path = "timeline[].caption_for",
        .dimension = kTime,
        .range = {.least = 0.1, .most = usual(Limit::kDuration), .limit = Limit::kDuration},
        .example = "\"5 s\"",
-       .help = "Duration of the caption. By default, until the next caption or the end.",
+       .help =
+           "Duration of the caption. By default, the caption stays until the next caption or the end of the film.",
        .put = intoEntry([](TimelineDraft& e) { return &e.captionFor; })},
   };
 }
@@ -82,8 +85,8 @@ std::vector<Key> paceKeys() {
        .dimension = kTime,
        .range = kFilmTime,
        .example = "\"2 s\"",
-       .help = "Duration of a standstill. The motion slows down during `over`, stands still this long and then "
-               "goes on. The camera may move meanwhile.",
+       .help = "Duration of a standstill of the motion. The motion slows down during `over`, stands still this "
+               "long and then goes on. The camera may move during the standstill.",
        .put = intoEntry([](TimelineDraft& e) { return &e.hold; })},
   };
 }
@@ -94,14 +97,15 @@ std::vector<Key> cameraMoveKeys() {
        .dimension = kAngle,
        .range = kOrbits,
        .example = "\"120 deg\"",
-       .help = "Azimuth to which the camera turns. The number also gives the direction: from 20 deg to 380 deg is "
-               "one full turn.",
+       .help = "Azimuth to which the camera turns. The number also gives the way that the camera takes: from 20 "
+               "deg to 380 deg, it makes one full turn.",
        .put = intoEntry([](TimelineDraft& e) { return &e.azimuth; })},
       {.path = "timeline[].camera.turn",
        .dimension = kAngle,
        .range = kOrbits,
        .example = "\"-90 deg\"",
-       .help = "Angle by which the camera turns from its azimuth at that time. Use it instead of `azimuth`.",
+       .help = "Angle by which the camera turns from the azimuth that it has when this entry begins. Use `turn` "
+               "instead of `azimuth`.",
        .put = intoEntry([](TimelineDraft& e) { return &e.turn; })},
       {.path = "timeline[].camera.elevation",
        .dimension = kAngle,
@@ -112,8 +116,8 @@ std::vector<Key> cameraMoveKeys() {
       {.path = "timeline[].camera.zoom",
        .range = kMoveZoom,
        .example = "1.6",
-       .help =
-           "Magnification to which the camera goes. 1 frames the whole motion, seen from the camera's new place.",
+       .help = "Magnification to which the camera zooms. At 1, the picture frames the whole motion, seen from the "
+               "camera's new place.",
        .put = intoEntry([](TimelineDraft& e) { return &e.zoom; })},
   };
 }

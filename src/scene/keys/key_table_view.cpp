@@ -29,11 +29,11 @@ std::vector<Key> panelKeys() {
        .isTex = true,
        .put = intoView([](ViewDraft& v) { return &v.subtitle; })},
       cellKey("view[].at", kCellNumber, "[1, 0]",
-              "Column and row of the panel's top left cell, counted from 0 at the picture's top left. By default, "
-              "the panel is to the right of the view before.",
+              "Column and row of the panel's top left cell. Both are counted from 0 at the picture's top left. By "
+              "default, the panel is to the right of the panel before.",
               intoView([](ViewDraft& v) { return &v.at; })),
       cellKey("view[].span", kCellCount, "[2, 1]",
-              "Number of columns and rows that the panel takes. By default, one cell.",
+              "Number of columns and rows that the panel takes. The default is one column and one row.",
               intoView([](ViewDraft& v) { return &v.span; })),
   };
 }

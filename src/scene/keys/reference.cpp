@@ -17,8 +17,8 @@ constexpr std::string_view kOpening = R"(# Scene files
 
 <!-- Made from the table in src/scene/keys/key_table*.cpp; a test compares the two. Do not edit by hand. -->
 
-A scene is a [TOML](https://toml.io/en/v1.0.0) file. A body and a start are required; every other key is optional. This is
-a complete scene:
+A scene is a [TOML](https://toml.io/en/v1.0.0) file that describes a body, its motion and a film of it. Only the body and
+the start of its motion are required. Every other key is optional. This is a complete scene:
 
 ```toml
 schema = 1
@@ -28,44 +28,60 @@ principal_moments = [1.0, 2.0, 2.5]
 omega_body = [0.01, 3.0, 0.0]
 ```
 
-`poinsot check scene.toml` reports every problem of a file with its line and column. `check` also notes likely mistakes:
+`poinsot check scene.toml` reports every error in the file `scene.toml`, with the line and the column of each error. The
+command also prints a note for each likely mistake:
 
-- a whole number as an angle, because bare angles are in radians
-- a `hold` beyond the film's end
+- an angle that is a whole number without a unit, because such an angle is in radians
+- a `hold` (a standstill) that would last beyond the film's end
 - a film that shows less than a tenth of a turn of a heavy top's precession
 
-To override a key, add `-D key.path=value` to any command that takes a scene: `-D time.duration=5 -D style.theme=dark`.
-The value passes the same checks as in the file. In an array of tables, count the tables from 0:
-`-D 'body.part[0].mass=2'`.
+To override a key of a scene, add the option `-D key.path=value` to any command that takes a scene. For example,
+`-D time.duration=5 -D style.theme=dark` overrides two keys. poinsot checks such a value like a value in the file.
 
-`poinsot explain camera.fov` prints the contents of the tables below for one key. `poinsot schema` prints a JSON Schema of
-the format for editors.
+In an array of tables, `-D` counts the tables from 0. For example, `-D 'body.part[0].mass=2'` overrides the mass of the
+first `[[body.part]]`.
+
+`poinsot explain camera.fov` prints what the tables below contain for the key `camera.fov`. You can give the name of any
+other key instead.
+
+`poinsot schema` prints a JSON Schema of scene files. A text editor can use this schema to check a scene while you write
+it.
 
 )";
 
 constexpr std::string_view kUnitsOpening = R"(## Numbers and units
 
-A bare number is in SI units: metres, kilograms, seconds, radians, and products of these. To use another unit, write the
-number and its unit as text: `"3 rpm"`, `"15 deg"`, `"306 d"`, `"20 cm"`, `"2.5e4 g cm^2"`, `"0.2 slug-ft2"`.
+In a scene, a bare number (without a unit) is in SI units: metres, kilograms, seconds, radians, and products of these. To
+use another unit, write the number and its unit as text in quotes. Examples are `"3 rpm"`, `"15 deg"`, `"306 d"`, `"20 cm"`,
+`"2.5e4 g cm^2"` and `"0.2 slug-ft2"`.
 
-A unit can be any product of powers of the names in the second table: `"3 deg/min"`, `"1 kg*cm^2"`, `"2 1/min"`. A plain
-number may be a percentage (`"13 %"`). One `Hz` is one turn per second, and so is one `rps`. `poinsot explain units` prints
-both tables, and `poinsot explain slug` prints one unit.
+This section has two tables of units. The first table lists usual units for each physical quantity. The second table lists
+the names of units. A unit can be any product of powers of these names, such as `"3 deg/min"`, `"1 kg*cm^2"` or
+`"2 1/min"`.
+
+If a key takes a plain number, which has no unit, you can write the number as a percentage, such as `"13 %"`.
+
+The units `Hz` and `rps` both mean turns per second: 1 `Hz` is one turn per second, and so is 1 `rps`.
+
+`poinsot explain units` prints both tables of units. `poinsot explain slug` prints the value of one unit, the slug.
 
 | quantity | SI | units, for example |
 | --- | --- | --- |
 )";
 
 constexpr std::string_view kNamesOpening = R"(
-The table below lists all names that a product can contain. {}
+The table below lists all names of units that a product can contain.
+
+{}
 
 | unit | is | with a prefix | also written |
 | --- | --- | --- | --- |
 )";
 
 constexpr std::string_view kNamesClosing = R"(
-Inch, foot, pound and ounce have their exact values of 1959. `lbf` is lb times 9.80665 m/s². `slug` is lbf s²/ft, so
-1 slug ft² is 1.3558179483314004 kg m². `u` has the value of CODATA 2022. A year has 365.25 days.
+The inch, the foot, the pound and the ounce have the exact values of the international agreement of 1959. The unit `lbf` is
+the force lb times 9.80665 m/s². The unit `slug` is lbf s²/ft, so 1 slug ft² is 1.3558179483314004 kg m². The unit `u` has
+the value of CODATA 2022. The unit `yr`, a year, has 365.25 days.
 
 )";
 
@@ -106,20 +122,23 @@ std::string row(const Key& key) {
 }
 
 constexpr std::string_view kViews =
-    R"(Each `[[view]]` is a panel of the picture. All panels show the same instant. A scene without `[[view]]` has one panel, or
-one for each of `camera.frames`.
+    R"(Each table `[[view]]` in a scene adds one panel to the picture. All panels show the same instant of the motion. A scene
+without `[[view]]` has one panel, or one panel for each entry of `camera.frames`.
 
 A view takes every key of `[camera]` except `frames`. It also takes every key of `[show]` except `title`, `subtitle`,
-`views`, `exaggerate_angles` and the shape of the body. Write these keys below `[[view]]`, such as `camera.frame = "body"`
-or `show.plane = false`. A key that a view does not set has the scene's value.
+`views`, `exaggerate_angles` and the keys of the body's shape. Write such a key below the line `[[view]]`: for example,
+`camera.frame = "body"` or `show.plane = false`. If a view does not set a key, the key has the value that it has in the
+scene's own `[camera]` or `[show]`.
 
 )";
 
 std::string visibility(std::string_view table) {
   if (!isExtra(table)) return fmt::format("`{0} = false` is short for `{0}.visible = false`.\n\n", table);
-  const bool alone = namesBelow(table).size() == 1;
-  return fmt::format("`{0} = true` is short for `{0}.visible = true`{1}.\n\n", table,
-                     alone ? "" : ". Setting any other key of the table also shows it");
+  std::string text = fmt::format("`{0} = true` is short for `{0}.visible = true`.", table);
+  if (namesBelow(table).size() > 1)
+    text += fmt::format(" If a scene sets another key of `[{0}]` but not `visible`, `{0}.visible` is also true.",
+                        table);
+  return text + "\n\n";
 }
 
 std::string heading(std::string_view table) {
@@ -145,9 +164,10 @@ std::string tableSections() {
 
 std::string shapes() {
   std::string text =
-      "## Shapes\n\nThe table gives the keys of each shape and its position in its axes. The keys are the same in "
-      "`[body]`,\n`[[body.part]]` and `[show.body]`. The origin of a shape is its centre of mass unless the table "
-      "gives another point.\n\n| shape | keys | is |\n| --- | --- | --- |\n";
+      "## Shapes\n\nThe table below gives the keys of each shape and how the shape lies in its own axes x, y "
+      "and z. The keys\nare the same in `[body]`, `[[body.part]]` and `[show.body]`. The origin of the axes is "
+      "the centre of mass of the\nshape unless the table gives another point.\n\n| shape | keys | is |\n| --- | "
+      "--- | --- |\n";
   for (const NamedShape& shape : namedShapes())
     text += fmt::format("| `{}` | {} | {} |\n", shape.word, described(shape), cell(shape.help));
   return text + "\n";
@@ -155,8 +175,9 @@ std::string shapes() {
 
 std::string catalogueTable() {
   std::string text =
-      "## Catalogue\n\nEach number of a body is published, assumed, or computed from the others.\n\n| `catalogue` "
-      "| is | where its numbers are from |\n| --- | --- | --- |\n";
+      "## Catalogue\n\nThe table below lists the real bodies that the key `body.catalogue` can name, with the "
+      "source of their numbers.\nEach number of such a body is published, assumed, or computed from the body's "
+      "other numbers.\n\n| `catalogue` | is | where its numbers are from |\n| --- | --- | --- |\n";
   for (const physics::CatalogueBody& body : physics::catalogue())
     text += fmt::format("| `{}` | {} | {} |\n", body.name, cell(body.title), cell(body.source));
   return text + "\n";
@@ -182,22 +203,25 @@ std::string presets() {
 
 constexpr std::string_view kLimitsOpening = R"(## Limits
 
-A scene may come from an untrusted source, so its use of resources is limited. If a scene exceeds a limit, poinsot refuses
-it before any work begins. The message contains the limit and the requested amount. You can raise or lower a limit with
-`--limit NAME=VALUE`, such as `--limit side=16384` or `--limit output="200 GiB"`. A scene cannot change a limit.
+A scene may come from an untrusted source. poinsot therefore limits how much memory, disk space and time a scene can use.
+If a scene exceeds a limit, poinsot refuses the scene before any work begins. The message contains the limit and the
+requested amount.
+
+To raise or lower a limit, give the option `--limit NAME=VALUE`, such as `--limit side=16384` or
+`--limit output="200 GiB"`. A scene file itself cannot change a limit.
 
 | limit | default | maximum | applies to |
 | --- | --- | --- | --- |
 )";
 
 constexpr std::string_view kLimitsClosing = R"(
-poinsot estimates `memory` from the size of the picture, the film's encoder and the meshes. The estimate is for one
-worker; `-j` sets the number of workers.
+For the limit `memory`, poinsot estimates the memory that a run needs from the size of the picture, the film's encoder and
+the meshes. The estimate is for one worker of the run. The option `-j` sets the number of workers.
 
-A run that reaches `output` or `seconds` ends with exit code 2, like a run that is refused at the start. The finished part
-of a film stays for `--resume`.
+If a run reaches the limit `output` or `seconds`, the run ends with exit code 2, like a run that is refused at the start.
+The finished part of a film is kept, and a run with the option `--resume` can continue it.
 
-Other limits are fixed, because values beyond them could not be seen or computed:
+The limits in this list are fixed, because values beyond them could not be seen in a picture or could not be computed:
 
 - A side has at least {} pixels.
 - A note has at most {} lines.
@@ -205,21 +229,26 @@ Other limits are fixed, because values beyond them could not be seen or computed
 - A torque table has at most 100 000 lines.
 - A picture has at most 8 by 8 panels.
 
-Numbers must be finite and lie in the range of their key. In SI units, the ranges are:
+Every number in a scene must be finite and lie in the range of its key. For these physical quantities, the ranges in SI
+units are:
 
 - moments from {:g} to {:g}, the largest at most {:g} times the smallest
 - spins from {:g} to {:g}
 - times up to {:g}
 - torques up to {:g}
 
-Within these ranges, L² and the energy of every body neither underflow nor overflow a double. Therefore, every accepted
-scene can be drawn.
+Within the ranges that a scene allows, L² and the energy of every body neither underflow nor overflow a `double` (a 64-bit
+floating-point number). Therefore, poinsot can draw every scene that it accepts.
 
-Unknown and repeated keys are errors. A scene contains no code and no expressions.
+If a scene contains an unknown key or the same key twice, poinsot reports an error.
 
-The files that a scene names (meshes, torques, styles) must be regular files in the scene's folder or below it. poinsot
-expands nothing in a file name. Absolute paths, `..`, symbolic links, `~`, `$` and URLs are errors. `--asset-root FOLDER`
-allows another folder, which is searched after the scene's own folder. You can give this option more than once.
+A scene contains only values of keys. It cannot contain code or expressions.
+
+A scene can name other files, which contain meshes, torques or styles. These must be regular files in the scene's folder or
+below it. poinsot expands nothing in a file name. Absolute paths, `..`, symbolic links, `~`, `$` and URLs are errors.
+
+To allow files in another folder, give the option `--asset-root FOLDER`. poinsot searches this folder after the scene's own
+folder. You can give the option more than once.
 )";
 
 std::string limits() {
