@@ -213,6 +213,16 @@ class Command(unittest.TestCase):
                          (3, "tests/machines needs root, for chroot and mounts: start it with sudo\n"))
 
 
+class MountsBelow(unittest.TestCase):
+    def test_lists_the_innermost_first(self):
+        rows = ["proc /proc proc rw 0 0", r"proc /a\040b/room/proc proc rw 0 0", r"none /a\040b/room/proc/sys x rw 0 0",
+                r"proc /a\040b/room2/proc proc rw 0 0"]
+        with tempfile.NamedTemporaryFile("w") as table:
+            table.write("\n".join(rows) + "\n")
+            table.flush()
+            self.assertEqual(room.mounts_below("/a b/room", table.name), ["/a b/room/proc/sys", "/a b/room/proc"])
+
+
 class Rooms(unittest.TestCase):
     """Tests a room that shows this machine's own system through links in an empty folder."""
 

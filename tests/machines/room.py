@@ -2,6 +2,7 @@
 """Rooms are folders with a complete Debian system, made by debootstrap and entered by enter.sh. Both need root."""
 
 import os
+import re
 import shutil
 import subprocess
 import time
@@ -41,8 +42,20 @@ def configured_mirror():
     return next((line.split()[2].rstrip("/") for line in targets.splitlines() if line.startswith("Debian Debian ")), DEBIAN)
 
 
+def mounts_below(folder, table="/proc/self/mounts"):
+    """Returns the mount points below a folder, the innermost first, as the kernel's TABLE lists them."""
+    points = [line.split()[1] for line in Path(table).read_text().splitlines()]
+    points = [re.sub(r"\\([0-7]{3})", lambda match: chr(int(match[1], 8)), point) for point in points]  # a blank is \040
+    return [point for point in reversed(points) if point.startswith(f"{os.path.abspath(folder)}/")]
+
+
 def remove(folder):
-    """Deletes a room. Tries again, because processes of an interrupted room may still write."""
+    """Deletes a room. Tries again, because processes of an interrupted room may still write.
+
+    It first unmounts what an interrupted debootstrap has left mounted in the room, such as /proc.
+    """
+    for mounted in mounts_below(folder):
+        subprocess.run(["umount", "--lazy", mounted], stderr=subprocess.DEVNULL)
     for _ in range(20):
         if subprocess.run(["rm", "-rf", "--one-file-system", folder], stderr=subprocess.DEVNULL).returncode == 0:
             return
