@@ -47,7 +47,9 @@ void addInfo(const Command& program) {
       .excludes(json);
   command
       .option("--digits", options->digits,
-              fmt::format("significant digits of a number; {} distinguish any two numbers", describe::kAllDigits))
+              fmt::format(
+                  "significant digits of each number; with {}, different numbers are always printed differently",
+                  describe::kAllDigits))
       .range(1, describe::kAllDigits)
       .showDefault()
       .excludes(json);

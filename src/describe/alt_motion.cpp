@@ -153,7 +153,8 @@ std::string nutationWords(const physics::Nutation& nutation) {
 Sentences gravitySentences(const scene::Scene& scene, bool alone) {
   const auto& axes = scene.body.axes;
   const Eigen::Vector3d up_P = axes.toP(scene::startOrientation(scene).conjugate() * Eigen::Vector3d::UnitZ());
-  Sentences sentences{"Gravity pulls at its centre of mass and turns L; the vertical part of L stays."};
+  Sentences sentences{
+      "Gravity pulls at the centre of mass and turns L; the vertical component of L stays constant."};
   const auto top = physics::heavyTop(axes.moments(), axes.toP(scene.motion.forcing.gravity_B));
   if (!top || !alone) return sentences;
   sentences.push_back(fmt::format("Its axis {}.", nutationWords(top->nutation(scene::startOmega_P(scene), up_P))));

@@ -71,7 +71,7 @@ void addEllipsoids(Section& section, const scene::Scene& scene) {
 }
 
 void addMiddleAxis(Section& section, const physics::FlipTimes& flips) {
-  section.add("flip_interval", flips.turnsOver ? "time from flip to flip 2K/lambda" : "half a period 2K/lambda",
+  section.add("flip_interval", flips.turnsOver ? "time from flip to flip, 2K/lambda" : "half a period, 2K/lambda",
               flips.interval_s, "s", "omega_mid changes sign");
   section.add("least_angle_to_middle", "least angle between L and the middle axis", flips.nearestToMiddle_rad,
               "rad", "");
@@ -178,7 +178,7 @@ Section symmetricSection(const scene::Scene& scene) {
   section.add("rolling", "the body cone rolls on the space cone's", senseWord(*cones), "",
               "outside if prolate, inside if oblate");
   section.add("precession_rate", "precession L/I1 about L", cones->precessionRate, "rad/s", "eq 20, 34");
-  section.add("spin_rate", "omega_3", cones->spinRate, "rad/s", "eq 26; >= 0 by the choice of k");
+  section.add("spin_rate", "omega_3", cones->spinRate, "rad/s", "eq 26; k is chosen so that omega_3 >= 0");
   section.add("body_precession_rate", "Omega_p of omega about k", cones->bodyRate, "rad/s", "eq 29, 37");
   section.add("hand_finch_spin", "Hand & Finch's spin Omega", cones->handFinchSpin(), "rad/s", "eq 21");
   section.add("wobble_period", "wobble seen from the body 2 pi/|Omega_p|", cones->wobblePeriod(), "s", "eq 29");

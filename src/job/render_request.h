@@ -17,7 +17,8 @@ namespace poinsot::job {
 
 /// Options of a render. Scene, target and frames are in RenderRequest.
 struct RenderChoices {
-  std::optional<double> time_s = {};  ///< stills only: film time that replaces the time of the frame
+  std::optional<double> time_s =
+      {};  ///< stills only: film time to draw; it replaces the time that follows from the frame number
   gl::Backend backend = gl::Backend::kAuto;
   bool reproducible = false;  ///< always true for a shard, because the machines of a cluster differ
   request::PictureOptions form = {};

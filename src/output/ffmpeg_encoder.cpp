@@ -43,8 +43,8 @@ double factorWithoutTrees(double crf, double more = 0) {
 }
 
 /// Converts x264's rate factor (without macroblock trees) to another encoder's scale, so that the error stays the
-/// same: offset + slope * factor. Measured on the racket's film (720p, PSNR, factors 12 to 28); the straight line
-/// fits to 1.
+/// same: offset + slope * factor. Measured on the racket's film (720p, PSNR, factors 12 to 28); the
+/// straight line is off by at most 1 in the rate factor.
 std::string rateFactor(double factor, double offset, double slope) {
   return fmt::format("{}", std::clamp(std::lround(offset + slope * factor), 1L, 63L));
 }
@@ -157,8 +157,9 @@ void open(AVCodecContext& context, const FilmFormat& format) {
   openEncoder(context, options);
   // libavcodec does not report x265's delay. With the settings above, x265 has the delay of x264.
   if (context.codec_id == AV_CODEC_ID_H264 && context.has_b_frames != reorderDelay(context.codec_id))
-    throw core::encodeError(fmt::format("{} reorders by {} frames, not {}", context.codec->name,
-                                        context.has_b_frames, reorderDelay(context.codec_id)));
+    throw core::encodeError(
+        fmt::format("{}: the encoder delays output by {} frames to reorder them, but poinsot needs a delay of {}",
+                    context.codec->name, context.has_b_frames, reorderDelay(context.codec_id)));
   if (context.codec_id == AV_CODEC_ID_H264)
     context.extradata_size =
         static_cast<int>(removeEncoderNote({context.extradata, static_cast<std::size_t>(context.extradata_size)}));

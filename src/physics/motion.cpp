@@ -13,10 +13,10 @@ namespace poinsot::physics {
 void refuseTime(double t_s) {
   if (!std::isfinite(t_s))
     throw core::limitError(fmt::format("t = {} s: must be a finite number of seconds", t_s));
-  throw core::limitError(
-      fmt::format("t = {} s: so far from the start that the motion is beyond the range of numbers, or "
-                  "|omega t| beyond {:g}; choose a time nearer to 0",
-                  t_s, kFarthestPhase_rad / 2));
+  throw core::limitError(fmt::format(
+      "t = {} s: too far from the start; either |omega t| is larger than {:g}, or the motion exceeds the "
+      "range of numbers; choose a time nearer to 0",
+      t_s, kFarthestPhase_rad / 2));
 }
 
 std::vector<RigidBodyState> Motion::at(std::span<const double> times_s) const {

@@ -58,7 +58,7 @@ Sorted sorted(const SymmetricEigen& eigen) {
   return result;
 }
 
-/// Makes moments equal that differ only by the rounding of a tensor.
+/// Makes two or three moments equal if they differ by no more than the rounding error of an inertia tensor.
 /// @param moments  ascending
 void equalize(std::array<double, 3>& moments) {
   auto& [a, b, c] = moments;

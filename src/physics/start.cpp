@@ -143,8 +143,8 @@ Eigen::Vector3d omegaFromEnergy(const PrincipalAxes& axes, const EnergyStart& st
   const ScaledEnergy s = scaledEnergy(moments, start);
   if (excess(s, s.I[1]) == DD(0))
     throw core::physicsError(
-        fmt::format("on the separatrix (L² = 2 T I of the middle moment) there is no period: the phase must be "
-                    "0, got {}",
+        fmt::format("on the separatrix (L² = 2 T I, where I is the middle moment), the motion has no period; the "
+                    "phase must be 0, got {}",
                     start.phase));
   const FreeMotion motion(moments, omega0_P, Quaternion::Identity());
   return axes.toB(motion.at(start.phase * polhode.period()).omega_B);

@@ -10,8 +10,8 @@ namespace poinsot::physics {
 namespace {
 
 constexpr int kSamples = 200;  // number of times at which two runs are compared, on each side of time 0
-// Smallest factor by which one attempt shortens the steps. It limits the effect of the first differences, which
-// may be too large to obey the order of the method.
+// Smallest factor by which one attempt shortens the steps. The factor follows from the difference of two runs. If
+// the steps are still long, this difference does not yet shrink with the step as the method's order predicts.
 constexpr double kShrinkMost = 0.125;
 /// A difference of two runs below this angle shrinks with the step as the order of the method predicts. If it does
 /// not shrink, it is due to rounding.

@@ -49,7 +49,7 @@ class WatchedScene {
   const std::vector<std::string> overrides_;
   const scene::Allowance allowance_;
   std::vector<std::filesystem::path> files_;  // files of the last scene without errors
-  std::string seen_;                          // fingerprint() of files_ from before the last reading
+  std::string seen_;                          // fingerprint() of files_, taken just before the scene was last read
   mutable std::mutex mutex_;
   mutable std::condition_variable_any changed_;
   SceneVersion version_;

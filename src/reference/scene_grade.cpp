@@ -53,8 +53,8 @@ std::size_t farthestRow(const TrajectoryTable& theirs) {
   return farthest;
 }
 
-/// Makes the motion over the log's times.
-/// @throws core::Error as gradeAgainst(), with the position of the farthest time
+/// Returns the motion of the scene over all times of the log.
+/// @throws core::Error with the place in the log of the time farthest from 0; see gradeAgainst()
 std::unique_ptr<const physics::Motion> motionOver(const MotionMaker& maker, const TrajectoryTable& theirs) {
   const physics::TimeSpan span = spanOf(theirs);
   try {

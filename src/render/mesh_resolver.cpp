@@ -95,7 +95,8 @@ glm::vec3 unit(const glm::vec3& v) {
   return length > 0 ? v / length : glm::vec3(0, 0, 1);
 }
 
-/// Reduces the parts of surfaces in one pixel to the few surface directions with which the pixel is shaded.
+/// Collects the surfaces that one pixel contains, and merges them into a few directions. The pixel is shaded once
+/// for each direction.
 class FacetMixer {
  public:
   void add(const glm::vec3& normal_C, const draw::Material& material, float area) {

@@ -53,8 +53,9 @@ std::optional<scene::ThrownBody> thrownBody(const scene::Scene& scene) {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-constexpr double kRounding = 1e-11;  // error of an integration to 1e-12, relative to the size of a quantity
-constexpr double kFlat = 1e-5;       // change relative to the value; smaller changes need more than six digits
+constexpr double kRounding =
+    1e-11;                      // relative error of a quantity if the motion is integrated with tolerance 1e-12
+constexpr double kFlat = 1e-5;  // change relative to the value; smaller changes need more than six digits
 
 double largestOf(const QuantityRange& range) { return std::max(std::abs(range.low), std::abs(range.high)); }
 

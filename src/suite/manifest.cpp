@@ -214,10 +214,11 @@ class Reader {
     if (problems_.size() > problems) return;  // any further errors would follow from these
     if (scene.empty() == image.empty()) return problems_.add(node.place, "test: expected either scene or image");
     if (!image.empty() && (!test.times_s.empty() || !test.overrides.empty()))
-      return problems_.add(node.place, "test: times and set are allowed with scene only");
+      return problems_.add(node.place, "test: the keys `times` and `set` are allowed only beside `scene`");
     if (!image.empty() && hasSize)
-      return problems_.add(node.place,
-                           "test: size and height are allowed with scene only; an image has its own size");
+      return problems_.add(
+          node.place,
+          "test: the keys `size` and `height` are allowed only beside `scene`; an image has its own size");
     if (!scene.empty() && !test.variant.empty() && test.variant != usual.variant)
       return problems_.add(node.place,
                            "test: variant is allowed with image only; a scene's variant is its renderer");

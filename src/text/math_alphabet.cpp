@@ -15,7 +15,7 @@ struct Starts {
   char32_t small = 0;
   char32_t digit = 0;
   char32_t greekCapital = 0;
-  char32_t greekSmall = 0;  // start of the 25 letters α to ω (with ς), then kGreekVariants
+  char32_t greekSmall = 0;  // the 25 letters α to ω, with ς; kGreekVariants follow them
 };
 
 Starts startsOf(Alphabet alphabet) {

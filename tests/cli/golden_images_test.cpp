@@ -257,8 +257,9 @@ TEST_F(GoldenImages, PrintCommandsThatApproveOnlyTheNamedTests) {
 TEST_F(GoldenImages, RejectSizesInTheManifest) {
   save("new.png", flat(90));
   manifest("[[test]]\nimage = 'new.png'\nsize = [64, 64]\n");
-  EXPECT_THAT(golden().err,
-              HasSubstr("test: size and height are allowed with scene only; an image has its own size"));
+  EXPECT_THAT(
+      golden().err,
+      HasSubstr("test: the keys `size` and `height` are allowed only beside `scene`; an image has its own size"));
   manifest("[[test]]\nimage = 'new.png'\n");
   const RunResult nowhere = golden({"--images", "nodir"});
   EXPECT_EQ(nowhere.exitCode, 4);

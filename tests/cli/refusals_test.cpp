@@ -139,7 +139,8 @@ TEST_F(ErrorMessages, ExplainInvalidGoldenSuites) {
   says(test + "times = []\n", "expected at least one");
   says(test + "times = [\"soon\"]\n", "expected a film time such as 1.5 or \"90 ms\"");
   says(test + "image = 'p.png'\n", "test: expected either scene or image");
-  says("[[test]]\nimage = 'p.png'\ntimes = [1]\n", "test: times and set are allowed with scene only");
+  says("[[test]]\nimage = 'p.png'\ntimes = [1]\n",
+       "test: the keys `times` and `set` are allowed only beside `scene`");
   says(test + "name = 'a/.b'\n", "'a/.b': must be a relative path of at most 200 printable characters");
 }
 

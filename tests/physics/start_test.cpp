@@ -191,9 +191,9 @@ TEST(Start, EnergyOnTheSeparatrixNeedsPhaseZero) {
   EXPECT_EQ(omega[1], 0);
   EXPECT_NEAR(omega[2], -3 / 2.25, 1e-15);
   // 2T = 8, L = 4 exactly.
-  EXPECT_EQ(
-      refusal(moments, {4, 4, 0.25, false}),
-      "on the separatrix (L² = 2 T I of the middle moment) there is no period: the phase must be 0, got 0.25");
+  EXPECT_EQ(refusal(moments, {4, 4, 0.25, false}),
+            "on the separatrix (L² = 2 T I, where I is the middle moment), the motion has no period; the phase "
+            "must be 0, got 0.25");
   EXPECT_EQ(refusal(moments, {4, 4, 0, false}), "accepted");
 }
 

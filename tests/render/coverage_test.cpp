@@ -70,7 +70,7 @@ TEST_F(CoverageTest, BoxesFrustumsAndEllipsoidsHaveTheAreaOfTheirHull) {
   RecordProperty("worst_relative_error", std::to_string(worst));  // measured 0.0021
 }
 
-TEST_F(CoverageTest, LinesOfAnyWidthHaveTheirArea) {
+TEST_F(CoverageTest, LinesOfAnyWidthCoverTheirExactArea) {
   for (const float width : {0.4f, 1.0f, 2.5f, 8.0f}) {
     DrawList list = emptyList();
     draw::Curve curve;

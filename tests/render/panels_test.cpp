@@ -73,7 +73,7 @@ TEST_F(PanelsTest, APanelThatFillsThePictureEqualsItsDrawList) {
   EXPECT_EQ(renderer_.render(picture), render(viewOf(kSize, kRed)));
 }
 
-TEST_F(PanelsTest, PanelsOfManySizesGiveTheSameBytesAgain) {
+TEST_F(PanelsTest, PanelsOfManySizesGiveTheSameBytesInAnyOrder) {
   Picture picture = paper();
   for (int i = 0; i < 6; ++i) picture.panels.push_back({{30 * i, 5 * i}, viewOf({30, 40 + 10 * i}, kRed)});
   const image::Image first = renderer_.render(picture);

@@ -31,7 +31,7 @@ TEST(FilmChoice, DefaultsToTheUsualCodecOfTheFileType) {
   EXPECT_EQ(chosen("a.apng", {}, true).transparent, true);
 }
 
-TEST(FilmChoice, UsesCrfChromaAndEffortOfTheScene) {
+TEST(FilmChoice, TakesCrfChromaAndEffortFromTheScene) {
   scene::Output asked;
   asked.crf = 7;
   EXPECT_EQ(chosen("a.mp4", asked).crf, 7);

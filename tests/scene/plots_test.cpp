@@ -67,7 +67,7 @@ TEST(Plots, AcceptAUnitAsReadoutsDo) {
               HasSubstr("readout[0].unit: \"q_w\" is a bare number and has no unit; leave it out"));
 }
 
-TEST(Readouts, SuggestTheNearestQuantityOnce) {
+TEST(Readouts, SuggestTheNearestQuantity) {
   EXPECT_EQ(messagesWith("[[readout]]\nquantity = \"omega_mag\"\nunit = \"rpm\"\n"),
             "readout[0].quantity: expected one of the quantities, got \"omega_mag\"; did you mean \"omega\"?\n");
   EXPECT_THAT(messagesWith("[[readout]]\nquantity = \"omega1\"\n"), HasSubstr("did you mean \"omega_1\"?"));

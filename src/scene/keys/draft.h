@@ -108,7 +108,8 @@ struct Draft;
 struct ViewDraft {
   std::string title, subtitle;
   std::optional<Eigen::Vector2i> at, span;
-  std::vector<std::function<void(Draft&)>> given;  ///< functions; each stores one key in a draft
+  std::vector<std::function<void(Draft&)>>
+      given;  ///< one function for each key that the view sets; it stores the value in a draft
 };
 
 /// Values of the keys of a plot. A value that depends on other keys is stored outside `plot`.

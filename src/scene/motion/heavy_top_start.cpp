@@ -17,7 +17,7 @@ bool gravityAlone(const physics::Forcing& forcing) {
   return !forcing.none() && rest.none();
 }
 
-/// Returns the start if the body is nearly a symmetric top about an axis k.
+/// Returns the start of the heavy top if the body is nearly symmetric about an axis k; otherwise nothing.
 /// @param most  largest relative difference of the two moments perpendicular to k; also the largest distance of
 /// the centre of mass from k, relative to its distance from the fixed point
 std::optional<HeavyTopStart> startOf(const Scene& scene, double most) {

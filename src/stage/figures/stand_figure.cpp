@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kHeight = 0.34, kFoot = 0.18;  // height and foot radius of the pedestal, in radii of the body
-constexpr double kTip = 0.022, kJoint = 0.032, kStandRod = 0.012;  // radii in picture lengths
+constexpr double kTip = 0.022, kJoint = 0.032, kStandRod = 0.012;  // radii, in units of the picture's axes V
 constexpr int kFootRimPoints = 12;
 constexpr double kMayDip = 0.01;  // tolerated depth below the tip, in radii of the body; a drawn apex is inexact
 
