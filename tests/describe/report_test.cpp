@@ -114,7 +114,7 @@ TEST(Report, ReportsFlipsOnlyNearTheMiddleAxis) {
   EXPECT_EQ(flips("[2, 2, 2.5]", "[0, 1, 0.1]")["body_flips"], false);  // symmetric: no middle axis
   const std::string words = reportTable(reportOf(start("[1, 2, 2.5]", "[0, 0.1, 1]")));
   EXPECT_THAT(words, Not(HasSubstr("from flip to flip")));
-  EXPECT_THAT(words, ContainsRegex("half a period 2K/lambda"));
+  EXPECT_THAT(words, ContainsRegex("half a period, 2K/lambda"));
 }
 
 TEST(Report, StatesThatStabilityAssumesFreeMotion) {
