@@ -24,16 +24,17 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
 rotation, with angular momentum, angular velocity and Poinsot's ellipsoid
 rolling on the invariable plane. It needs no screen and no graphics card, and
 prints the motion as numbers, too.")
-# dpkg-shlibdeps finds the packages of linked libraries. Libraries that are opened at run time are named here: OpenGL,
-# by one of two packages, and the libraries for films. Debian names FFmpeg's packages by interface version, which the
-# program takes from the headers (src/output/ffmpeg_library.cpp).
+# dpkg-shlibdeps finds the packages of linked libraries, with which the program compares pictures and computes motions.
+# Libraries for drawing and films are opened at run time, so they are recommended only: OpenGL, by one of two packages,
+# and FFmpeg. Debian names FFmpeg's packages by interface version, which the program takes from the headers
+# (src/output/ffmpeg_library.cpp).
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(opened "libosmesa6 | libegl1" libgl1-mesa-dri libimagequant0)
 foreach(library libavformat libavcodec libavutil libswscale)
   string(REGEX MATCH "^[0-9]+" major "${LIBAV_${library}_VERSION}")
   list(APPEND opened ${library}${major})
 endforeach()
-list(JOIN opened ", " CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS)
+list(JOIN opened ", " CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS)
 
 # poinsot_debian_needs(RESULT LAYER...): sets RESULT to the packages needed to build a program with these layers.
 function(poinsot_debian_needs result)
@@ -73,7 +74,7 @@ if(POINSOT_PYTHON)
   set(CPACK_DEBIAN_PYTHON_FILE_NAME DEB-DEFAULT)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
-  # An extension module fits one minor version of Python. The package poinsot is needed for films, and brings OpenGL.
+  # An extension module fits one minor version of Python. The package poinsot is needed for films.
   math(EXPR next "${Python_VERSION_MINOR} + 1")
   string(CONCAT CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next}), "
     "python3-numpy, poinsot (= ${PROJECT_VERSION})")

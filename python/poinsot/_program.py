@@ -23,8 +23,8 @@ def _found() -> tuple[str, str]:
     named = os.environ.get(_VARIABLE)
     if named:
         return named, f"{_VARIABLE}={named}"
-    own = Path(__file__).with_name("program")
-    found = str(own) if own.exists() else shutil.which("poinsot")
+    own = (Path(__file__).with_name("program"), Path(__file__).parent / "portable/bin/poinsot")  # in a build; in a wheel
+    found = next((str(program) for program in own if program.exists()), None) or shutil.which("poinsot")
     if not found:
         raise FileError(f"the program poinsot, which makes films and figures, is not installed; set {_VARIABLE}")
     return found, f"the program {found}"

@@ -22,4 +22,6 @@ std::filesystem::path programPath() {
   return failure ? std::filesystem::weakly_canonical(programAsCalled(), failure) : program;
 }
 
+std::filesystem::path ownLibraries() { return programPath().parent_path().parent_path() / "lib" / "poinsot"; }
+
 }  // namespace poinsot::core

@@ -9,4 +9,8 @@ namespace poinsot::core {
 /// called. Returns an empty path on failure.
 std::filesystem::path programPath();
 
+/// Returns the folder of the libraries that are installed with this program, such as PREFIX/lib/poinsot for
+/// PREFIX/bin/poinsot. It exists only in a portable package (packaging/portable).
+std::filesystem::path ownLibraries();
+
 }  // namespace poinsot::core

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/program_path.h"
 #include "process/call_filter.h"
 #include "process/landlock.h"
 
@@ -63,6 +64,7 @@ void limitResources(const Sandbox& sandbox) {
 void enterSandbox(const Sandbox& sandbox) {
   Landlock files;
   for (const char* path : kOfTheSystem) files.mayRead(path);
+  files.mayRead(core::ownLibraries());
   for (const auto& path : sandbox.read) files.mayRead(path);
   for (const auto& path : sandbox.write) files.mayWrite(path);
   files.mayWrite("/dev/null");

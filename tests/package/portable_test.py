@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Tests the portable package in a system that contains nothing but glibc, as an ordinary user without a network.
+
+Usage: portable_test.py SOURCES BUILD
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SOURCES, BUILD = Path(sys.argv[1]), Path(sys.argv[2])
+sys.path.insert(0, str(SOURCES / "packaging/portable"))
+import elf  # noqa: E402
+from closure import STAND_IN, Closure  # noqa: E402
+
+GLIBC = ("libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "librt.so.1", "libmvec.so.1")
+SCENES = "/opt/poinsot/share/poinsot/scenes"
+
+
+def isolation():
+    """Returns the words that start a command in a chroot, without a network; None if this user may not."""
+    for words in (["unshare", "--user", "--map-root-user", "--net"], ["unshare", "--net"] if os.geteuid() == 0 else None):
+        if words and subprocess.run([*words, "chroot", "/", "true"], capture_output=True).returncode == 0:
+            return words
+    return None
+
+
+class Portable(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.enter = isolation()
+        if cls.enter is None:
+            raise unittest.SkipTest("this user may not make a namespace with its own root folder")
+        cls.room = Path(tempfile.mkdtemp(prefix="poinsot-portable."))
+        cls.addClassCleanup(shutil.rmtree, cls.room)
+        made = subprocess.run([sys.executable, "-B", SOURCES / "packaging/portable", "--no-build", "--folder"],
+                              env={**os.environ, "POINSOT_BUILD_DIR": str(BUILD)}, capture_output=True, text=True)
+        if made.returncode != 0:
+            raise AssertionError(made.stderr)
+        cls.said = made.stderr
+        (cls.room / "opt").mkdir()
+        shutil.copytree(BUILD / "portable", cls.room / "opt/poinsot", symlinks=True)
+        for folder in ("lib64", "lib/x86_64-linux-gnu", "tmp", "dev", "proc"):
+            (cls.room / folder).mkdir(parents=True)
+        (cls.room / "dev/null").touch()
+        for open_to_all in ("tmp", "dev/null"):
+            (cls.room / open_to_all).chmod(0o777)
+        cls.room.chmod(0o755)
+        shutil.copy("/lib64/ld-linux-x86-64.so.2", cls.room / "lib64")
+        for name in GLIBC:
+            shutil.copy(f"/lib/x86_64-linux-gnu/{name}", cls.room / "lib/x86_64-linux-gnu")
+
+    def run_in_room(self, *words):
+        user = ["--userspec=65534:65534"] if os.geteuid() == 0 and "--user" not in self.enter else []
+        return subprocess.run([*self.enter, "chroot", *user, self.room, "/opt/poinsot/bin/poinsot", *words],
+                              env={"HOME": "/tmp", "PATH": "/usr/sbin:/usr/bin:/sbin:/bin"}, capture_output=True, text=True, stdin=subprocess.DEVNULL)
+
+    def expect_done(self, *words):
+        done = self.run_in_room(*words)
+        self.assertEqual(done.returncode, 0, f"{' '.join(words)}\n{done.stdout}{done.stderr}")
+        return done.stdout + done.stderr
+
+    def test_draws_and_encodes_every_kind_of_film(self):
+        said = self.expect_done("doctor")
+        # Oracle: the same program on this machine, with Debian's own libraries.
+        here = subprocess.run([BUILD / "bin/poinsot", "doctor"], capture_output=True, text=True).stdout
+        kinds = [line for line in here.splitlines() if line.startswith("ok      film")]
+        self.assertGreater(len(kinds), 5)
+        for line in kinds:
+            self.assertIn(line, said)
+
+    def test_makes_the_film_of_the_installed_program(self):
+        words = ["--frames", "0-5", "--size", "320x180", "-j", "1", "--quiet", "--reproducible"]
+        self.expect_done("render", f"{SCENES}/tennis_racket.toml", "-o", "/tmp/portable.mp4", *words)
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([BUILD / "bin/poinsot", "render", SOURCES / "scenes/tennis_racket.toml", "-o", f"{folder}/here.mp4", *words], check=True)
+            self.assertEqual((self.room / "tmp/portable.mp4").read_bytes(), Path(f"{folder}/here.mp4").read_bytes())
+
+    def test_reads_its_own_libraries_in_the_sandbox(self):
+        self.expect_done("render", f"{SCENES}/football.toml", "-o", "/tmp/sandboxed.mp4", "--frames", "0-2", "--size", "96x54", "--untrusted")
+        self.assertGreater((self.room / "tmp/sandboxed.mp4").stat().st_size, 1000)
+
+    def test_runs_a_golden_suite(self):
+        suite = self.room / "tmp/golden.toml"
+        suite.write_text(f'size = [96, 54]\n[[test]]\nscene = "{SCENES}/football.toml"\n')
+        words = ["golden", "/tmp/golden.toml", "-o", "/tmp/new", "--asset-root", SCENES]
+        self.expect_done(*words, "--update")
+        self.assertIn("1 identical", self.expect_done(*words, "--report", "/tmp/report.html"))
+        (self.room / "tmp/golden/football.png").write_bytes((self.room / "tmp/golden/football.png").read_bytes()[:100])
+        self.assertEqual(self.run_in_room(*words).returncode, 1)
+
+    def test_names_the_licence_and_the_sources_of_each_library(self):
+        folder = self.room / "opt/poinsot/share/doc/poinsot/licences"
+        listed = (folder / "PARTS.txt").read_text()
+        for library in (self.room / "opt/poinsot/lib/poinsot").iterdir():
+            if library.name != STAND_IN:
+                self.assertRegex(listed, rf"files:.*\b{library.name.split('.so')[0]}\b.*\n    licence: .*\n    sources: https://")
+        for name in set(part for line in listed.splitlines() if "licence:" in line for part in line.split("licence: ")[1].split(", ")):
+            self.assertGreater((folder / name).stat().st_size, 100, name)
+
+    def test_states_the_glibc_that_it_needs(self):
+        self.assertRegex(self.said, r"needs glibc 2\.\d+ or newer")
+
+    def test_replaces_only_libraries_that_nothing_else_needs(self):
+        program = BUILD / "bin/poinsot"
+        closure = Closure([program], elf.opened(program))
+        replaced = {name for names in closure.replaced.values() for name in names}
+        self.assertIn("libz3.so.4", replaced)
+        for name, path in closure.kept.items():
+            if name not in closure.replaced:
+                self.assertEqual(replaced & set(elf.needed(path)), set(), name)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
