@@ -9,7 +9,9 @@
 #include "checkup.h"
 #include "compare/flip.h"
 #include "diff.h"
+#include "golden_report.h"
 #include "grade.h"
+#include "image/png_file.h"
 #include "reference/scene_grade.h"
 #include "reference/trajectory.h"
 #include "scene/keys/explanation.h"
@@ -22,11 +24,35 @@ namespace {
 namespace py = pybind11;
 using Words = LoadedScene::Words;
 
-std::string diffOf(const PictureSource& reference, const PictureSource& test,
-                   std::vector<std::pair<std::string, std::string>> rule, std::vector<std::vector<double>> ignore,
-                   const PictureSource& mask, double pixelsPerDegree, int jobs, std::vector<std::string> limits) {
+std::string diffOf(const PictureSource& reference, const PictureSource& test, RuleWords rule,
+                   std::vector<std::vector<double>> ignore, const PictureSource& mask, double pixelsPerDegree,
+                   int jobs, std::vector<std::string> limits) {
   return diffJson(reference, test,
                   {std::move(rule), std::move(ignore), mask, pixelsPerDegree, jobs, std::move(limits)});
+}
+
+py::bytes pngBytes(const py::array& pixels) {
+  const compare::DiffPicture picture = pictureOf(pixels);
+  std::vector<std::uint8_t> png;
+  {
+    const WithoutGil others;
+    png = std::visit([](const auto& it) { return image::encodePng(it); }, picture.pixels);
+  }
+  return {reinterpret_cast<const char*>(png.data()), png.size()};
+}
+
+/// Row of write_golden_report(): name, status, message, baseline, new picture, rule, ignored boxes, mask.
+using RowParts = std::tuple<std::string, std::string, std::string, py::bytes, py::bytes, RuleWords,
+                            std::vector<std::vector<double>>, py::bytes>;
+
+void writeReport(const std::string& page, const std::string& title, const std::string& place,
+                 const std::vector<RowParts>& parts, int jobs) {
+  std::vector<GoldenRow> rows;
+  for (const auto& [name, status, message, baseline, actual, rule, ignore, mask] : parts)
+    rows.push_back(
+        {name, status, message, std::string(baseline), std::string(actual), rule, ignore, std::string(mask)});
+  const WithoutGil others;
+  writeGoldenReport(page, title, place, rows, jobs);
 }
 
 /// Title and help of an explanation, and its rows of name and text.
@@ -88,8 +114,10 @@ void declareAnswers(py::module_& module) {
   module.def("grade_file", py::overload_cast<const LoadedScene&, const std::string&>(&gradeJson));
   module.def("grade_columns",
              py::overload_cast<const LoadedScene&, const Words&, const std::vector<Column>&>(&gradeJson));
+  module.def("png_of", &pngBytes);
   module.def("stability", &stabilityOf);
   module.def("trajectory_columns", &trajectoryColumns);
+  module.def("write_golden_report", &writeReport);
 }
 
 }  // namespace poinsot::python

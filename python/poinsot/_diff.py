@@ -58,8 +58,8 @@ def diff(
         _core.diff(
             _source("reference", reference),
             _source("test", test),
-            _rule(rule),
-            _boxes(ignore),
+            rule_words(rule),
+            boxes_of(ignore),
             None if mask is None else _source("mask", _painted(mask)),
             float(pixels_per_degree),
             _arguments.jobs(jobs) or len(os.sched_getaffinity(0)),
@@ -75,7 +75,8 @@ def _is_path(it: Any) -> bool:
     return isinstance(it, (str, bytes, os.PathLike))
 
 
-def _boxes(boxes: Any) -> list[list[float]]:
+def boxes_of(boxes: Any) -> list[list[float]]:
+    """Returns boxes of pixels that are not compared: left, top, width, height."""
     takes = "must be a list of boxes (x, y, width, height) in pixels"
     given = _entries(boxes)
     if given is None:
@@ -103,6 +104,11 @@ def _source(side: str, it: Any) -> bytes | NDArray[Any]:
         if os.path.isdir(path):
             raise UsageError(f"{side}: {path} is a folder; compare its pictures one by one")
         return os.fsencode(path)
+    return pixels_of(side, it)
+
+
+def pixels_of(side: str, it: Any) -> NDArray[Any]:
+    """Returns the pixels of an array or a PIL image, with three axes. @param side: the argument, for messages"""
     array = _pil_pixels(side, it) if hasattr(it, "getbands") else _array(side, it)
     if array.dtype.kind != "u" or array.dtype.itemsize > 2:
         raise UsageError(
@@ -148,7 +154,8 @@ def _painted(mask: Any) -> Any:
     return mask
 
 
-def _rule(rule: str | Mapping[str, Any] | None) -> list[tuple[str, str]]:
+def rule_words(rule: str | Mapping[str, Any] | None) -> list[tuple[str, str]]:
+    """Returns the keys and words of a rule as in a golden.toml."""
     if rule is None:
         return []
     if isinstance(rule, str):

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "picture_source.h"
+
+namespace poinsot::python {
+
+/// Result of one comparison in pytest.
+struct GoldenRow {
+  std::string name, status, message;       ///< status as compare::toString(OutcomeStatus), or "approved"
+  std::filesystem::path baseline, actual;  ///< empty if there is none
+  RuleWords rule;
+  std::vector<std::vector<double>> ignore;  ///< boxes: left, top, width, height; pixels
+  std::filesystem::path mask;               ///< empty if there is none
+};
+
+/// Writes the HTML page of a run. Compares pictures that are not identical again, to get figures and maps.
+/// @param place  folder in a git work tree; the page shows the tree's commit
+/// @param jobs  pictures compared at a time
+/// @throws core::Error(kIo) if the page cannot be written
+void writeGoldenReport(const std::filesystem::path& page, const std::string& title,
+                       const std::filesystem::path& place, const std::vector<GoldenRow>& rows, int jobs);
+
+}  // namespace poinsot::python
