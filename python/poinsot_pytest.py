@@ -111,7 +111,7 @@ class _Session:
             report = outcome.get_result()
             # pytest-xdist sends plain attributes of a report to the controller.
             report.poinsot_golden = test.outcomes
-            report.user_properties += test.properties()
+            item.user_properties += test.properties()  # pytest writes them into its JUnit report
 
     def pytest_runtest_logreport(self, report: Any) -> None:
         self.outcomes += getattr(report, "poinsot_golden", ())

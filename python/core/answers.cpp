@@ -108,6 +108,8 @@ void declareAnswers(py::module_& module) {
   module.attr("all_trajectory_columns") = namesOf(reference::kTrajectoryColumns);
   module.attr("flip_pixels_per_degree") = compare::kFlipPixelsPerDegree;
   module.def("attitude_limit", &reference::attitudeLimit_rad);
+  module.def("check_rule",
+             [](const RuleWords& rule, const std::vector<std::vector<double>>& ignore) { ruleOf(rule, ignore); });
   module.def("checkup", &checkupOf, py::call_guard<WithoutGil>());
   module.def("diff", &diffOf);
   module.def("explain", &explanationsOf);

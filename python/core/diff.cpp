@@ -22,9 +22,7 @@ namespace py = pybind11;
 namespace fs = std::filesystem;
 
 compare::DiffRequest requestOf(const DiffAsk& ask) {
-  compare::DiffRequest request{{limitsOf(ask.rule)}, ask.pixelsPerDegree, {}, {}, {}};
-  for (const std::vector<double>& box : ask.ignore)
-    request.rule.ignore.push_back(compare::ignoredBox("ignore", box));
+  compare::DiffRequest request{ruleOf(ask.rule, ask.ignore), ask.pixelsPerDegree, {}, {}, {}};
   for (const std::string& word : ask.limits) request.limits.setByWord(word);
   if (ask.mask.is_none()) return request;
   Source mask = sourceOf(ask.mask);

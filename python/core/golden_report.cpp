@@ -23,9 +23,7 @@ OutcomeStatus statusOf(const std::string& word) {
 }
 
 compare::DiffRequest requestOf(const GoldenRow& row) {
-  compare::DiffRequest request{{limitsOf(row.rule)}};
-  for (const std::vector<double>& box : row.ignore)
-    request.rule.ignore.push_back(compare::ignoredBox("ignore", box));
+  compare::DiffRequest request{ruleOf(row.rule, row.ignore)};
   request.rule.mask = row.mask;
   return request;
 }

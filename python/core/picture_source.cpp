@@ -70,4 +70,10 @@ compare::NearRule limitsOf(const RuleWords& rule) {
   return limits;
 }
 
+compare::PictureRule ruleOf(const RuleWords& rule, const std::vector<std::vector<double>>& ignore) {
+  compare::PictureRule made{limitsOf(rule)};
+  for (const std::vector<double>& box : ignore) made.ignore.push_back(compare::ignoredBox("ignore", box));
+  return made;
+}
+
 }  // namespace poinsot::python

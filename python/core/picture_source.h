@@ -29,4 +29,7 @@ Source sourceOf(const PictureSource& source);
 /// @throws core::Error(kUsage) if a key or a word is unknown, or if the rule lets every picture pass
 compare::NearRule limitsOf(const RuleWords& rule);
 
+/// Returns a rule with ignored boxes (left, top, width, height; pixels). @throws core::Error(kUsage) as limitsOf()
+compare::PictureRule ruleOf(const RuleWords& rule, const std::vector<std::vector<double>>& ignore);
+
 }  // namespace poinsot::python

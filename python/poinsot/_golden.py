@@ -12,10 +12,10 @@ import shlex
 import shutil
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn, TypeVar
 
 import pytest
 
@@ -30,6 +30,7 @@ _LONGEST = 150  # characters of a file's name
 _FAILING = ("different", "new", "error")
 _FIGURES = ("max_difference", "differing_pixels", "rmse", "flip", "change", "beyond", "notes")
 Outcome = dict[str, Any]
+_Made = TypeVar("_Made")
 
 
 class Run:
@@ -37,8 +38,8 @@ class Run:
 
     def __init__(self, *, root: Path, output: Path, folder: str, rule: str, update: str | None, origin: str) -> None:
         self.root, self.output, self.folder, self.rule, self.update, self.origin = root, output, folder, rule, update, origin
-        rule_words(rule)  # a wrong rule in the configuration is reported once, before the first test
         self.report = output / "report.html"
+        self.command = "pytest" + (f" --golden-from={origin}" if origin else "")
 
     def test(self, item: Any) -> Test:
         return Test(self, item)
@@ -87,8 +88,7 @@ class Test:
         settings: the arguments of the marker `golden`.
         """
         __tracebackhide__ = True
-        marked = self._marked()
-        self._compare(picture, settings_of({**marked, **settings, **({} if name is None else {"name": name})}, self.run.rule))
+        self._compare(picture, self._settings(**settings, **({} if name is None else {"name": name})))
 
     def wrapped(self, function: Callable[..., Any], is_marked: bool) -> Callable[..., None]:
         """Returns a function that runs a test, compares the picture that it returns, and fails if a picture differs."""
@@ -96,15 +96,15 @@ class Test:
         @functools.wraps(function)
         def compared(*arguments: Any, **named: Any) -> None:
             __tracebackhide__ = True
-            settings = adopted(self.item) if self.run.origin else None
+            settings = self._adopted()
             with ExitStack() as context:
                 _draw_alike(context, settings.style if settings else "default", settings.backend if settings else "agg")
                 returned = function(*arguments, **named)
                 if is_marked:
-                    self._compare(returned, settings or settings_of(self._marked(), self.run.rule))
+                    self._compare(returned, settings or self._settings())
                     close(returned)
             if self._failures:
-                pytest.fail("\n".join(self._failures), pytrace=False)
+                _fail("\n".join(self._failures))
 
         return compared
 
@@ -117,11 +117,15 @@ class Test:
             found += [(f"golden_{key}", str(value)) for key, value in it["figures"].items() if isinstance(value, (int, float))]
         return [(key, value) for key, value in found if value]
 
-    def _marked(self) -> Mapping[str, Any]:
+    def _settings(self, **more: Any) -> Settings:
+        """Returns the settings of the marker and of a call."""
         mark = self.item.get_closest_marker("golden")
         if mark is not None and mark.args:
-            raise UsageError(f"golden({', '.join(map(repr, mark.args))}): takes arguments with names only, such as golden(rule='same')")
-        return dict(mark.kwargs) if mark is not None else {}
+            _fail(f"golden({', '.join(map(repr, mark.args))}): takes named arguments only, such as golden(rule='same')")
+        return _without_traceback(lambda: settings_of({**(mark.kwargs if mark else {}), **more}, self.run.rule))
+
+    def _adopted(self) -> Settings | None:
+        return _without_traceback(lambda: adopted(self.item)) if self.run.origin else None
 
     def _places(self, picture: Any, settings: Settings) -> tuple[str, Path, Path]:
         """Returns the name of a picture, its baseline and the file for the new picture."""
@@ -133,7 +137,7 @@ class Test:
         baseline = settings.baseline or folder / self.run.folder / self._file.stem / (safe + extension)
         name = str(module / safe)
         if name in self._names:
-            raise UsageError(f"golden: {own} is the name of an earlier picture of this test; give each picture a name: golden(picture, name='after')")
+            _fail(f"golden: {own} is the name of an earlier picture of this test; give each picture a name: golden(picture, name='after')")
         self._names.add(name)
         return name, baseline, self.run.output / module / (safe + extension)
 
@@ -163,7 +167,7 @@ class Test:
             return
         outcome["baseline"] = os.fsencode(baseline)
         try:
-            found = diff(baseline, new, dict(settings.rule), ignore=settings.ignore, mask=os.fsdecode(settings.mask) or None)
+            found = diff(baseline, new, dict(settings.rule), ignore=settings.boxes, mask=os.fsdecode(settings.mask) or None)
         except UsageError as error:
             if "only pictures of the same size" not in str(error):
                 raise
@@ -214,8 +218,21 @@ class Test:
         if outcome["new"]:
             lines.append(f"  new:      {self.run.shown(new)}")
             if outcome["status"] != "error":
-                lines.append(f"  if the new picture is right, approve it: pytest {shlex.quote(self.item.nodeid)} --golden-update")
+                lines.append(f"  if the new picture is right, approve it: {self.run.command} {shlex.quote(self.item.nodeid)} --golden-update")
         return "\n".join(lines)
+
+
+def _fail(message: str) -> NoReturn:
+    """Fails the test. The message says enough, so pytest shows no traceback."""
+    pytest.fail(message, pytrace=False)
+
+
+def _without_traceback(settings: Callable[[], _Made]) -> _Made:
+    try:
+        return settings()
+    except UsageError as error:
+        message = str(error)
+    _fail(message)
 
 
 def _apply_tolerance(outcome: Outcome, tolerance: float) -> None:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from . import _arguments
+from . import _arguments, _core
 from ._diff import boxes_of, rule_words
 from ._errors import UsageError
 
@@ -37,6 +37,11 @@ class Settings:
     backend: str = "agg"
     remove_text: bool = False
 
+    @property
+    def boxes(self) -> list[tuple[int, int, int, int]]:
+        """Returns the ignored boxes as diff() takes them."""
+        return [(int(left), int(top), int(width), int(height)) for left, top, width, height in self.ignore]
+
 
 def settings_of(given: Mapping[str, Any], rule: str) -> Settings:
     """Checks the arguments of the marker and the fixture. @param rule: the rule if none is given"""
@@ -52,10 +57,12 @@ def settings_of(given: Mapping[str, Any], rule: str) -> Settings:
     save = given.get("save", {})
     if not isinstance(save, Mapping):
         _arguments.refuse("golden: save", save, "must be a dictionary with arguments of savefig(): {'dpi': 100}")
+    words, ignore = rule_words(limits), boxes_of(given.get("ignore", ()))
+    _core.check_rule(words, ignore)
     return Settings(
         rule=limits,
-        words=rule_words(limits),
-        ignore=boxes_of(given.get("ignore", ())),
+        words=words,
+        ignore=ignore,
         mask=os.fsencode(given["mask"]) if "mask" in given else b"",
         name=_text(given, "name"),
         save=save,
