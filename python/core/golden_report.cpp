@@ -43,6 +43,7 @@ Outcome outcomeOf(const GoldenRow& row) {
   outcome.message = row.message;
   outcome.reference = row.baseline;
   outcome.actual = row.actual;
+  if (row.status != "approved") outcome.approval = {{row.place, row.actual}};
   return outcome;
 }
 

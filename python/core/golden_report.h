@@ -12,6 +12,7 @@ namespace poinsot::python {
 /// Result of one comparison in pytest.
 struct GoldenRow {
   std::string name, status, message;       ///< status as compare::toString(OutcomeStatus), or "approved"
+  std::filesystem::path place;             ///< file of the baseline, also if it does not exist yet
   std::filesystem::path baseline, actual;  ///< empty if there is none
   RuleWords rule;
   std::vector<std::vector<double>> ignore;  ///< boxes: left, top, width, height; pixels

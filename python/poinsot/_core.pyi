@@ -28,7 +28,7 @@ def write_golden_report(
     page: bytes,
     title: str,
     place: bytes,
-    rows: list[tuple[str, str, str, bytes, bytes, list[tuple[str, str]], list[list[float]], bytes]],
+    rows: list[tuple[str, str, str, bytes, bytes, bytes, list[tuple[str, str]], list[list[float]], bytes]],
     jobs: int,
     /,
 ) -> None: ...

@@ -51,7 +51,7 @@ class Run:
     def write_report(self, outcomes: list[Outcome]) -> None:
         """Writes the HTML page of all outcomes of a run."""
         self.output.mkdir(parents=True, exist_ok=True)
-        rows = [(it["name"], it["status"], it["message"], it["baseline"], it["new"], it["rule"], it["ignore"], it["mask"]) for it in outcomes]
+        rows = [(it["name"], it["status"], it["message"], it["place"], it["baseline"], it["new"], it["rule"], it["ignore"], it["mask"]) for it in outcomes]
         _core.write_golden_report(os.fsencode(self.report), self.root.name, os.fsencode(self.root), rows, len(os.sched_getaffinity(0)))
 
     def summary(self, outcomes: list[Outcome]) -> Iterator[str]:
@@ -146,7 +146,7 @@ class Test:
         name, baseline, new = self._places(picture, settings)
         new.parent.mkdir(parents=True, exist_ok=True)
         new.unlink(missing_ok=True)
-        outcome: Outcome = {"name": name, "status": "error", "message": "", "figures": {}, "baseline": b"", "new": b"",
+        outcome: Outcome = {"name": name, "status": "error", "message": "", "figures": {}, "place": os.fsencode(baseline), "baseline": b"", "new": b"",
                             "rule": settings.words, "ignore": settings.ignore, "mask": settings.mask}
         self.outcomes.append(outcome)
         try:

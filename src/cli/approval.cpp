@@ -2,6 +2,7 @@
 #include "cli/approval.h"
 
 #include <cstdlib>
+#include <string>
 #include <string_view>
 
 #include "core/error.h"
@@ -10,18 +11,20 @@ namespace poinsot::cli {
 
 namespace {
 
-[[noreturn]] void refuse(const char* message) { throw core::usageError(message); }
+[[noreturn]] void refuse(const char* what, const char* message) {
+  throw core::usageError(std::string(what) + ": " + message);
+}
 
 }  // namespace
 
-void expectMayApprove(const AllowanceOptions& options) {
+void expectMayApprove(const AllowanceOptions& options, const char* what) {
   if (options.untrusted)
-    refuse("--update: not possible with --untrusted, because untrusted pictures are never approved");
+    refuse(what, "not possible with --untrusted, because untrusted pictures are never approved");
   const char* ci = std::getenv("CI");
   if (ci && *ci && std::string_view(ci) != "0" && std::string_view(ci) != "false")
-    refuse(
-        "--update: not possible while the environment variable CI is set; look at the pictures first, then "
-        "approve them outside CI");
+    refuse(what,
+           "not possible while the environment variable CI is set; look at the pictures first, then "
+           "approve them outside CI");
 }
 
 std::filesystem::path attachmentRoot() {

@@ -189,6 +189,7 @@ class Diff {
   compare::Outcome outcomeOf(const compare::PictureDiff& diff) const {
     compare::Outcome outcome = compare::outcomeOf(diff, options_.reference, options_.test, request_);
     if (diff.hasFigures) outcome.map = options_.map;
+    outcome.approval = compare::approvalOf(outcome, options_.reference);
     return outcome;
   }
 
@@ -219,7 +220,8 @@ class Diff {
   }
 
   int finish(const compare::FolderDiff& diff) {
-    const auto outcomes = compare::outcomesOf(diff, options_.reference, options_.test, request_);
+    auto outcomes = compare::outcomesOf(diff, options_.reference, options_.test, request_);
+    for (compare::Outcome& outcome : outcomes) outcome.approval = compare::approvalOf(outcome, options_.reference);
     addReport([&] { return compare::outcomePage(outcomes, headOf(diff.verdict()), jobs()); });
     const int code = finish(outcomes, options_.json ? compare::diffJson(outcomes, names(), request_)
                                                     : compare::diffText(outcomes, diff.names.linkedFolders));

@@ -22,6 +22,7 @@
 #include "compare/markdown.h"
 #include "compare/outcome_page.h"
 #include "compare/outcome_script.h"
+#include "compare/page_approval.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/folder.h"
@@ -270,11 +271,24 @@ class Golden {
       if (!file.empty()) reports.write(file, text());
     };
     add(options_.junit, [&] { return compare::junitXml(outcomes_, reportHead()); });
-    add(options_.report, [&] { return compare::outcomePage(outcomes_, pageHead(), request_.jobs); });
+    add(options_.report, [&] { return compare::outcomePage(withApprovals(), pageHead(), request_.jobs); });
     add(options_.outcome, [&] { return compare::outcomeScript(outcomes_, reportHead(), options_.outcome); });
     if (!options_.markdown.empty())
       reports.append(options_.markdown, compare::markdownOf(outcomes_, reportHead()));
     reports.commit();
+  }
+
+  /// Returns the outcomes with the files that approve them. A picture that --update would refuse has none.
+  std::vector<Outcome> withApprovals() const {
+    std::vector<Outcome> outcomes = outcomes_;
+    const suite::GoldenApproval approval(manifest_.references, failsForAVariant());
+    const std::vector<suite::GoldenCase> cases = suite::casesOf(manifest_, request_);
+    for (std::size_t i = 0; i < cases.size() && !options_.unused; ++i) try {
+        if (compare::isToApprove(outcomes[i], options_.exact))
+          outcomes[i].approval = approval.filesOf(cases[i].reference(), outcomes[i]);
+      } catch (const Error&) {  // --update would print the reason
+      }
+    return outcomes;
   }
 
   compare::OutcomePageHead pageHead() const {
@@ -346,6 +360,21 @@ class Golden {
   std::vector<Outcome> outcomes_;
 };
 
+/// Runs `golden approve REPORT NAME ...`: approves pictures of a page that --report wrote, without drawing again.
+int approvePage(const GoldenOptions& options) {
+  if (options.approved.size() < 2)
+    throw core::usageError(
+        "golden approve: needs a report and the names of tests: poinsot golden approve REPORT NAME ...");
+  expectMayApprove(options, "golden approve");
+  core::FileBatch batch;
+  const std::vector<std::string> names(options.approved.begin() + 1, options.approved.end());
+  const std::string text =
+      compare::approveOnPage(batch, options.approved.front(), names, compare::approvalRoot(fs::current_path()));
+  batch.commit();
+  if (!options.quiet) writeOut(text);
+  return kDone;
+}
+
 /// Rejects options for reports together with --update, because an update writes no reports.
 void expectNoReports(const GoldenOptions& options) {
   const auto expectNone = [](const char* option, bool given) {
@@ -379,6 +408,10 @@ bool isOurs(const std::string& outcome) {
 /// Runs the suite. First marks the outcome file as unfinished. Without the mark, an index page would show the
 /// outcome of an earlier run if this run stops early.
 int runGolden(const GoldenOptions& options) {
+  if (options.manifest == "approve") return approvePage(options);
+  if (!options.approved.empty())
+    throw core::usageError(fmt::format("golden: {}: only one manifest is possible; choose tests with --only",
+                                       core::printable(options.approved.front())));
   if (options.list) return Golden(options).run();
   if (options.update) expectNoReports(options);
   output::RunFiles files(options.force);
@@ -423,7 +456,8 @@ void addGolden(const Command& program) {
       "be made or read, or if no test makes an approved picture.\n"
       "Examples:\n"
       "  poinsot golden tests/golden.toml --report out/golden.html --junit out/golden.xml\n"
-      "  poinsot golden tests/golden.toml --update --only racket");
+      "  poinsot golden tests/golden.toml --update --only racket\n"
+      "  poinsot golden approve out/golden.html racket 'wheel_*'");
   command.does(
       {[options] { return runGolden(*options); }, options.get(), [options] { return accessOf(*options); }});
 }

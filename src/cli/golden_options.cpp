@@ -12,6 +12,11 @@ void addGoldenOptions(const Command& command, GoldenOptions& options) {
               "file that lists the pictures to make and compare (default: golden.toml)")
       .notEmpty();
   command
+      .option("NAME", options.approved,
+              "after the word approve: a page that --report wrote, and the names of tests whose new pictures are "
+              "approved (* matches any characters)")
+      .notEmpty();
+  command
       .option("--only", options.only,
               "only tests with these names (* matches any characters), or tests whose scene or image has this "
               "path in the manifest")

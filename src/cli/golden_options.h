@@ -15,6 +15,7 @@ struct GoldenOptions : AllowanceOptions {
   std::string manifest = "golden.toml", output = "out/golden", images, junit, report, markdown, outcome, variant,
               approveBy, backend = "auto";
   std::vector<std::string> only;
+  std::vector<std::string> approved;  ///< after the word approve: report, then names of tests
   int jobs = 0;
   bool force = false, update = false, beside = false, exact = false, native = false, list = false, unused = false,
        quiet = false, json = false;

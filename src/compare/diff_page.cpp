@@ -14,14 +14,16 @@
 #include "compare/diff_text.h"
 #include "core/base64.h"
 #include "core/regular_file.h"
+#include "core/shell_word.h"
 #include "figure/mark.h"
 #include "image/png_file.h"
 #include "request/picture_options.h"
 
-// Contents of diff_page.html, .css, .js and diff_page_view.js, linked into the program.
+// Contents of diff_page.html, .css, .js, diff_page_patch.js and diff_page_view.js, linked into the program.
 extern "C" const char poinsot_diff_page[], poinsot_diff_page_end[];
 extern "C" const char poinsot_diff_page_css[], poinsot_diff_page_css_end[];
 extern "C" const char poinsot_diff_page_view[], poinsot_diff_page_view_end[];
+extern "C" const char poinsot_diff_page_patch[], poinsot_diff_page_patch_end[];
 extern "C" const char poinsot_diff_page_js[], poinsot_diff_page_js_end[];
 
 namespace poinsot::compare {
@@ -100,7 +102,7 @@ ordered_json changeJson(const DiffPageEntry& entry) {
   return json;
 }
 
-ordered_json entryJson(const DiffPageEntry& entry, const fs::path& page) {
+ordered_json entryJson(const DiffPageEntry& entry, const fs::path& page, const fs::path& root) {
   ordered_json json{{"name", entry.name}, {"status", entry.status}, {"message", entry.message}};
   const ImageDifference& d = entry.diff.figures;
   if (entry.hasFigures)
@@ -111,6 +113,7 @@ ordered_json entryJson(const DiffPageEntry& entry, const fs::path& page) {
   json.update(changeJson(entry));
   json.update({{"facts", factsJson(factsOf(entry))},
                {"approve", entry.approve},
+               {"files", approvalJson(entry.approval, root, page, entry.actual.png)},
                {"reference", pictureJson(entry.reference, page)},
                {"actual", pictureJson(entry.actual, page)},
                {"flip", pictureJson(entry.map, page)}});
@@ -138,7 +141,11 @@ ordered_json pageJson(const DiffPage& page) {
                     {"approve", page.approve},
                     {"curve", curveJson(page.curve)},
                     {"entries", ordered_json::array()}};
-  for (const DiffPageEntry& entry : page.entries) json["entries"].push_back(entryJson(entry, page.file));
+  for (const DiffPageEntry& entry : page.entries)
+    json["entries"].push_back(entryJson(entry, page.file, page.root));
+  const auto hasFiles = [](const ordered_json& entry) { return !entry["files"].is_null(); };
+  if (std::ranges::any_of(json["entries"], hasFiles))
+    json["approve"] = core::shellWords({"poinsot", "golden", "approve", page.file.native()});
   return json;
 }
 
@@ -204,6 +211,7 @@ std::string htmlOf(const DiffPage& page) {
   fillIn(html, "@DATA@", scriptText(pageJson(page)));
   fillIn(html, "@SCRIPT@",
          std::string(poinsot_diff_page_view, poinsot_diff_page_view_end) +
+             std::string(poinsot_diff_page_patch, poinsot_diff_page_patch_end) +
              std::string(poinsot_diff_page_js, poinsot_diff_page_js_end));
   return figure::marked(figure::kHtmlMark, html);
 }

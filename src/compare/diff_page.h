@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "compare/approval_files.h"
 #include "compare/picture_diff.h"
 #include "output/file_kind.h"
 
@@ -27,6 +28,7 @@ struct DiffPageEntry {
   double pixelsPerDegree = kFlipPixelsPerDegree;  ///< visual resolution of the FLIP figures
   DiffPageFacts facts = {};
   std::string approve = {};  ///< argument that approves this row; empty if impossible
+  std::vector<ApprovalFile> approval = {};
   DiffPagePicture reference = {}, actual = {}, map = {};
 };
 
@@ -47,7 +49,8 @@ struct DiffPage {
   std::string first = {};           ///< name of the row to select first; empty for the first row
   std::filesystem::path file = {};  ///< the page's own file, to which links are relative
   DiffPageFacts run = {};
-  std::string approve = {};  ///< command to which a row's `approve` is appended; may be empty
+  std::string approve = {};         ///< command to which a row's `approve` is appended; may be empty
+  std::filesystem::path root = {};  ///< folder to which the paths of approvals are relative
   std::vector<DiffPageEntry> entries = {};
   std::optional<DiffPageCurve> curve = {};
 };

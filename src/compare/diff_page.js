@@ -4,16 +4,16 @@
 const sorts = [['Worst first', t => order.indexOf(t.status)], [data.entry + ' name', t => t.name], ['Largest difference', t => t.max_difference ?? -1],
   ['Differing pixels', t => t.differing_pixels ?? -1], ['FLIP mean', t => t.flip_mean ?? -1], ['FLIP max', t => t.flip_max ?? -1]];
 const worstFirst = data.entries.some(t => t.status !== 'identical');
-const state = {sort: 0, down: false, hidden: new Set(worstFirst ? ['identical'] : []), selected: null, mode: 'changes', place: 0, marked: new Set()};
+const state = {sort: 0, down: false, hidden: new Set(worstFirst ? ['identical'] : []), selected: null, mode: 'changes', place: 0, approved: new Set(), rejected: new Set()};
 
 function rowOf(test) {
   test.title = data.curve ? `${data.entry} ${test.name}` : test.name;
   const row = make('li', {role: 'option', className: test.status, onclick: () => select(test)},
     make('span', {className: 'name', textContent: test.title, title: test.name}), make('span', {className: 'figure'}));
-  if (data.approve && test.approve) {
-    const onclick = event => { event.stopPropagation(); mark(test); };
-    test.box = make('input', {type: 'checkbox', title: 'mark for approval ( m )', tabIndex: -1, onclick});
-    test.box.setAttribute('aria-label', 'mark ' + test.name);
+  if (canApprove(test)) {
+    const onclick = event => { event.stopPropagation(); decide(test, 'approved'); };
+    test.box = make('input', {type: 'checkbox', title: 'approve ( a )', tabIndex: -1, onclick});
+    test.box.setAttribute('aria-label', 'approve ' + test.name);
     row.append(test.box);
   }
   const why = test.change || test.message;
@@ -87,18 +87,48 @@ function step(by) {
   if (next) select(next);
 }
 
-// ---- Approval: the page only writes the command.
-function mark(test) {
-  if (!data.approve || !test?.approve) return;
-  state.marked.delete(test) || state.marked.add(test);
-  showMarked();
+// ---- Approval, row by row. The page itself changes no file: it gives a command and a patch.
+const hasFiles = data.entries.some(test => test.files);
+/// Whether the command of the page can approve a row. `golden approve` needs the row's files.
+function canApprove(test) { return Boolean(data.approve && test?.approve && (test.files || !hasFiles)); }
+
+/// Marks a row as approved or rejected, or takes the same mark away.
+function decide(test, mark) {
+  if (!canApprove(test)) return false;
+  const other = mark === 'approved' ? 'rejected' : 'approved';
+  state[other].delete(test);
+  const isNew = !state[mark].delete(test);
+  if (isNew) state[mark].add(test);
+  showDecisions();
+  return isNew;
 }
-function showMarked() {
-  for (const test of data.entries) if (test.box) test.box.checked = state.marked.has(test);
-  $('footer').hidden = !state.marked.size;
-  $('footer b').textContent = state.marked.size + ' marked';
-  $('footer input').value = [data.approve, ...data.entries.filter(t => state.marked.has(t)).map(t => t.approve)].join(' ');
+
+/// Marks the selected row, and goes to the next one that is still open.
+function decideAndGoOn(mark) {
+  if (!decide(state.selected, mark)) return;
+  const tests = shown(), at = tests.indexOf(state.selected);
+  const next = [...tests.slice(at + 1), ...tests.slice(0, at)].find(isOpen);
+  if (next) select(next);
+}
+
+const isOpen = test => canApprove(test) && !state.approved.has(test) && !state.rejected.has(test);
+const approvedTests = () => data.entries.filter(test => state.approved.has(test));
+
+function showDecisions() {
+  for (const test of data.entries) {
+    if (test.box) test.box.checked = state.approved.has(test);
+    test.row.classList.toggle('rejected', state.rejected.has(test));
+  }
+  const tests = approvedTests(), left = tests.filter(test => !canPatch(test)).length;
+  const counts = [[tests.length, 'approved'], [state.rejected.size, 'rejected'], [data.entries.filter(isOpen).length, 'open']];
+  $('footer').hidden = !tests.length && !state.rejected.size;
+  $('footer b').textContent = counts.filter(([count]) => count).map(([count, word]) => `${count} ${word}`).join(', ');
+  $('footer input').value = tests.length ? [data.approve, ...tests.map(test => test.approve)].join(' ') : '';
+  $('#copy').disabled = !tests.length;
   $('#copy').textContent = 'Copy';
+  $('#patch').hidden = !hasFiles;
+  $('#patch').disabled = left === tests.length;
+  $('#patch').textContent = left && left < tests.length ? `Save patch (${left} not embedded)` : 'Save patch';
 }
 $('#copy').onclick = async () => {
   const box = $('footer input');
@@ -106,7 +136,12 @@ $('#copy').onclick = async () => {
   try { await navigator.clipboard.writeText(box.value); } catch { document.execCommand('copy'); }
   $('#copy').textContent = 'Copied';
 };
-$('#unmark').onclick = () => { state.marked.clear(); showMarked(); };
+$('#patch').onclick = () => {
+  const address = URL.createObjectURL(new Blob([patchOf(approvedTests())], {type: 'text/x-diff'}));
+  make('a', {href: address, download: 'approved.patch'}).click();
+  setTimeout(() => URL.revokeObjectURL(address), 60000);
+};
+$('#unmark').onclick = () => { state.approved.clear(); state.rejected.clear(); showDecisions(); };
 
 // ---- The curve over time: a click chooses the entry that is next to it.
 const shareOf = entry => data.curve.left + (data.curve.right - data.curve.left) * data.curve.places[data.entries.indexOf(entry)];
@@ -132,7 +167,7 @@ function showCurve() {
 const keys = {
   ArrowDown: () => step(1), j: () => step(1), ArrowUp: () => step(-1), k: () => step(-1),
   n: () => showPlace(state.place + 1), p: () => showPlace(state.place - 1),
-  b: () => chooseMode('blink'), m: () => mark(state.selected), '/': () => $('#find').focus(),
+  b: () => chooseMode('blink'), a: () => decideAndGoOn('approved'), r: () => decideAndGoOn('rejected'), '/': () => $('#find').focus(),
   '+': zooms.in, '=': zooms.in, '-': zooms.out, 0: zooms.fit, z: zooms.one,
 };
 Object.keys(modes).slice(0, 7).forEach((mode, i) => keys[i + 1] = () => chooseMode(mode));

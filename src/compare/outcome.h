@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compare/approval_files.h"
 #include "compare/folder_diff.h"
 #include "compare/picture_diff.h"
 #include "compare/picture_origin.h"
@@ -37,7 +38,8 @@ struct Outcome {
   std::filesystem::path map, difference;  ///< maps written for this outcome; empty if not written
   PictureOrigin origin;                   ///< origin of the new picture
   PictureRule rule;
-  double seconds = 0;  ///< duration of the comparison
+  std::vector<ApprovalFile> approval;  ///< files that approve the new picture; empty if a page cannot approve it
+  double seconds = 0;                  ///< duration of the comparison
 
   bool passes(bool exact) const {
     const bool compared = status == OutcomeStatus::kIdentical || status == OutcomeStatus::kNear;

@@ -54,6 +54,7 @@ DiffPage pageOf(const OutcomePageHead& head) {
   page.file = head.page;
   page.run = runFacts(head.place);
   page.approve = head.approve;
+  page.root = approvalRoot(head.place);
   return page;
 }
 
@@ -68,7 +69,10 @@ DiffPageEntry entryOf(const Outcome& outcome, const OutcomePageHead& head) {
   if (isPicture(outcome.reference)) entry.reference.file = outcome.reference;
   if (isPicture(outcome.actual) && outcome.status != OutcomeStatus::kIdentical) entry.actual.file = outcome.actual;
   entry.map.file = outcome.map;
-  if (!head.approve.empty() && isToApprove(outcome, head.exact)) entry.approve = approvalWord(outcome.name);
+  if (isToApprove(outcome, head.exact)) {
+    entry.approve = approvalWord(outcome.name);
+    entry.approval = outcome.approval;
+  }
   return entry;
 }
 

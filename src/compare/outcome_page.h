@@ -17,7 +17,7 @@ struct OutcomePageHead {
   std::string reference = "reference", actual = "test";
   std::string entry = "Picture";
   std::filesystem::path page = {};
-  std::filesystem::path place = {};  ///< path in a git work tree; the page shows the tree's commit
+  std::filesystem::path place = {};  ///< path in a git work tree; the page shows the tree's commit and patches it
   std::string approve = {};          ///< command that approves the rows whose names follow it; may be empty
   double pixelsPerDegree = kFlipPixelsPerDegree;
   bool exact = false;                        ///< whether pictures stored in different formats fail

@@ -65,6 +65,10 @@ void expectReplaceable(const fs::path& reference) {
     output::checkTarget(reference, true);
 }
 
+std::vector<ApprovalFile> approvalOf(const Outcome& outcome, const fs::path& reference) {
+  return {{placeOf(outcome, reference), outcome.actual}};
+}
+
 PairApproval addApprovals(core::FileBatch& batch, const std::vector<Outcome>& outcomes,
                           const std::vector<std::string>& patterns, const fs::path& reference, bool exact) {
   expectMeaning(outcomes, patterns);

@@ -21,6 +21,10 @@ struct PairApproval {
 /// @throws core::Error(kIo) with the path and the reason
 void expectReplaceable(const std::filesystem::path& reference);
 
+/// Returns the files that approve the new picture of an outcome.
+/// @param reference  reference picture, or folder for pictures that have no reference yet
+std::vector<ApprovalFile> approvalOf(const Outcome& outcome, const std::filesystem::path& reference);
+
 /// Approves new pictures: adds copies of them to a batch, which then replaces the reference pictures. Copies the
 /// pictures that are not identical and whose names match a pattern (* for any characters). A picture that cannot
 /// be read, or that only the reference has, is left unchanged and makes the approval incomplete.

@@ -39,18 +39,14 @@ std::string after(const std::string& text, std::string_view prefix) {
   return text.starts_with(prefix) ? text.substr(prefix.size()) : "";
 }
 
-/// Returns the git folder with the file HEAD: .git or, in a linked work tree, the folder that the file .git names.
-std::optional<fs::path> gitFolderAround(const fs::path& place) {
-  std::error_code failure;
-  for (fs::path folder = fs::weakly_canonical(fs::absolute(place), failure); !failure;
-       folder = folder.parent_path()) {
-    const fs::path git = folder / ".git";
-    if (fs::is_directory(git, failure)) return git;
-    if (const std::string other = after(textOf(git), "gitdir: "); !other.empty()) return folder / other;
-    if (folder == folder.parent_path()) return std::nullopt;
-    failure.clear();
-  }
-  return std::nullopt;
+/// Returns the git folder of a work tree: .git or, in a linked work tree, the folder that the file .git names.
+/// Empty if the folder is not a work tree.
+fs::path gitFolderIn(const fs::path& folder) {
+  std::error_code ignored;
+  const fs::path git = folder / ".git";
+  if (fs::is_directory(git, ignored)) return git;
+  const std::string other = after(textOf(git), "gitdir: ");
+  return other.empty() ? fs::path() : folder / other;
 }
 
 /// Returns the commit of a ref such as "refs/heads/main".
@@ -95,12 +91,23 @@ std::string commandText() {
 
 }  // namespace
 
+std::optional<fs::path> workTreeAround(const fs::path& place) {
+  std::error_code failure;
+  for (fs::path folder = fs::weakly_canonical(fs::absolute(place), failure); !failure;
+       folder = folder.parent_path()) {
+    if (!gitFolderIn(folder).empty()) return folder;
+    if (folder == folder.parent_path()) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 std::string commitAround(const fs::path& place) {
-  const auto git = gitFolderAround(place);
-  if (!git) return "";
-  const std::string head = textOf(*git / "HEAD"), ref = after(head, "ref: ");
+  const auto tree = workTreeAround(place);
+  if (!tree) return "";
+  const fs::path git = gitFolderIn(*tree);
+  const std::string head = textOf(git / "HEAD"), ref = after(head, "ref: ");
   const bool isRef = ref.starts_with("refs/") && ref.find("..") == std::string::npos;
-  const std::string commit = isRef ? commitOf(*git, ref) : head;
+  const std::string commit = isRef ? commitOf(git, ref) : head;
   return isCommit(commit) ? commit : "";
 }
 

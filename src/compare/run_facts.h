@@ -2,11 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace poinsot::compare {
+
+/// Returns the git work tree around a path, or nullopt if there is none.
+std::optional<std::filesystem::path> workTreeAround(const std::filesystem::path& place);
 
 /// Returns the commit that is checked out in the git work tree around a path, in hexadecimal. Reads git's files
 /// without running git. Returns an empty string if there is no work tree or no commit, or if a file cannot be

@@ -4,6 +4,7 @@
 #include <openssl/evp.h>
 
 #include <new>
+#include <string>
 
 #include "core/expect.h"
 
@@ -41,10 +42,17 @@ Digest sha256(std::string_view text) {
   return sum.finish();
 }
 
-std::string toHex(const Digest& digest) {
+GitBlob gitBlob(std::string_view content) {
+  const std::string whole = "blob " + std::to_string(content.size()) + '\0' + std::string(content);
+  GitBlob digest{};
+  POINSOT_EXPECT(EVP_Digest(whole.data(), whole.size(), digest.data(), nullptr, EVP_sha1(), nullptr) == 1);
+  return digest;
+}
+
+std::string toHex(std::span<const std::uint8_t> bytes) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::string text;
-  for (const std::uint8_t byte : digest) {
+  for (const std::uint8_t byte : bytes) {
     text += kDigits[byte >> 4];
     text += kDigits[byte & 15];
   }

@@ -34,7 +34,11 @@ class Sha256 {
 
 Digest sha256(std::string_view text);
 
-/// Returns 64 lower-case hexadecimal digits, as sha256sum prints them.
-std::string toHex(const Digest& digest);
+/// Identifier of a file's content in a git repository of the usual kind: SHA-1 of a header and the content.
+using GitBlob = std::array<std::uint8_t, 20>;
+GitBlob gitBlob(std::string_view content);
+
+/// Returns two lower-case hexadecimal digits for each byte, as sha256sum prints them.
+std::string toHex(std::span<const std::uint8_t> bytes);
 
 }  // namespace poinsot::core

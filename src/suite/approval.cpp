@@ -78,28 +78,43 @@ void enterApproval(output::RunFiles& files, const fs::path& place) {
   files.writesInNewFolder(descriptionOf(place), "--update", description);
 }
 
-Approval GoldenApproval::add(const GoldenName& name, const compare::Outcome& outcome) {
-  const compare::PictureOrigin& origin = outcome.origin;
+Approval GoldenApproval::planned(const GoldenName& name, const compare::PictureOrigin& origin) const {
   const fs::path usual = usualFile(references_, name);
   core::expectNoLinkAbove(usual, references_);
-  core::makeFolders(usual.parent_path());
   const auto there = referencesOf(references_, name);
   Approval approval{placeOf(there, origin.renderer, name, usual, beside_), {}};
-  output::RunFiles files(force_);
-  enterApproval(files, approval.place);
-  batch_.add(copyOf(outcome, approval.place));
-  batch_.writeBeside(descriptionOf(approval.place), originText(origin));
   if (beside_) return approval;
   const bool isOwn =
       std::ranges::any_of(there, [&](const GoldenReference& r) { return r.origin.renderer == origin.renderer; });
   for (const GoldenReference& reference : there) {
     const bool holds = isOwn && !origin.scene.empty() && reference.origin.scene == origin.scene;
-    if (reference.picture == approval.place || holds) continue;
-    batch_.removeBeside(reference.picture);
-    batch_.removeBeside(descriptionOf(reference.picture));
-    approval.removed.push_back(reference.picture);
+    if (reference.picture != approval.place && !holds) approval.removed.push_back(reference.picture);
   }
   return approval;
+}
+
+Approval GoldenApproval::add(const GoldenName& name, const compare::Outcome& outcome) {
+  Approval approval = planned(name, outcome.origin);
+  core::makeFolders(approval.place.parent_path());
+  output::RunFiles files(force_);
+  enterApproval(files, approval.place);
+  batch_.add(copyOf(outcome, approval.place));
+  batch_.writeBeside(descriptionOf(approval.place), originText(outcome.origin));
+  for (const fs::path& picture : approval.removed) {
+    batch_.removeBeside(picture);
+    batch_.removeBeside(descriptionOf(picture));
+  }
+  return approval;
+}
+
+std::vector<compare::ApprovalFile> GoldenApproval::filesOf(const GoldenName& name,
+                                                           const compare::Outcome& outcome) const {
+  const Approval approval = planned(name, outcome.origin);
+  std::vector<compare::ApprovalFile> files{{approval.place, outcome.actual},
+                                           {descriptionOf(approval.place), {}, originText(outcome.origin)}};
+  for (const fs::path& picture : approval.removed)
+    files.insert(files.end(), {{picture}, {descriptionOf(picture)}});
+  return files;
 }
 
 }  // namespace poinsot::suite

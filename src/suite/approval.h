@@ -43,10 +43,16 @@ class GoldenApproval {
   ///   test owns the file
   Approval add(const GoldenName& name, const compare::Outcome& outcome);
 
+  /// Returns the files that add() and commit() change.
+  /// @throws core::Error as add()
+  std::vector<compare::ApprovalFile> filesOf(const GoldenName& name, const compare::Outcome& outcome) const;
+
   /// Replaces all references, or none if an exception is thrown. @throws core::Error(kIo)
   void commit() { batch_.commit(); }
 
  private:
+  Approval planned(const GoldenName& name, const compare::PictureOrigin& origin) const;
+
   std::filesystem::path references_;
   bool beside_;
   bool force_;
