@@ -24,6 +24,7 @@ from ._adopted import adopted
 from ._diff import diff, rule_words
 from ._errors import Error, UsageError
 from ._golden_settings import Settings, settings_of
+from ._packages import imported
 from ._saved_picture import close, extension_of, save
 
 _LONGEST = 150  # characters of a file's name
@@ -250,15 +251,12 @@ def _draw_alike(context: ExitStack, style: Any, backend: str) -> None:
     """Gives Matplotlib its own defaults instead of the user's, if it is imported."""
     if "matplotlib" not in sys.modules:
         return
-    import matplotlib
-    import matplotlib.pyplot as plt
-    import matplotlib.style
-
-    before = matplotlib.get_backend()
+    pyplot = imported("matplotlib.pyplot", "golden")
+    before = pyplot.get_backend()
     if before.lower() != backend.lower():
-        plt.switch_backend(backend)
-        context.callback(plt.switch_backend, before)
-    context.enter_context(matplotlib.style.context(style, after_reset=True))
+        pyplot.switch_backend(backend)
+        context.callback(pyplot.switch_backend, before)
+    context.enter_context(pyplot.style.context(style, after_reset=True))
 
 
 def _star(pattern: str) -> str:

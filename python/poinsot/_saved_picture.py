@@ -14,6 +14,7 @@ import numpy as np
 from . import _core
 from ._diff import pixels_of
 from ._errors import FileError, UsageError
+from ._packages import imported
 from ._scene import Scene
 
 if TYPE_CHECKING:
@@ -72,9 +73,7 @@ def _write(picture: Any, place: Path) -> None:
 
 def _save_figure(figure: Any, place: Path, settings: Settings) -> None:
     if settings.remove_text:
-        from matplotlib.testing.decorators import remove_ticks_and_titles
-
-        remove_ticks_and_titles(figure)
+        imported("matplotlib.testing.decorators", "golden").remove_ticks_and_titles(figure)
     figure.savefig(place, **{"format": "png", **settings.save})
 
 

@@ -49,10 +49,19 @@ def fresh(tmp_path):
     return Project(tmp_path / "project")
 
 
+@pytest.fixture(scope="module")
+def approved(tmp_path_factory):
+    """Returns a folder with a project whose pictures are approved."""
+    folder = tmp_path_factory.mktemp("approved") / "project"
+    shutil.copytree(CONSUMER, folder)
+    Project(folder).run("tests", "--golden-update")
+    return folder
+
+
 @pytest.fixture
-def project(fresh):
-    fresh.run("tests", "--golden-update")
-    return fresh
+def project(approved, tmp_path):
+    shutil.copytree(approved, tmp_path / "project")
+    return Project(tmp_path / "project")
 
 
 def test_fails_without_baselines_and_writes_none(fresh):
@@ -157,41 +166,34 @@ def test_does_not_replace_a_link(project):
     assert (project.baselines / "test_wave.other").read_bytes() == before
 
 
-@pytest.mark.parametrize(
-    "marker, text",
-    [
-        ("max=4", "max needs a reason: reason='why"),
-        ("rul='same'", "unknown argument 'rul'; did you mean rule?"),
-        ("'same'", "takes named arguments only, such as golden(rule='same')"),
-        ("rule='nearly'", "unknown rule; known rules: same, near, other_driver"),
-        ("max='0-x', reason='r'", "the end of the range must be a number"),
-        ("max=255, pixels='0-100%', flip_mean=1, flip_max=1, reason='r'", "would pass"),
-        ("ignore=[(0, 0, 5)], reason='r'", "ignore"),
-        ("save=3", "must be a dictionary with arguments of savefig()"),
-        ("rule='same', name=3", "name=3: must be a text"),
-    ],
-)
-def test_refuses_wrong_markers(fresh, marker, text):
-    (fresh.folder / "tests/test_plots.py").write_text(
-        f"import numpy as np, pytest\n@pytest.mark.golden({marker})\ndef test_it():\n    return np.zeros((9, 9), np.uint8)\n"
-    )
+WRONG_MARKERS = [
+    ("max=4", "max needs a reason: reason='why"),
+    ("rul='same'", "unknown argument 'rul'; did you mean rule?"),
+    ("'same'", "takes named arguments only, such as golden(rule='same')"),
+    ("rule='nearly'", "unknown rule; known rules: same, near, other_driver"),
+    ("max='0-x', reason='r'", "the end of the range must be a number"),
+    ("max=255, pixels='0-100%', flip_mean=1, flip_max=1, reason='r'", "would pass"),
+    ("ignore=[(0, 0, 5)], reason='r'", "must be a list of boxes"),
+    ("save=3", "must be a dictionary with arguments of savefig()"),
+    ("rule='same', name=3", "name=3: must be a text"),
+]
+NO_PICTURES = [
+    ("None", "a test with the marker golden must return a picture"),
+    ("3.5", "the picture is <float>"),
+    ("np.zeros((4, 4))", "expected samples of type uint8 or uint16, got float64"),
+    ("'nothing.png'", "nothing.png: No such file or directory"),
+]
+
+
+def test_refuses_wrong_markers_and_what_is_no_picture(fresh):
+    tests = [f"@pytest.mark.golden({marker})\ndef test_it{i}():\n    return np.zeros((9, 9), np.uint8)\n" for i, (marker, _) in enumerate(WRONG_MARKERS)]
+    tests += [f"@pytest.mark.golden\ndef test_no{i}():\n    return {returned}\n" for i, (returned, _) in enumerate(NO_PICTURES)]
+    (fresh.folder / "tests/test_plots.py").write_text("import numpy as np, pytest\n" + "".join(tests))
     said = fresh.run("tests", "--golden-update", code=1)
-    assert text in said
+    assert f"{len(tests)} failed" in said
+    for _, text in WRONG_MARKERS + NO_PICTURES:
+        assert text in said
     assert not fresh.baselines.exists()
-
-
-@pytest.mark.parametrize(
-    "returned, text",
-    [
-        ("None", "a test with the marker golden must return a picture"),
-        ("3.5", "the picture is <float>"),
-        ("np.zeros((4, 4))", "expected samples of type uint8 or uint16, got float64"),
-        ("'nothing.png'", "nothing.png: No such file or directory"),
-    ],
-)
-def test_refuses_what_is_no_picture(fresh, returned, text):
-    (fresh.folder / "tests/test_plots.py").write_text(f"import numpy as np, pytest\n@pytest.mark.golden\ndef test_it():\n    return {returned}\n")
-    assert text in fresh.run("tests", "--golden-update", code=1)
 
 
 def test_compares_scenes_files_and_pictures_with_own_png(fresh):
@@ -218,13 +220,21 @@ def test_all(golden, tmp_path):
     assert np.array_equal(*pictures)
 
 
-@pytest.fixture
-def adopted(fresh):
-    """Returns a project whose baselines pytest-mpl has made."""
+@pytest.fixture(scope="module")
+def generated(tmp_path_factory):
+    """Returns a folder with a project whose baselines pytest-mpl has made."""
     pytest.importorskip("pytest_mpl")
-    fresh.run("adopted", "--mpl-generate-path=adopted/baseline", "-k", "not steep")
-    fresh.run("adopted", "--mpl-generate-path=adopted/pictures", "-k", "steep")
-    return fresh
+    folder = tmp_path_factory.mktemp("generated") / "project"
+    shutil.copytree(CONSUMER, folder)
+    Project(folder).run("adopted", "--mpl-generate-path=adopted/baseline", "-k", "not steep")
+    Project(folder).run("adopted", "--mpl-generate-path=adopted/pictures", "-k", "steep")
+    return folder
+
+
+@pytest.fixture
+def adopted(generated, tmp_path):
+    shutil.copytree(generated, tmp_path / "project")
+    return Project(tmp_path / "project")
 
 
 ADOPT = "--golden-from=pytest-mpl"

@@ -457,7 +457,7 @@ void addGolden(const Command& program) {
       "Examples:\n"
       "  poinsot golden tests/golden.toml --report out/golden.html --junit out/golden.xml\n"
       "  poinsot golden tests/golden.toml --update --only racket\n"
-      "  poinsot golden approve out/golden.html racket 'wheel_*'");
+      "  poinsot golden approve out/golden.html racket");
   command.does(
       {[options] { return runGolden(*options); }, options.get(), [options] { return accessOf(*options); }});
 }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/approval_files.h"
 
-#include <fmt/format.h>
-
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
 
@@ -17,18 +14,14 @@ namespace poinsot::compare {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::ordered_json;
 
 std::string contentOf(const fs::path& file) {
   return core::readRegularFile(file, request::kMostPicture, core::ErrorKind::kIo);
 }
 
-/// Returns the size and the identifiers of a content. Null stands for a file that does not exist.
-ordered_json stateOf(const std::optional<std::string>& content) {
-  if (!content) return nullptr;
-  return {{"size", content->size()},
-          {"sha256", core::toHex(core::sha256(*content))},
-          {"git", core::toHex(core::gitBlob(*content))}};
+std::optional<FileState> stateOf(const std::optional<std::string>& content) {
+  if (!content) return std::nullopt;
+  return FileState{content->size(), core::toHex(core::sha256(*content)), core::toHex(core::gitBlob(*content))};
 }
 
 std::optional<std::string> presentContent(const fs::path& file) {
@@ -36,35 +29,33 @@ std::optional<std::string> presentContent(const fs::path& file) {
   return fs::exists(fs::symlink_status(file, failure)) ? std::optional(contentOf(file)) : std::nullopt;
 }
 
-ordered_json fileJson(const ApprovalFile& file, const fs::path& place, const fs::path& page,
-                      const std::string& embedded) {
+ApprovalStep stepOf(const ApprovalFile& file, const fs::path& place, const fs::path& page,
+                    const std::string& embedded) {
   std::optional<std::string> content;
   if (!file.source.empty()) content = contentOf(file.source);
   if (!file.text.empty()) content = file.text;
-  ordered_json json{
-      {"place", place.generic_string()}, {"old", stateOf(presentContent(file.place))}, {"new", stateOf(content)}};
-  if (!file.text.empty()) json["text"] = file.text;
-  if (file.source.empty()) return json;
-  json["source"] = fs::proximate(fs::absolute(file.source), fs::absolute(page).parent_path()).generic_string();
-  json["embedded"] = !embedded.empty() && *content == embedded;
-  return json;
+  ApprovalStep step{place, stateOf(presentContent(file.place)), stateOf(content), {}, file.text};
+  if (file.source.empty()) return step;
+  step.source = fs::proximate(fs::absolute(file.source), fs::absolute(page).parent_path());
+  step.isEmbedded = !embedded.empty() && *content == embedded;
+  return step;
 }
 
 }  // namespace
 
-ordered_json approvalJson(const std::vector<ApprovalFile>& files, const fs::path& root, const fs::path& page,
-                          const std::string& embedded) try {
-  ordered_json all = ordered_json::array();
+std::vector<ApprovalStep> approvalSteps(const std::vector<ApprovalFile>& files, const fs::path& root,
+                                        const fs::path& page, const std::string& embedded) try {
+  std::vector<ApprovalStep> steps;
   for (const ApprovalFile& file : files) {
     const fs::path place = fs::weakly_canonical(fs::absolute(file.place)).lexically_relative(root);
-    if (place.empty() || *place.begin() == "..") return nullptr;
-    all.push_back(fileJson(file, place, page, embedded));
+    if (place.empty() || *place.begin() == "..") return {};
+    steps.push_back(stepOf(file, place, page, embedded));
   }
-  return all.empty() ? ordered_json() : all;
+  return steps;
 } catch (const core::Error&) {  // such as a picture that was removed after the comparison
-  return nullptr;
+  return {};
 } catch (const fs::filesystem_error&) {
-  return nullptr;
+  return {};
 }
 
 fs::path approvalRoot(const fs::path& place) {

@@ -102,6 +102,25 @@ ordered_json changeJson(const DiffPageEntry& entry) {
   return json;
 }
 
+ordered_json stateJson(const std::optional<FileState>& state) {
+  if (!state) return nullptr;
+  return {{"size", state->size}, {"sha256", state->sha256}, {"git", state->git}};
+}
+
+/// Returns the files that approve a row. page_approval.cpp and diff_page_patch.js read them. Null if there are
+/// none.
+ordered_json filesJson(const std::vector<ApprovalStep>& steps) {
+  ordered_json files;
+  for (const ApprovalStep& step : steps) {
+    files.push_back(
+        {{"place", step.place.generic_string()}, {"old", stateJson(step.before)}, {"new", stateJson(step.after)}});
+    if (!step.text.empty()) files.back()["text"] = step.text;
+    if (!step.source.empty())
+      files.back().update({{"source", step.source.generic_string()}, {"embedded", step.isEmbedded}});
+  }
+  return files;
+}
+
 ordered_json entryJson(const DiffPageEntry& entry, const fs::path& page, const fs::path& root) {
   ordered_json json{{"name", entry.name}, {"status", entry.status}, {"message", entry.message}};
   const ImageDifference& d = entry.diff.figures;
@@ -113,7 +132,7 @@ ordered_json entryJson(const DiffPageEntry& entry, const fs::path& page, const f
   json.update(changeJson(entry));
   json.update({{"facts", factsJson(factsOf(entry))},
                {"approve", entry.approve},
-               {"files", approvalJson(entry.approval, root, page, entry.actual.png)},
+               {"files", filesJson(approvalSteps(entry.approval, root, page, entry.actual.png))},
                {"reference", pictureJson(entry.reference, page)},
                {"actual", pictureJson(entry.actual, page)},
                {"flip", pictureJson(entry.map, page)}});

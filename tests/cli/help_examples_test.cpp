@@ -22,6 +22,10 @@ struct Exception {
 };
 
 const std::vector<Exception> kExceptions{
+    {"poinsot golden approve out/golden.html racket",
+     "printf '[style]\\ntheme = \"dark\"\\n' >>scenes/tennis_racket.toml; "
+     "poinsot golden tests/golden.toml --report out/golden.html; poinsot golden approve out/golden.html racket",
+     "a report that has a picture to approve"},
     {"poinsot preview book.toml", "", "a server, which runs until Ctrl-C; preview_server_test runs it"},
     {"poinsot render scenes/football.toml -o - --format png | ffmpeg -f image2pipe -i - ...",
      "poinsot render scenes/football.toml -o - --format png | ffmpeg -v error -f image2pipe -i - -f null -",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// tests/golden/approval_page_test.py tests pages that the program wrote. This test makes pages that it never writes.
+// tests/golden/approval_page_test.py tests pages that the program wrote. This test makes pages that it never
+// writes.
 #include "compare/page_approval.h"
 
 #include <gmock/gmock.h>
@@ -50,7 +51,8 @@ class PageApproval : public ::testing::Test {
 TEST_F(PageApproval, AcceptsAPlaceBelowTheRoot) { EXPECT_EQ(refusal(rowWith(fileAt("golden/a.json"))), ""); }
 
 TEST_F(PageApproval, RefusesPlacesOutsideTheRoot) {
-  for (const char* place : {"../a.png", "golden/../../a.png", "/etc/a.png", ".git/hooks/a.sh", "sub/.git/a.png", ""})
+  for (const char* place :
+       {"../a.png", "golden/../../a.png", "/etc/a.png", ".git/hooks/a.sh", "sub/.git/a.png", ""})
     EXPECT_THAT(refusal(rowWith(fileAt(place))), HasSubstr("is not the name of a reference")) << place;
 }
 
@@ -69,7 +71,7 @@ TEST_F(PageApproval, RefusesDamagedData) {
 
 TEST_F(PageApproval, RefusesContentWithAnotherDigest) {
   std::string file = fileAt("a.json");
-  file.replace(file.find("\"new\", \"new\""), 11, "\"changed\", \"new\"");
+  file.replace(file.find("\"new\", \"new\""), 12, "\"changed\", \"new\"");
   EXPECT_THAT(refusal(rowWith(file)), HasSubstr("is no longer the picture of the report"));
 }
 
