@@ -39,7 +39,7 @@ def build():
 
 
 def version():
-    return re.search(r"project\(poinsot VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
+    return re.search(r'CPACK_PACKAGE_VERSION "(.*)"', (BUILD / "CPackConfig.cmake").read_text())[1]
 
 
 def assemble(folder):

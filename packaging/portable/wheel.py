@@ -2,19 +2,20 @@
 """Makes a wheel of the package for Python: the same files as in Debian's python3-poinsot, and the portable program."""
 
 import os
+import re
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 import elf
 
+DEBIANS_PYTHON = "/usr/bin/python3"  # has the tool wheel; python/CMakeLists.txt builds for it
 COMMAND = Path(__file__).with_name("command_of_the_wheel.py")
 
 
-def tag(files):
-    """Returns the wheel's tag: this Python, and the oldest glibc that has all functions that the files use."""
-    python = f"cp{sys.version_info.major}{sys.version_info.minor}"
+def tag(extension, files):
+    """Returns the wheel's tag: the Python of the extension module, and the oldest glibc that has what the files use."""
+    python = f"cp{re.search(r'cpython-([0-9]+)', extension.name)[1]}"
     return f"{python}-{python}-manylinux_{'_'.join(map(str, elf.glibc(files)))}_{os.uname().machine}"
 
 
@@ -32,12 +33,12 @@ def make(portable, build, version):
     subprocess.run(["patchelf", "--force-rpath", "--set-rpath", "$ORIGIN/portable/lib/poinsot", extension], check=True)
     (content / f"poinsot-{version}.dist-info/WHEEL").write_text(
         "Wheel-Version: 1.0\nGenerator: packaging/portable\nRoot-Is-Purelib: false\n"
-        f"Tag: {tag([extension, *(inside / 'lib/poinsot').iterdir()])}\n")
+        f"Tag: {tag(extension, [extension, *(inside / 'lib/poinsot').iterdir()])}\n")
     command = content / f"poinsot-{version}.data/scripts/poinsot"
     command.parent.mkdir(parents=True)
     shutil.copyfile(COMMAND, command)
     command.chmod(0o755)
-    subprocess.run([sys.executable, "-m", "wheel", "pack", "--dest-dir", build, content], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([DEBIANS_PYTHON, "-m", "wheel", "pack", "--dest-dir", build, content], check=True, stdout=subprocess.DEVNULL)
     return max(build.glob(f"poinsot-{version}-*.whl"), key=lambda it: it.stat().st_mtime)
 
 

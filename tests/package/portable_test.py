@@ -6,6 +6,7 @@ Usage: portable_test.py SOURCES BUILD
 """
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -16,6 +17,7 @@ from pathlib import Path
 SOURCES, BUILD = Path(sys.argv[1]), Path(sys.argv[2])
 sys.path.insert(0, str(SOURCES / "packaging/portable"))
 import elf  # noqa: E402
+import wheel  # noqa: E402
 from closure import STAND_IN, Closure  # noqa: E402
 
 GLIBC = ("libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "librt.so.1", "libmvec.so.1")
@@ -105,6 +107,27 @@ class Portable(unittest.TestCase):
                 self.assertRegex(listed, rf"files:.*\b{library.name.split('.so')[0]}\b.*\n    licence: .*\n    sources: https://")
         for name in set(part for line in listed.splitlines() if "licence:" in line for part in line.split("licence: ")[1].split(", ")):
             self.assertGreater((folder / name).stat().st_size, 100, name)
+
+    def test_installs_as_a_wheel_with_command_package_and_plugin(self):
+        made = wheel.make(BUILD / "portable", BUILD, re.search(r'CPACK_PACKAGE_VERSION "(.*)"', (BUILD / "CPackConfig.cmake").read_text())[1])
+        self.addCleanup(made.unlink)
+        self.assertRegex(made.name, r"^poinsot-[0-9.]+-cp3\d+-cp3\d+-manylinux_2_\d+_x86_64\.whl$")
+        with tempfile.TemporaryDirectory() as folder:
+            run = lambda *words: subprocess.run(words, cwd=folder, check=True, capture_output=True, text=True, env={"PATH": "/usr/bin:/bin"}).stdout
+            run("/usr/bin/python3", "-m", "venv", "--system-site-packages", "venv")  # the system has NumPy and pytest
+            run("venv/bin/pip", "install", "--no-index", str(made))
+            self.assertIn("poinsot ", run("venv/bin/poinsot", "--version"))
+            script = (
+                "import poinsot, sys\n"
+                f"scene = poinsot.load('{SOURCES}/scenes/football.toml')\n"
+                "assert '/venv/' in poinsot.__file__, poinsot.__file__\n"
+                "assert scene.render(size=(64, 36)).shape == (36, 64, 3)\n"
+                "scene.film('wheel.mp4', size=(64, 36), frames=(0, 2), jobs=1)\n"
+                "print([line.split()[-1] for line in open('/proc/self/maps') if 'LLVM' in line][0])\n"
+            )
+            self.assertIn("/venv/lib/python3", run("venv/bin/python", "-c", script))  # its own LLVM, not the system's
+            Path(folder, "test_it.py").write_text("import numpy as np\ndef test_it(golden):\n    golden(np.zeros((9, 9), np.uint8))\n")
+            self.assertIn("1 approved", run("venv/bin/python", "-m", "pytest", "-p", "no:cacheprovider", "--golden-update"))
 
     def test_states_the_glibc_that_it_needs(self):
         self.assertRegex(self.said, r"needs glibc 2\.\d+ or newer")
