@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/abi.h"
+
 namespace poinsot::compare {
 
 /// One file that changes when a new picture is approved. If there is neither a source nor a text, the file is
