@@ -54,12 +54,21 @@ class FaultyProgram {
  private:
   static void expectDone(const ShellResult& result) { EXPECT_EQ(result.exitCode, 0) << result.out; }
 
+  /// Compiles what the build compiles: the file, or a source that includes it and others. The faulty file replaces
+  /// it there, so that the object defines the same functions as the library's.
   void compile(const std::string& file) const {
-    expectDone(
-        runShell(kBuild, fmt::format("command=$(ninja -t commands bin/poinsot | grep -- '-c [^ ]*/src/{}$')\n"
-                                     "command=${{command%% -MD *}}\n"
-                                     "[ -n \"$command\" ] && $command -o {} -c {}",
-                                     file, object_, source_)));
+    expectDone(runShell(kBuild, fmt::format("set -e\n"
+                                            "commands=$(ninja -t commands bin/poinsot | grep -- ' -c ')\n"
+                                            "sources=$(printf '%s\\n' \"$commands\" | sed 's/.* -c //')\n"
+                                            "if unit=$(printf '%s\\n' $sources | grep '/src/{0}$'); then\n"
+                                            "  echo '#include \"{1}\"' > {2}\n"
+                                            "else\n"
+                                            "  unit=$(grep -l '#include \".*/src/{0}\"' $sources)\n"
+                                            "  sed 's|#include \".*/src/{0}\"|#include \"{1}\"|' \"$unit\" > {2}\n"
+                                            "fi\n"
+                                            "command=$(printf '%s\\n' \"$commands\" | grep -F -- \" -c $unit\")\n"
+                                            "${{command%% -MD *}} -o {3} -c {2}",
+                                            file, source_, unit_, object_)));
   }
 
   /// Links the faulty object first, so that the linker does not take its symbols from the library.
@@ -72,8 +81,8 @@ class FaultyProgram {
   }
 
   const ScratchFolder& folder_;
-  const std::string source_ = (folder_ / "faulty.cpp").string(), object_ = (folder_ / "faulty.o").string(),
-                    program_ = (folder_ / "poinsot").string();
+  const std::string source_ = (folder_ / "faulty.cpp").string(), unit_ = (folder_ / "unit.cpp").string(),
+                    object_ = (folder_ / "faulty.o").string(), program_ = (folder_ / "poinsot").string();
 };
 
 class RendererFault : public testing::TestWithParam<Fault> {
