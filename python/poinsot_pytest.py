@@ -30,6 +30,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     group.addoption(
         "--golden-output", metavar="FOLDER", help="folder of new pictures and of report.html (default: golden_output, or out/golden)"
     )
+    group.addoption("--golden-json", metavar="FILE", help="write the outcome as a JSON object, as poinsot golden --json")
+    group.addoption("--golden-markdown", metavar="FILE", help="add a table in Markdown to FILE, such as $GITHUB_STEP_SUMMARY")
     group.addoption("--golden-from", choices=_FROM, help="compare with the baselines, marks and tolerances of another plugin")
     parser.addini("golden_folder", "folder of the baselines, beside each file of tests", default="golden")
     parser.addini("golden_output", "folder of new pictures and of report.html", default="out/golden")
@@ -81,6 +83,8 @@ class _Session:
                 rule=self.config.getini("golden_rule"),
                 update=option.golden_update,
                 origin=_origin(self.config),
+                json=option.golden_json,
+                markdown=option.golden_markdown,
             )
         return self._run
 

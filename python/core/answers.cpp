@@ -41,18 +41,21 @@ py::bytes pngBytes(const py::array& pixels) {
   return {reinterpret_cast<const char*>(png.data()), png.size()};
 }
 
-/// Row of write_golden_report(): name, status, message, place, baseline, new picture, rule, ignored boxes, mask.
+/// Row of write_golden_report(), which returns JSON and Markdown. Parts: name, status, message, place, baseline,
+/// new picture, rule, ignored boxes, mask.
 using RowParts = std::tuple<std::string, std::string, std::string, py::bytes, py::bytes, py::bytes, RuleWords,
                             std::vector<std::vector<double>>, py::bytes>;
 
-void writeReport(const std::string& page, const std::string& title, const std::string& tree,
-                 const std::vector<RowParts>& parts, int jobs) {
+std::pair<std::string, std::string> writeReport(const std::string& page, const std::string& title,
+                                                const std::string& tree, const std::vector<RowParts>& parts,
+                                                int jobs) {
   std::vector<GoldenRow> rows;
   for (const auto& [name, status, message, place, baseline, actual, rule, ignore, mask] : parts)
     rows.push_back({name, status, message, std::string(place), std::string(baseline), std::string(actual), rule,
                     ignore, std::string(mask)});
   const WithoutGil others;
-  writeGoldenReport(page, title, tree, rows, jobs);
+  GoldenTexts texts = writeGoldenReport(page, title, tree, rows, jobs);
+  return {std::move(texts.json), std::move(texts.markdown)};
 }
 
 /// Title and help of an explanation, and its rows of name and text.

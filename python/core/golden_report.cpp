@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "compare/diff_json.h"
 #include "compare/file_diff.h"
+#include "compare/markdown.h"
 #include "compare/outcome_page.h"
 #include "core/error.h"
 #include "core/file_batch.h"
@@ -49,8 +51,8 @@ Outcome outcomeOf(const GoldenRow& row) {
 
 }  // namespace
 
-void writeGoldenReport(const std::filesystem::path& page, const std::string& title,
-                       const std::filesystem::path& place, const std::vector<GoldenRow>& rows, int jobs) {
+GoldenTexts writeGoldenReport(const std::filesystem::path& page, const std::string& title,
+                              const std::filesystem::path& place, const std::vector<GoldenRow>& rows, int jobs) {
   std::vector<Outcome> outcomes(rows.size());
   core::forEachIndex(rows.size(), jobs, [&](std::size_t i) { outcomes[i] = outcomeOf(rows[i]); });
   const bool failed = std::ranges::any_of(outcomes, [](const Outcome& outcome) {
@@ -62,6 +64,10 @@ void writeGoldenReport(const std::filesystem::path& page, const std::string& tit
   core::FileBatch batch;
   batch.write(page, compare::outcomePage(outcomes, head, jobs));
   batch.commit();
+  compare::OutcomeReport report;
+  report.suite = title;
+  report.page = page.lexically_proximate(std::filesystem::current_path());
+  return {compare::suiteJson(outcomes, {}), compare::markdownOf(outcomes, report)};
 }
 
 }  // namespace poinsot::python

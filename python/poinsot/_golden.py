@@ -37,8 +37,11 @@ _Made = TypeVar("_Made")
 class Run:
     """A run of pytest: where its files are, and how new pictures are compared."""
 
-    def __init__(self, *, root: Path, output: Path, folder: str, rule: str, update: str | None, origin: str) -> None:
+    def __init__(
+        self, *, root: Path, output: Path, folder: str, rule: str, update: str | None, origin: str, json: str | None, markdown: str | None
+    ) -> None:
         self.root, self.output, self.folder, self.rule, self.update, self.origin = root, output, folder, rule, update, origin
+        self.json, self.markdown = json, markdown
         self.report = output / "report.html"
         self.command = "pytest" + (f" --golden-from={origin}" if origin else "")
 
@@ -53,7 +56,12 @@ class Run:
         """Writes the HTML page of all outcomes of a run."""
         self.output.mkdir(parents=True, exist_ok=True)
         rows = [(it["name"], it["status"], it["message"], it["place"], it["baseline"], it["new"], it["rule"], it["ignore"], it["mask"]) for it in outcomes]
-        _core.write_golden_report(os.fsencode(self.report), self.root.name, os.fsencode(self.root), rows, len(os.sched_getaffinity(0)))
+        json, markdown = _core.write_golden_report(os.fsencode(self.report), self.root.name, os.fsencode(self.root), rows, len(os.sched_getaffinity(0)))
+        if self.json:
+            Path(self.json).write_text(json)
+        if self.markdown:
+            with open(self.markdown, "a") as file:
+                file.write(markdown)
 
     def summary(self, outcomes: list[Outcome]) -> Iterator[str]:
         counts = Counter(it["status"] for it in outcomes)

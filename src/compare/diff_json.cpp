@@ -157,6 +157,8 @@ ordered_json outcomeJson(const Outcome& outcome) {
 
 ordered_json outcomesJson(const std::vector<Outcome>& outcomes, const DiffNames& names) {
   ordered_json json = headJson(verdictOf(outcomes), names);
+  for (const OutcomeStatus status : outcomeStatuses())
+    json["counts"][std::string(toString(status))] = std::ranges::count(outcomes, status, &Outcome::status);
   json.update({{"pictures", ordered_json::array()},
                {"only_in_reference", ordered_json::array()},
                {"only_in_test", ordered_json::array()}});

@@ -70,6 +70,8 @@ std::string reasonOf(const Outcome& outcome) {
   return outcome.message.empty() ? words : outcome.message + "; " + words;
 }
 
+std::span<const OutcomeStatus> outcomeStatuses() { return kAll; }
+
 std::string countsText(const std::vector<Outcome>& outcomes) {
   std::string text;
   for (const OutcomeStatus status : kAll) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,6 +62,9 @@ inline bool isToApprove(const Outcome& outcome, bool exact) {
 /// Returns why an outcome fails, in figures and in words. Example: "largest difference 222 (limit 2); 87 pixels in
 /// one place of 40x24 px at (460, 340)". Never empty.
 std::string reasonOf(const Outcome& outcome);
+
+/// Returns all statuses, in the order of countsText().
+std::span<const OutcomeStatus> outcomeStatuses();
 
 /// Returns the number of outcomes of each status: "60 identical, 2 near, 1 different".
 std::string countsText(const std::vector<Outcome>& outcomes);
