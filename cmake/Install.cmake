@@ -12,6 +12,8 @@ if(TARGET poinsot)
   install(DIRECTORY scenes/ DESTINATION share/poinsot/scenes COMPONENT program)
   install(DIRECTORY ${POINSOT_SHARE}/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT program)
   install(FILES packaging/copyright DESTINATION share/doc/poinsot COMPONENT program)
+  install(PROGRAMS packaging/action/compare.sh DESTINATION share/poinsot/ci COMPONENT program)
+  install(FILES packaging/action/gitlab.yml DESTINATION share/poinsot/ci COMPONENT program)
 endif()
 # Not in a package, because Debian packages refer to the system's copy of this licence.
 install(FILES LICENSE CHANGELOG.md DESTINATION share/doc/poinsot COMPONENT licence)

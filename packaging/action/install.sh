@@ -9,6 +9,7 @@ file=$ARCHIVE
 mkdir -p "$folder"
 if [[ $ARCHIVE == *://* ]]; then
   [[ $SHA256 ]] || fail "sha256: give the digest of $ARCHIVE, because it is downloaded"
+  command -v curl >/dev/null || fail "curl is missing, which downloads the archive: install it in an earlier step"
   file=$folder/archive.tar.xz
   curl --fail --silent --show-error --location --retry 3 --output "$file" "$ARCHIVE" || fail "$ARCHIVE cannot be downloaded"
 fi

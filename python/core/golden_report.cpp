@@ -18,8 +18,7 @@ using compare::Outcome;
 using compare::OutcomeStatus;
 
 OutcomeStatus statusOf(const std::string& word) {
-  for (const auto status : {OutcomeStatus::kIdentical, OutcomeStatus::kNear, OutcomeStatus::kDifferent,
-                            OutcomeStatus::kNew, OutcomeStatus::kMissing, OutcomeStatus::kUnused})
+  for (const OutcomeStatus status : compare::outcomeStatuses())
     if (compare::toString(status) == word) return status;
   return word == "approved" ? OutcomeStatus::kIdentical : OutcomeStatus::kError;
 }
