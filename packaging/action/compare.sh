@@ -50,5 +50,7 @@ counts() { sed -n '/^ "counts": {/,/^ }/s/^  "\([a-z]*\)": \([0-9]*\),\{0,1\}$/\
   [[ ! -f $report ]] || echo "report=$report"
   echo "patch=$patch"
 } >>"${GITHUB_OUTPUT:-/dev/stdout}"
-((code == 0)) || echo "::error::poinsot: exit code $code; the page of the pictures is $report in the artifact"
+where=
+[[ ! -f $report ]] || where="; the page $report in the artifact shows the pictures"
+((code == 0)) || echo "::error::poinsot: exit code $code$where"
 exit "$code"

@@ -40,6 +40,9 @@ Outcome outcomeOf(const GoldenRow& row) {
     } catch (const core::Error& error) {
       outcome.diff = compare::unreadablePair(error);
     }
+  // The test has decided, for example by pytest-mpl's tolerance.
+  if (outcome.status == OutcomeStatus::kIdentical) outcome.diff.verdict = compare::Verdict::kIdentical;
+  if (outcome.status == OutcomeStatus::kNear) outcome.diff.verdict = compare::Verdict::kNear;
   outcome.name = row.name;
   outcome.message = row.message;
   outcome.reference = row.baseline;

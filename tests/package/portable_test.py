@@ -21,6 +21,7 @@ import wheel  # noqa: E402
 from closure import STAND_IN, Closure  # noqa: E402
 
 GLIBC = ("libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "librt.so.1", "libmvec.so.1")
+VERSION = re.search(r'CPACK_PACKAGE_VERSION "(.*)"', (BUILD / "CPackConfig.cmake").read_text())[1]
 SCENES = "/opt/poinsot/share/poinsot/scenes"
 
 
@@ -30,6 +31,13 @@ def isolation():
         if words and subprocess.run([*words, "chroot", "/", "true"], capture_output=True).returncode == 0:
             return words
     return None
+
+
+def blocks_of(page, heading):
+    """Returns the blocks of code below a heading of a page, by language."""
+    text = (SOURCES / "docs" / page).read_text().split(f"{heading}\n", 1)[1]
+    text = re.split(r"^#{1,3} ", text, maxsplit=1, flags=re.MULTILINE)[0]
+    return dict(re.findall(r"^```(\w+)\n(.*?)^```", text, re.MULTILINE | re.DOTALL))
 
 
 class Portable(unittest.TestCase):
@@ -45,6 +53,8 @@ class Portable(unittest.TestCase):
         if made.returncode != 0:
             raise AssertionError(made.stderr)
         cls.said = made.stderr
+        cls.wheel = wheel.make(BUILD / "portable", BUILD, VERSION)
+        cls.addClassCleanup(cls.wheel.unlink)
         (cls.room / "opt").mkdir()
         shutil.copytree(BUILD / "portable", cls.room / "opt/poinsot", symlinks=True)
         for folder in ("lib64", "lib/x86_64-linux-gnu", "tmp", "dev", "proc"):
@@ -59,6 +69,11 @@ class Portable(unittest.TestCase):
         shutil.copy("/lib64/ld-linux-x86-64.so.2", cls.room / "lib64")
         for name in GLIBC:
             shutil.copy(f"/lib/x86_64-linux-gnu/{name}", cls.room / "lib/x86_64-linux-gnu")
+
+    def folder(self):
+        made = tempfile.TemporaryDirectory()
+        self.addCleanup(made.cleanup)
+        return Path(made.name)
 
     def run_in_room(self, *words):
         user = ["--userspec=65534:65534"] if os.geteuid() == 0 and "--user" not in self.enter else []
@@ -108,26 +123,60 @@ class Portable(unittest.TestCase):
         for name in set(part for line in listed.splitlines() if "licence:" in line for part in line.split("licence: ")[1].split(", ")):
             self.assertGreater((folder / name).stat().st_size, 100, name)
 
+    def run_with_wheel(self, folder, script, code=0):
+        """Runs a script in a folder that has the wheel, the unpacked archive and the program on the path."""
+        name = f"poinsot-{VERSION}-linux-x86_64"
+        if not (folder / name).exists():
+            (folder / name).symlink_to(BUILD / "portable")
+            (folder / self.wheel.name).symlink_to(self.wheel)
+        environment = {"PATH": f"{folder / name}/bin:/usr/bin:/bin", "HOME": str(folder)}
+        done = subprocess.run(["bash", "-euc", script], cwd=folder, capture_output=True, text=True, env=environment)
+        self.assertEqual(done.returncode, code, f"{script}\n{done.stdout}{done.stderr}")
+        return done.stdout + done.stderr
+
     def test_installs_as_a_wheel_with_command_package_and_plugin(self):
-        made = wheel.make(BUILD / "portable", BUILD, re.search(r'CPACK_PACKAGE_VERSION "(.*)"', (BUILD / "CPackConfig.cmake").read_text())[1])
-        self.addCleanup(made.unlink)
-        self.assertRegex(made.name, r"^poinsot-[0-9.]+-cp3\d+-cp3\d+-manylinux_2_\d+_x86_64\.whl$")
-        with tempfile.TemporaryDirectory() as folder:
-            run = lambda *words: subprocess.run(words, cwd=folder, check=True, capture_output=True, text=True, env={"PATH": "/usr/bin:/bin"}).stdout
-            run("/usr/bin/python3", "-m", "venv", "--system-site-packages", "venv")  # the system has NumPy and pytest
-            run("venv/bin/pip", "install", "--no-index", str(made))
-            self.assertIn("poinsot ", run("venv/bin/poinsot", "--version"))
-            script = (
-                "import poinsot, sys\n"
-                f"scene = poinsot.load('{SOURCES}/scenes/football.toml')\n"
-                "assert '/venv/' in poinsot.__file__, poinsot.__file__\n"
-                "assert scene.render(size=(64, 36)).shape == (36, 64, 3)\n"
-                "scene.film('wheel.mp4', size=(64, 36), frames=(0, 2), jobs=1)\n"
-                "print([line.split()[-1] for line in open('/proc/self/maps') if 'LLVM' in line][0])\n"
-            )
-            self.assertIn("/venv/lib/python3", run("venv/bin/python", "-c", script))  # its own LLVM, not the system's
-            Path(folder, "test_it.py").write_text("import numpy as np\ndef test_it(golden):\n    golden(np.zeros((9, 9), np.uint8))\n")
-            self.assertIn("1 approved", run("venv/bin/python", "-m", "pytest", "-p", "no:cacheprovider", "--golden-update"))
+        self.assertRegex(self.wheel.name, r"^poinsot-[0-9.]+-cp3\d+-cp3\d+-manylinux_2_\d+_x86_64\.whl$")
+        folder = self.folder()
+        run = lambda script: self.run_with_wheel(folder, script)
+        recipe = blocks_of("ci.md", "### pytest")["sh"]
+        (folder / "test_it.py").write_text("import numpy as np\ndef test_it(golden):\n    golden(np.zeros((9, 9), np.uint8))\n")
+        self.assertIn("nothing was approved yet", self.run_with_wheel(folder, recipe, code=1))
+        run("venv/bin/python -m pytest --golden-update")
+        self.assertIn("1 identical", run(recipe))
+        self.assertIn("test_it", (folder / "out/junit.xml").read_text())
+        self.assertIn("poinsot ", run("venv/bin/poinsot --version"))
+        (folder / "try.py").write_text(
+            "import poinsot\n"
+            f"scene = poinsot.load('{SOURCES}/scenes/football.toml')\n"
+            "assert '/venv/' in poinsot.__file__, poinsot.__file__\n"
+            "assert scene.render(size=(64, 36)).shape == (36, 64, 3)\n"
+            "scene.film('wheel.mp4', size=(64, 36), frames=(0, 2), jobs=1)\n"
+            "print([line.split()[-1] for line in open('/proc/self/maps') if 'LLVM' in line][0])\n"
+        )
+        self.assertIn("/venv/lib/python3", run("venv/bin/python try.py"))  # its own LLVM, not the system's
+
+    def test_follows_the_recipe_for_a_folder_of_pictures(self):
+        folder, recipe = self.folder(), blocks_of("ci.md", "### A folder of pictures")["sh"]
+        first, second = sorted((SOURCES / "docs/images/gallery").glob("*.png"))[:2]
+        for place in ("approved", "new"):
+            (folder / place).mkdir()
+            shutil.copy(first, folder / place / "a.png")
+        (folder / "out").mkdir()
+        self.assertIn("identical", self.run_with_wheel(folder, recipe))
+        shutil.copy(second, folder / "new/a.png")
+        self.run_with_wheel(folder, recipe, code=1)
+        self.assertIn("<failure", (folder / "out/junit.xml").read_text())
+        self.assertIn("a.png", (folder / "out/report.html").read_text())
+
+    def test_follows_the_recipe_for_cmake(self):
+        folder, blocks = self.folder(), blocks_of("ci.md", "### CMake")
+        (folder / "CMakeLists.txt").write_text(blocks["cmake"])
+        (folder / "golden.toml").write_text('size = [96, 54]\n[[test]]\nscene = "spin.toml"\n')
+        shutil.copy(SOURCES / "scenes/football.toml", folder / "spin.toml")
+        self.run_with_wheel(folder, "poinsot golden --update")
+        self.run_with_wheel(folder, blocks["sh"])
+        (folder / "spin.toml").write_text((folder / "spin.toml").read_text() + '\n[style]\ntheme = "dark"\n')
+        self.assertIn("different  spin", self.run_with_wheel(folder, blocks["sh"], code=8))
 
     def test_states_the_glibc_that_it_needs(self):
         self.assertRegex(self.said, r"needs glibc 2\.\d+ or newer")
