@@ -59,7 +59,7 @@ class Runner:
             done = subprocess.run(
                 ["bash", "--noprofile", "--norc", "-e", "-o", "pipefail", "-c", step["run"]], cwd=self.place, capture_output=True, text=True,
                 env={"PATH": path, "HOME": str(self.folder), "CI": "true", "GITHUB_ACTIONS": "true", "GITHUB_ACTION_PATH": str(ACTION), "RUNNER_TEMP": str(self.folder / "temp"),
-                     "PYTHONPATH": str(BUILD / "python"), "PYTHONDONTWRITEBYTECODE": "1", **{key: str(value) for key, value in self.files.items()}, **variables})
+                     "PYTHONPATH": str(BUILD / "python"), "PYTHONDONTWRITEBYTECODE": "1", "POINSOT_CACHE": str(BUILD / "cache"), **{key: str(value) for key, value in self.files.items()}, **variables})
             self.said += done.stdout + done.stderr
             self.status = self.status or done.returncode
             path = ":".join([*self.files["GITHUB_PATH"].read_text().split(), path])
@@ -191,7 +191,7 @@ class Action(unittest.TestCase):
         job = yaml.safe_load((ACTION / "gitlab.yml").read_text())[".poinsot-golden"]
         variables = {**job["variables"], "SUITE": "golden.toml", "POINSOT_ARCHIVE": f"file://{made}", "POINSOT_SHA256": digest}
         run = lambda: subprocess.run(["bash", "-e", "-c", "\n".join(job["before_script"] + job["script"])], cwd=self.place, capture_output=True, text=True,
-                                     env={"PATH": os.environ["PATH"], "HOME": str(self.runner.folder), "CI": "true", "CI_PROJECT_DIR": str(self.place), **variables})
+                                     env={"PATH": os.environ["PATH"], "HOME": str(self.runner.folder), "CI": "true", "CI_PROJECT_DIR": str(self.place), "POINSOT_CACHE": str(BUILD / "cache"), **variables})
         done = run()
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         (self.place / "fast.toml").write_text(SCENE.format(21))

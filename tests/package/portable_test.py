@@ -129,7 +129,7 @@ class Portable(unittest.TestCase):
         if not (folder / name).exists():
             (folder / name).symlink_to(BUILD / "portable")
             (folder / self.wheel.name).symlink_to(self.wheel)
-        environment = {"PATH": f"{folder / name}/bin:/usr/bin:/bin", "HOME": str(folder)}
+        environment = {"PATH": f"{folder / name}/bin:/usr/bin:/bin", "HOME": str(folder), "POINSOT_CACHE": str(BUILD / "cache")}
         done = subprocess.run(["bash", "-euc", script], cwd=folder, capture_output=True, text=True, env=environment)
         self.assertEqual(done.returncode, code, f"{script}\n{done.stdout}{done.stderr}")
         return done.stdout + done.stderr
