@@ -76,6 +76,10 @@ bool failOwnOnly = false;
   if (watching && block != nullptr) --keptBlocks;
 }
 
+[[maybe_unused]] void* alignedBlock(std::size_t alignment, std::size_t size, const void* caller) {
+  return fails(caller) ? nullptr : noted(__libc_memalign(alignment, size));
+}
+
 }  // namespace
 
 // Sanitizers replace these functions themselves, and allocate memory before a thread has its thread-local
@@ -100,13 +104,15 @@ void* realloc(void* block, std::size_t size) {
 }
 
 void* aligned_alloc(std::size_t alignment, std::size_t size) {
-  return fails(__builtin_return_address(0)) ? nullptr : noted(__libc_memalign(alignment, size));
+  return alignedBlock(alignment, size, __builtin_return_address(0));
 }
 
-void* memalign(std::size_t alignment, std::size_t size) { return aligned_alloc(alignment, size); }
+void* memalign(std::size_t alignment, std::size_t size) {
+  return alignedBlock(alignment, size, __builtin_return_address(0));
+}
 
 int posix_memalign(void** block, std::size_t alignment, std::size_t size) {
-  *block = aligned_alloc(alignment, size);
+  *block = alignedBlock(alignment, size, __builtin_return_address(0));
   return *block != nullptr ? 0 : ENOMEM;
 }
 
