@@ -129,7 +129,25 @@ std::string colourText(const Changes& changes) {
                      pixels < changes.pixels ? fmt::format(" in {} of them", pixels) : "");
 }
 
+/// Returns the kind of changes that no tone, symmetry or shift explains.
+std::string kindOfPlaces(const Changes& changes) {
+  if (isHardlySeen(changes)) return "hardly visible";
+  if (changes.recolouring && !changes.shiftOfLargest)
+    return fmt::format("{} became {}", changes.recolouring->from, changes.recolouring->to);
+  if (areScattered(changes)) return "scattered";
+  if (areEverywhere(changes)) return "all over the picture";
+  return "in some places";
+}
+
 }  // namespace
+
+std::string kindOf(const Changes& changes) {
+  if (changes.pixels == 0) return "";
+  if (changes.tone) return toneText(*changes.tone);
+  if (changes.symmetry) return symmetryText(*changes.symmetry);
+  if (changes.shift) return "moved " + shiftText(*changes.shift);
+  return kindOfPlaces(changes);
+}
 
 std::string wordsOf(const Changes& changes) {
   if (changes.pixels == 0) return "";

@@ -47,4 +47,8 @@ Changes changesBetween(const image::AnyImage& reference, const image::AnyImage& 
 /// everywhere" or "the picture moved by 1 px to the right". Returns an empty string for identical pictures.
 std::string wordsOf(const Changes& changes);
 
+/// Returns what kind of change it is, without its place and extent, such as "moved by 1 px to the right" or
+/// "#1f77b4 became #ff7f0e". Returns an empty string for identical pictures.
+std::string kindOf(const Changes& changes);
+
 }  // namespace poinsot::compare

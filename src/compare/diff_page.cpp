@@ -11,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "compare/alike.h"
 #include "compare/diff_text.h"
 #include "core/base64.h"
 #include "core/regular_file.h"
@@ -147,6 +148,18 @@ ordered_json curveJson(const std::optional<DiffPageCurve>& curve) {
           {"places", curve->placesOfEntries}};
 }
 
+/// Returns the groups of alike changes, with the numbers of their rows. The frames of a film are not grouped,
+/// because neighbouring frames are always alike.
+ordered_json groupsJson(const DiffPage& page) {
+  ordered_json json = ordered_json::array();
+  if (page.curve) return json;
+  std::vector<const PictureDiff*> diffs;
+  for (const DiffPageEntry& entry : page.entries) diffs.push_back(&entry.diff);
+  for (const AlikeGroup& group : alikeChanges(diffs))
+    json.push_back({{"kind", group.kind}, {"members", group.members}});
+  return json;
+}
+
 ordered_json pageJson(const DiffPage& page) {
   ordered_json json{{"title", page.title},
                     {"verdict", page.verdict},
@@ -162,6 +175,7 @@ ordered_json pageJson(const DiffPage& page) {
                     {"entries", ordered_json::array()}};
   for (const DiffPageEntry& entry : page.entries)
     json["entries"].push_back(entryJson(entry, page.file, page.root));
+  json["groups"] = groupsJson(page);
   const auto hasFiles = [](const ordered_json& entry) { return !entry["files"].is_null(); };
   if (std::ranges::any_of(json["entries"], hasFiles))
     json["approve"] = core::shellWords({"poinsot", "golden", "approve", page.file.native()});

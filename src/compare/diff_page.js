@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rows of the page: sorted, filtered, marked, linked to; keys. Follows diff_page_view.js.
 // ---- The list: rows are made once; sorting moves them and filtering hides them.
+const groups = data.groups.map(({kind, members}) => ({kind, tests: members.map(i => data.entries[i])}));
+groups.forEach(group => group.tests.forEach(test => test.group = group));
+// Without groups, the last order is not offered.
 const sorts = [['Worst first', t => order.indexOf(t.status)], [data.entry + ' name', t => t.name], ['Largest difference', t => t.max_difference ?? -1],
-  ['Differing pixels', t => t.differing_pixels ?? -1], ['FLIP mean', t => t.flip_mean ?? -1], ['FLIP max', t => t.flip_max ?? -1]];
+  ['Differing pixels', t => t.differing_pixels ?? -1], ['FLIP mean', t => t.flip_mean ?? -1], ['FLIP max', t => t.flip_max ?? -1],
+  ['Alike changes', t => t.group ? groups.indexOf(t.group) : groups.length]];
+const byGroup = sorts.length - 1;
 const worstFirst = data.entries.some(t => t.status !== 'identical');
-const state = {sort: 0, down: false, hidden: new Set(worstFirst ? ['identical'] : []), selected: null, mode: 'changes', place: 0, approved: new Set(), rejected: new Set()};
+const state = {sort: 0, down: false, hidden: new Set(worstFirst ? ['identical'] : []), selected: null, mode: 'changes', place: 0, approved: new Set(), rejected: new Set(), unfolded: new Set()};
 
 function rowOf(test) {
   test.title = data.curve ? `${data.entry} ${test.name}` : test.name;
@@ -36,15 +41,26 @@ function sorted() {
 function sortBy(column, down) {
   Object.assign(state, {sort: column, down});
   $('#turn').textContent = down ? '↓' : '↑';
-  const value = sorts[column][1];
+  const value = column === byGroup ? sorts[4][1] : sorts[column][1];
   for (const test of data.entries) test.row.children[1].textContent = column > 1 && value(test) >= 0 ? number(value(test)) : '';
-  $('#rows').append(...sorted().map(t => t.row));
+  $('#rows').append(...sorted().flatMap(t => t.group?.tests[0] === t ? [t.group.head, t.row] : [t.row]));
+  filter();
+}
+
+/// Whether a row is one of many alike, of which the list shows only the most and the least changed.
+function isFolded(test) {
+  const tests = state.sort === byGroup && !state.unfolded.has(test.group) && test.group?.tests;
+  return Boolean(tests) && test !== tests[0] && test !== tests.at(-1);
 }
 
 function filter() {
   const words = $('#find').value.toLowerCase().split(/\s+/).filter(Boolean);
   for (const test of data.entries)
-    test.row.hidden = state.hidden.has(test.status) || !words.every(w => test.sought.includes(w));
+    test.row.hidden = state.hidden.has(test.status) || !words.every(w => test.sought.includes(w)) || (!words.length && isFolded(test));
+  for (const group of groups) {
+    group.head.hidden = state.sort !== byGroup || group.tests.every(t => t.row.hidden);
+    group.head.setAttribute('aria-expanded', !isFolded(group.tests[1]));
+  }
   $('#none').hidden = data.entries.some(t => !t.row.hidden);
   for (const chip of $('#chips').children) chip.setAttribute('aria-pressed', !state.hidden.has(chip.dataset.status));
 }
@@ -63,7 +79,7 @@ function makeChips() {
 function select(test) {
   if (state.selected) state.selected.row.setAttribute('aria-selected', false);
   Object.assign(state, {selected: test, place: 0});
-  if (test.row.hidden) { state.hidden.delete(test.status); $('#find').value = ''; filter(); }
+  if (test.row.hidden) { state.hidden.delete(test.status); state.unfolded.add(test.group); $('#find').value = ''; filter(); }
   test.row.setAttribute('aria-selected', true);
   test.row.scrollIntoView({block: 'nearest'});
   if (hashName() !== test.name) history.replaceState(null, '', '#' + encodeURIComponent(test.name));
@@ -111,6 +127,40 @@ function decideAndGoOn(mark) {
   if (next) select(next);
 }
 
+/// Marks all rows of a group, or takes the same mark away from all of them.
+function decideGroup(group, mark) {
+  const tests = group.tests.filter(canApprove), other = mark === 'approved' ? 'rejected' : 'approved';
+  const isNew = !tests.every(test => state[mark].has(test));
+  for (const test of tests) {
+    state[other].delete(test);
+    isNew ? state[mark].add(test) : state[mark].delete(test);
+  }
+  showDecisions();
+  return isNew;
+}
+
+/// Marks the group of the selected row, and goes to the next row that is still open.
+function decideGroupAndGoOn(mark) {
+  if (!state.selected.group || !decideGroup(state.selected.group, mark)) return;
+  const next = shown().find(isOpen);
+  if (next) select(next);
+}
+
+/// The line above the rows of a group. A click shows or hides its members.
+function headOf(group) {
+  const [most, least] = [group.tests[0], group.tests.at(-1)].map(test => number(test.flip_mean));
+  const onclick = () => { state.unfolded.delete(group) || state.unfolded.add(group); filter(); };
+  const head = make('li', {className: 'group-head', onclick, title: 'show or hide the pictures between the most and the least changed'},
+    make('b', {textContent: `${group.tests.length} alike`}), make('span', {className: 'why', textContent: `${group.kind} · FLIP mean ${most} to ${least}`}));
+  if (group.tests.some(canApprove)) {
+    group.box = make('input', {type: 'checkbox', title: 'approve all ( A )', tabIndex: -1,
+      onclick: event => { event.stopPropagation(); decideGroup(group, 'approved'); }});
+    group.box.setAttribute('aria-label', `approve all ${group.tests.length} alike`);
+    head.append(group.box);
+  }
+  return head;
+}
+
 const isOpen = test => canApprove(test) && !state.approved.has(test) && !state.rejected.has(test);
 const approvedTests = () => data.entries.filter(test => state.approved.has(test));
 
@@ -118,6 +168,11 @@ function showDecisions() {
   for (const test of data.entries) {
     if (test.box) test.box.checked = state.approved.has(test);
     test.row.classList.toggle('rejected', state.rejected.has(test));
+  }
+  for (const group of groups.filter(group => group.box)) {
+    const count = group.tests.filter(test => state.approved.has(test)).length;
+    group.box.checked = count === group.tests.filter(canApprove).length;
+    group.box.indeterminate = count && !group.box.checked;
   }
   const tests = approvedTests(), left = tests.filter(test => !canPatch(test)).length;
   const counts = [[tests.length, 'approved'], [state.rejected.size, 'rejected'], [data.entries.filter(isOpen).length, 'open']];
@@ -167,7 +222,8 @@ function showCurve() {
 const keys = {
   ArrowDown: () => step(1), j: () => step(1), ArrowUp: () => step(-1), k: () => step(-1),
   n: () => showPlace(state.place + 1), p: () => showPlace(state.place - 1),
-  b: () => chooseMode('blink'), a: () => decideAndGoOn('approved'), r: () => decideAndGoOn('rejected'), '/': () => $('#find').focus(),
+  b: () => chooseMode('blink'), a: () => decideAndGoOn('approved'), r: () => decideAndGoOn('rejected'),
+  A: () => decideGroupAndGoOn('approved'), R: () => decideGroupAndGoOn('rejected'), '/': () => $('#find').focus(),
   '+': zooms.in, '=': zooms.in, '-': zooms.out, 0: zooms.fit, z: zooms.one,
 };
 Object.keys(modes).slice(0, 7).forEach((mode, i) => keys[i + 1] = () => chooseMode(mode));
@@ -209,15 +265,17 @@ $('main').classList.toggle('single', data.entries.length === 1);
 $('main').classList.toggle('filmed', Boolean(data.curve));
 if (data.entries.length) {
   for (const test of data.entries) test.row = rowOf(test);
+  for (const group of groups) group.head = headOf(group);
+  $('#grouphint').hidden = !data.approve || !groups.length;
   makeChips();
-  $('#sort').append(...sorts.map(([title], i) => make('option', {textContent: title, value: i})));
-  $('#sort').onchange = () => sortBy(+$('#sort').value, +$('#sort').value > 1);
+  $('#sort').append(...sorts.slice(0, groups.length ? undefined : byGroup).map(([title], i) => make('option', {textContent: title, value: i})));
+  $('#sort').onchange = () => sortBy(+$('#sort').value, +$('#sort').value > 1 && +$('#sort').value < byGroup);
   $('#turn').onclick = () => sortBy(state.sort, !state.down);
   $('#find').oninput = filter;
   for (const button of document.querySelectorAll('[data-zoom]')) button.onclick = zooms[button.dataset.zoom];
   for (const button of document.querySelectorAll('#place button')) button.onclick = () => showPlace(state.place + +button.dataset.step);
-  sortBy(0, false);
-  filter();
+  $('#sort').value = groups.some(group => group.tests.length > 2) ? byGroup : 0;
+  sortBy(+$('#sort').value, false);
   if (!selectByHash()) select(data.entries.find(t => t.name === data.first) || shown()[0]);
   addEventListener('hashchange', selectByHash);
 }

@@ -74,6 +74,24 @@ def save_patch(driver, page, downloads):
     return patch
 
 
+def decide_group(page):
+    """Three pictures changed alike. The list folds the one in the middle, and one key decides on all of them."""
+    expect(page.find('.group-head b').text.lstrip('▸▾ '), '3 alike', 'the group')
+    expect(len(page.names()), len(NAMES) - 1, 'rows beside the folded one')
+    page.find('.group-head .why').click()
+    expect(sorted(page.names()), sorted(NAMES), 'rows')
+    page.choose('late')
+    page.press('A')
+    expect(page.find('footer b').text, '3 approved, 2 open', 'the group is approved')
+    expect(page.find('footer input').get_attribute('value').split()[-1], 'sub/inner', 'the command')
+    page.choose('sub/inner')
+    page.press('R')
+    expect(page.find('footer b').text, '3 rejected, 2 open', 'the group is rejected')
+    page.find('.group-head input').click()
+    expect(page.find('footer b').text, '3 approved, 2 open', 'the box of the group')
+    page.find('#unmark').click()
+
+
 def decide(page):
     """Approves all pictures except `late`, which is rejected, with the keys alone."""
     page.sort_by(1)
@@ -155,6 +173,7 @@ def main():
         driver = browser()
         try:
             page = Page(driver, suite / 'out/report.html')
+            decide_group(page)
             decide(page)
             driver.save_screenshot(screenshot)
             clean = check_patch(driver, suite, page, folder / 'downloads')

@@ -97,7 +97,7 @@ class Page:
         return [element.text for element in self.all(selector)]
 
     def names(self):
-        return [row.get_attribute('data-name') for row in self.all('#rows li') if row.is_displayed()]
+        return [row.get_attribute('data-name') for row in self.all('#rows li[data-name]') if row.is_displayed()]
 
     def sort_by(self, column):
         self.find(f'#sort option[value="{column}"]').click()
