@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/dry_run.h"
+#include "cli/exit_code.h"
 #include "cli/film_options.h"
 #include "cli/option_values.h"
 #include "cli/still_options.h"
 #include "core/error.h"
+#include "job/work_left.h"
 #include "output/film_format.h"
 #include "output/frame_pattern.h"
 #include "request/sweep_cells.h"
@@ -48,18 +55,72 @@ void checkWords(const SweepOptions& options) {
     throw core::usageError("--columns and --label are for a grid, not for --map");
 }
 
+void checkSeries(const SweepOptions& options) {
+  if (!options.series && request::isSeriesName(options.output))
+    throw core::usageError("-o: {value} stands for a value in the names of a series; add --series");
+  if (options.series && (options.asked.map || options.asked.columns > 0 || !options.asked.labels.empty()))
+    throw core::usageError("--series: makes films of one motion each; leave out --map, --columns and --label");
+}
+
 int makeFilm(const SweepOptions& options) {
   auto film = requestedFilm(options);
   checkParts(options.parts, film.target);
   return renderTo(options, std::move(film), {.form = pictureOptions(options)}, options.parts);
 }
 
-int sweep(SweepOptions options) {
-  checkWords(options);
-  options.sweep = options.asked;
+int makeOne(const SweepOptions& options) {
   if (isFilm(options)) return makeFilm(options);
   return makeStill(options, options.still, pictureOptions(options),
                    [&](const std::string& sceneName) { return pictureTarget(options, sceneName); });
+}
+
+/// Returns the options of each film of a series, or of the shard's films.
+std::vector<SweepOptions> filmsOf(const SweepOptions& options) {
+  const auto all = seriesOf(options);
+  SweepOptions first = options;
+  first.output = all.front().output;
+  checkWords(first);
+  std::vector<SweepOptions> films;
+  for (const request::SeriesFilm& film : filmsOfShard(all, options.parts)) {
+    films.push_back(options);
+    setFilm(films.back(), film);
+  }
+  return films;
+}
+
+/// Prints the shards that have films to make. @returns kDone if all films exist, else kNo
+int listSeriesLeft(const SweepOptions& options) {
+  std::set<int> left;
+  int number = 0;
+  for (const SweepOptions& film : filmsOf(options)) {
+    const int shard = number++ % options.parts.shardsLeft + 1;
+    if (!left.contains(shard) &&
+        !isComplete(renderOf(film, requestedFilm(film), {.form = pictureOptions(film)}, film.parts)))
+      left.insert(shard);
+  }
+  if (left.empty())
+    writeErr(fmt::format("poinsot: all {} films are complete\n", number));
+  else
+    writeOut(job::shardsText({left.begin(), left.end()}) + "\n");
+  return left.empty() ? kDone : kNo;
+}
+
+/// Makes the films of a series, one after the other. All scenes are read first, so that an error in one of them is
+/// reported before the first film is made.
+int makeSeries(const SweepOptions& options) {
+  const std::vector<SweepOptions> films = filmsOf(options);
+  for (const SweepOptions& film : films) requestedScene(film);
+  for (const SweepOptions& film : films)
+    if (const int status = makeOne(film); status != kDone) return status;
+  return kDone;
+}
+
+int sweep(SweepOptions options) {
+  checkSeries(options);
+  if (options.series) return options.parts.shardsLeft > 0 ? listSeriesLeft(options) : makeSeries(options);
+  checkWords(options);
+  options.sweep = options.asked;
+  return makeOne(options);
 }
 
 FileAccess accessOf(const SweepOptions& options) {
@@ -67,6 +128,17 @@ FileAccess accessOf(const SweepOptions& options) {
       accessOf(options, isFilm(options) ? namedTarget(options) : std::optional(pictureTarget(options, "SCENE")));
   access.outputs.push_back(options.parts.manifest);
   return access;
+}
+
+FileAccess accessOfAll(const SweepOptions& options) {
+  if (!options.series) return accessOf(options);
+  FileAccess all;
+  for (const SweepOptions& film : filmsOf(options)) {
+    FileAccess one = accessOf(film);
+    one.outputs.insert(one.outputs.end(), all.outputs.begin(), all.outputs.end());
+    all = std::move(one);
+  }
+  return all;
 }
 
 }  // namespace
@@ -88,6 +160,7 @@ void addSweep(const Command& program) {
                "instead of the grid, draw the sphere of directions of L in the body, coloured by the time from "
                "flip to flip, with the separatrix");
   addGridOptions(command, options->asked);
+  addSeriesOption(command, *options);
   command.footer(
       "A range is FROM..TO:COUNT, both ends included, with a unit if the key has one; append :log for equal "
       "ratios. 1|2|5 is a list of single values. One range fills rows; with two ranges, the first runs from left "
@@ -95,8 +168,10 @@ void addSweep(const Command& program) {
       "Examples:\n"
       "  poinsot sweep scenes/tennis_racket.toml -D 'motion.omega_body=[0.01..0.41:9, 4.2, 0]' -o out/grid.mp4\n"
       "  poinsot sweep scenes/football.toml -D 'time.start=0..2 s:6' -o out/sheet.pdf\n"
-      "  poinsot sweep scenes/tennis_racket.toml --map -o out/map.pdf");
-  command.does({[options] { return sweep(*options); }, options.get(), [options] { return accessOf(*options); }});
+      "  poinsot sweep scenes/tennis_racket.toml --map -o out/map.pdf\n"
+      "  poinsot sweep scenes/football.toml --series -D 'time.start=0..2 s:3' -o 'out/football_{value}.mp4'");
+  command.does(
+      {[options] { return sweep(*options); }, options.get(), [options] { return accessOfAll(*options); }});
 }
 
 }  // namespace poinsot::cli

@@ -41,6 +41,12 @@ std::string thereText(const job::RenderRequest& request, const Segments& segment
   return goesOn ? fmt::format(", {} frames already exist", framesThere(request, segments)) : "";
 }
 
+job::WorkLeft leftIn(const job::RenderRequest& request, int shards) {
+  const auto folder = job::workFolderOf(request.target.path);
+  return job::workLeft(*request.record, job::statusOf(folder, *request.record, request.target), shards,
+                       request.target);
+}
+
 }  // namespace
 
 int describe(const job::RenderRequest& request) {
@@ -59,10 +65,10 @@ int describe(const job::RenderRequest& request) {
   return kDone;
 }
 
+bool isComplete(const job::RenderRequest& request) { return leftIn(request, 1).none(); }
+
 int listShardsLeft(const job::RenderRequest& request) {
-  const auto folder = job::workFolderOf(request.target.path);
-  const job::WorkLeft left = job::workLeft(*request.record, job::statusOf(folder, *request.record, request.target),
-                                           request.shard->n, request.target);
+  const job::WorkLeft left = leftIn(request, request.shard->n);
   if (left.none())
     writeErr(fmt::format("poinsot: {} is complete\n", core::printable(request.target.path.string())));
   else

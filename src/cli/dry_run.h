@@ -17,6 +17,9 @@ int describe(const job::RenderRequest& request);
 /// Prints an empty line if the segments only need joining. @returns kDone if the output is complete, else kNo.
 int listShardsLeft(const job::RenderRequest& request);
 
+/// Returns whether nothing of the film or sequence is left to make or to join.
+bool isComplete(const job::RenderRequest& request);
+
 bool isShardOfFinishedFilm(const job::RenderRequest& request);
 
 /// Returns a note if a shard cannot store its compiled shaders for the next shard. Otherwise, the text is empty.

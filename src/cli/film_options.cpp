@@ -46,6 +46,41 @@ void addGridOptions(const Command& command, request::SweepRequest& grid) {
       .notEmpty();
 }
 
+void addSeriesOption(const Command& command, FilmOptions& options) {
+  command.flag(
+      "--series", options.series,
+      "make a film of its own for each value of the range in -D; {value} in the name stands for the value");
+}
+
+std::vector<request::SeriesFilm> seriesOf(const FilmOptions& options) {
+  if (options.output.empty() || options.output == "-")
+    throw core::usageError("--series: needs names for the films, such as -o 'films/{value}.mp4'");
+  if (options.loop)
+    throw core::usageError("--loop: not possible in a series, because each of its motions would change");
+  if (!options.parts.manifest.empty() || !options.trace.empty())
+    throw core::usageError("--manifest and --trace: describe one film, not a series");
+  return request::seriesOf(options.overrides, options.output);
+}
+
+std::vector<request::SeriesFilm> filmsOfShard(const std::vector<request::SeriesFilm>& films,
+                                              const PartsOptions& parts) {
+  const request::Shard shard = parts.shard.empty() ? request::Shard() : request::parseShard(parts.shard);
+  std::vector<request::SeriesFilm> own;
+  for (auto i = static_cast<std::size_t>(shard.k - 1); i < films.size(); i += static_cast<std::size_t>(shard.n))
+    own.push_back(films[i]);
+  return own;
+}
+
+void setFilm(FilmOptions& options, const request::SeriesFilm& film) {
+  options.series = false;
+  options.overrides = film.overrides;
+  options.output = film.output;
+  options.reproducible |= !options.parts.shard.empty() || options.parts.shardsLeft > 0;
+  options.parts.shard.clear();
+  options.parts.shardsLeft = 0;
+  options.parts.resume = true;
+}
+
 void addPartsOptions(const Command& command, PartsOptions& parts) {
   command.flag("--resume", parts.resume,
                "continue a render of this output that stopped; frames that have changed are made again");

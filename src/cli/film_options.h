@@ -2,15 +2,17 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/rendering.h"
+#include "request/film_series.h"
 
 namespace poinsot::cli {
 
 /// Options of the commands that make films, as the user typed them.
 struct FilmOptions : RenderOptions {
   std::string frames, format;
-  bool transparent = false;
+  bool transparent = false, series = false;
   int bits = 8;
   PartsOptions parts;
 };
@@ -22,6 +24,20 @@ void addFilmOptions(const Command& command, FilmOptions& options);
 void addPartsOptions(const Command& command, PartsOptions& parts);
 
 void addGridOptions(const Command& command, request::SweepRequest& grid);
+
+/// Declares --series.
+void addSeriesOption(const Command& command, FilmOptions& options);
+
+/// Returns the films of --series.
+/// @throws core::Error(kUsage) like request::seriesOf(), and for options that have no meaning in a series
+std::vector<request::SeriesFilm> seriesOf(const FilmOptions& options);
+
+/// Returns every n-th film, beginning with the k-th, for --shard k/n. Without --shard, returns all films.
+std::vector<request::SeriesFilm> filmsOfShard(const std::vector<request::SeriesFilm>& films,
+                                              const PartsOptions& parts);
+
+/// Turns the options of a series into those of one of its films. A film that exists is not made again.
+void setFilm(FilmOptions& options, const request::SeriesFilm& film);
 
 /// Rejects options that are not allowed for the target. @throws core::Error(kUsage)
 void checkParts(const PartsOptions& parts, const request::OutputTarget& target);

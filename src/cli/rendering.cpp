@@ -227,14 +227,19 @@ output::RunFiles checkMakeable(const RenderOptions& options, const RequestedFilm
   return files;
 }
 
+job::RenderRequest renderOf(const RenderOptions& options, RequestedFilm film, job::RenderChoices choices,
+                            const PartsOptions& parts) {
+  return job::renderRequest(std::move(film.scene), film.target, film.frames,
+                            completed(std::move(choices), options, parts));
+}
+
 int renderTo(const RenderOptions& options, RequestedFilm film, job::RenderChoices choices,
              const PartsOptions& parts) {
   return reportingFailures(options, [&]() -> int {
     output::RunFiles files = checkMakeable(options, film, choices.form);
     files.writes(parts.manifest, "--manifest", job::manifestKind());
     files.writes(options.trace, "--trace", job::traceKind());
-    job::RenderRequest render = job::renderRequest(std::move(film.scene), film.target, film.frames,
-                                                   completed(std::move(choices), options, parts));
+    job::RenderRequest render = renderOf(options, std::move(film), std::move(choices), parts);
     if (parts.shardsLeft > 0) return listShardsLeft(render);  // needs no workers, so no check of memory
     if (!options.dryRun && isShardOfFinishedFilm(render)) {
       if (!options.quiet) writeErr("poinsot: " + completeText(parts, render.target) + "\n");

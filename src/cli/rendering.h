@@ -35,6 +35,10 @@ struct RequestedFilm {
 output::RunFiles checkMakeable(const RenderOptions& options, const RequestedFilm& film,
                                const request::PictureOptions& form);
 
+/// Returns the render that renderTo() would make. @throws core::Error
+job::RenderRequest renderOf(const RenderOptions& options, RequestedFilm film, job::RenderChoices choices,
+                            const PartsOptions& parts);
+
 /// Checks the target, renders and shows progress: the last part of `render`, `still` and `sweep`. With --dry-run,
 /// only prints what the render would make.
 /// @param choices  settings that the command makes in addition to the options

@@ -7,8 +7,8 @@
 #   @status@
 #
 # A task that fails is tried again up to @retries@ times, and continues at the segment where it stopped. If a task fails
-# for good, no further task starts and nothing is joined. To continue, run the same command again; it does nothing if
-# the film exists. The result of each task is in @said@/joblog.
+# for good, no further task starts and nothing is joined. To continue, run the same command again; it makes only what is
+# missing. The result of each task is in @said@/joblog.
 set -eo pipefail
 
 task() {

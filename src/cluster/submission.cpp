@@ -11,11 +11,10 @@ namespace {
 
 constexpr double kMostTasks = 1000;
 
-/// Returns a guess of the CPU seconds per frame. The guess is about twice the measured time, because a time limit
-/// that is too short costs more than a task that ends early. Measured with the scenes football and
-/// poinsot_construction on one CPU of a rented machine: 0.04 s at 640x360, 0.09 to 0.15 s at 1920x1080, 0.26 to
-/// 0.48 s at 3840x2160.
-double guessedFrame_s(double megapixels) { return 0.05 + 0.1 * megapixels; }
+/// Returns a guess of the CPU seconds per frame: the time of the slower of two measured scenes. Measured with the
+/// scenes football and poinsot_construction on one CPU of a rented machine: 0.04 s at 640x360, 0.09 to 0.15 s at
+/// 1920x1080, 0.26 to 0.48 s at 3840x2160.
+double guessedFrame_s(double megapixels) { return 0.03 + 0.055 * megapixels; }
 
 /// Returns the memory in MiB that a task requests for each worker: a constant for the parent process plus 1.5
 /// times the worker's memory, rounded up to a multiple of 256 MiB.

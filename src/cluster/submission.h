@@ -38,13 +38,15 @@ Division divisionOf(const DivisionRequest& request, const request::FrameRange& f
 
 /// Validated input for a script. Relative file names and command-line arguments are relative to `folder`.
 struct Submission {
-  /// Absolute paths of the poinsot program, and of the folder in which the user ran `submit`.
-  std::filesystem::path program, folder;
+  std::vector<std::string> program;     ///< words that start poinsot in a task
+  std::vector<std::string> setup = {};  ///< shell commands that a task runs first
+  std::filesystem::path folder;         ///< absolute path of the folder in which the user ran `submit`
   request::OutputTarget output;
-  std::vector<std::string> render;  ///< command that renders a shard, without --shard
-  std::vector<std::string> assemble;
+  std::vector<std::string> render;            ///< command that renders a shard, without --shard
+  std::vector<std::string> assemble;          ///< empty for a series of films, which needs no joining
   std::vector<std::filesystem::path> inputs;  ///< the scene file and all files that it names
-  std::int64_t frames = 1, segments = 1;
+  std::int64_t frames = 1;
+  std::string pieces;  ///< what the tasks share, such as "3 segments" or "200 films"
   Division division;
   int retries = 3;
 };
@@ -60,6 +62,10 @@ std::string slurmScript(const Submission& submission);
 
 /// Returns a bash script that runs the tasks with GNU parallel, on this machine or on others by ssh.
 std::string parallelScript(const Submission& submission);
+
+/// Returns one command per line: one for each task, and then one that joins the results. The lines are independent
+/// of the folder in which they run.
+std::string linesScript(const Submission& submission);
 
 /// Returns a makefile with one target for each shard. Its first target makes the output.
 /// @throws core::Error(kUsage) if make cannot represent the name of a file.

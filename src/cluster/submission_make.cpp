@@ -58,7 +58,7 @@ std::string recipe(const Submission& submission, const std::string& variables, c
 
 std::string header(const Submission& submission) {
   return filled({poinsot_make_header, poinsot_make_header_end},
-                {{"what", whatText(submission, " of make, and then joined")},
+                {{"what", whatText(submission, " of make, which then " + lastStep(submission))},
                  {"jobs", std::to_string(std::max(2, 8 / submission.division.cpus))},
                  {"status", statusCommand(submission)}});
 }

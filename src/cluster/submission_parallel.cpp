@@ -14,7 +14,7 @@ namespace poinsot::cluster {
 std::string parallelScript(const Submission& submission) {
   const Division& division = submission.division;
   return filled({poinsot_parallel_script, poinsot_parallel_script_end},
-                {{"what", whatText(submission, " of GNU parallel, and then joined")},
+                {{"what", whatText(submission, " of GNU parallel; then the script " + lastStep(submission))},
                  {"status", statusCommand(submission)},
                  {"retries", std::to_string(submission.retries)},
                  {"said", core::shellWord(tasksFolderOf(submission).string())},

@@ -44,17 +44,6 @@ void expectGrid(const SceneRequest& request, const SweepGrid& grid) {
   for (const scene::SweepAxis& axis : grid.axes) expectOneFilm(axis);
 }
 
-/// Rejects a key that is given twice. Only the last override has an effect, so one of the values would be lost.
-void expectOnce(const std::vector<std::string>& overrides, const std::string& key) {
-  const auto isOfKey = [&](const std::string& word) {
-    const auto from = std::min(word.find_first_not_of(' '), word.size());
-    return word.compare(from, key.size(), key) == 0 &&
-           word.find_first_not_of(' ', from + key.size()) == word.find('=');
-  };
-  if (std::ranges::count_if(overrides, isOfKey) > 1)
-    throw core::usageError(fmt::format("-D {}: given more than once", key));
-}
-
 void shareSpeed(std::vector<scene::Scene>& cells) {
   double least = INFINITY;
   for (const scene::Scene& cell : cells)
@@ -64,6 +53,16 @@ void shareSpeed(std::vector<scene::Scene>& cells) {
 }
 
 }  // namespace
+
+void expectOnce(const std::vector<std::string>& overrides, const std::string& key) {
+  const auto isOfKey = [&](const std::string& word) {
+    const auto from = std::min(word.find_first_not_of(' '), word.size());
+    return word.compare(from, key.size(), key) == 0 &&
+           word.find_first_not_of(' ', from + key.size()) == word.find('=');
+  };
+  if (std::ranges::count_if(overrides, isOfKey) > 1)
+    throw core::usageError(fmt::format("-D {}: given more than once", key));
+}
 
 bool hasRanges(const std::vector<std::string>& overrides) {
   return std::ranges::any_of(overrides, scene::hasRange);

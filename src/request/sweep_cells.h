@@ -27,6 +27,10 @@ struct SweepGrid {
   std::vector<std::size_t> overrides_;  // index in request.overrides for each element of `axes`
 };
 
+/// Rejects a key that is given twice. Only the last override has an effect, so one of the values would be lost.
+/// @throws core::Error(kUsage)
+void expectOnce(const std::vector<std::string>& overrides, const std::string& key);
+
 bool hasRanges(const std::vector<std::string>& overrides);
 
 /// Makes the request a sweep if an override contains a range. Used by commands that draw both scenes and sweeps.

@@ -43,7 +43,7 @@ struct Found {
 
 class Reader {
  public:
-  explicit Reader(Found found) : found_(std::move(found)) {}
+  Reader(Found found, int most) : found_(std::move(found)), most_(most) {}
 
   SweepAxis axis() const {
     const std::vector<Number> numbers = found_.range.find('|') == std::string::npos ? spread() : listed();
@@ -113,8 +113,8 @@ class Reader {
     const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
     const bool whole = end == digits.data() + digits.size() && status != std::errc::invalid_argument;
     if (!whole) refuse(std::string(kForms));
-    if (status != std::errc() || count < 2 || count > kMostCells)
-      refuse(fmt::format("a range has from 2 to {} values, got {}", kMostCells, core::printable(digits)));
+    if (status != std::errc() || count < 2 || count > most_)
+      refuse(fmt::format("a range has from 2 to {} values, got {}", most_, core::printable(digits)));
     return {count, word == "log"};
   }
 
@@ -172,6 +172,7 @@ class Reader {
   }
 
   Found found_;
+  int most_;
 };
 
 /// Returns whether the value of a key consists of numbers. False for an unknown key, which is reported later.
@@ -234,7 +235,7 @@ bool hasRange(std::string_view override) {
          isRange(override.substr(equals));
 }
 
-std::optional<SweepAxis> sweepAxis(const std::string& override) {
+std::optional<SweepAxis> sweepAxis(const std::string& override, int most) {
   const auto equals = override.find('=');
   if (equals == std::string::npos || !takesNumbers(core::trimmed(std::string_view(override).substr(0, equals))))
     return std::nullopt;
@@ -248,7 +249,7 @@ std::optional<SweepAxis> sweepAxis(const std::string& override) {
     throw core::usageError(
         fmt::format("-D {}: a key may have only one range; give a second range to another key with another -D",
                     core::printable(override)));
-  return Reader(found).axis();
+  return Reader(found, most).axis();
 }
 
 }  // namespace poinsot::scene

@@ -39,7 +39,8 @@ bool hasRange(std::string_view override);
 ///
 /// Only keys of numbers have ranges, because a title may contain dots. An override has at most one range. In a
 /// list, one element may be a range.
+/// @param most  largest n
 /// @throws core::Error(kUsage) for a malformed range, naming the valid forms.
-std::optional<SweepAxis> sweepAxis(const std::string& override);
+std::optional<SweepAxis> sweepAxis(const std::string& override, int most = kMostCells);
 
 }  // namespace poinsot::scene

@@ -57,6 +57,57 @@ TEST_F(SubmitScript, PassesAllArgumentsToEachTask) {
   EXPECT_TRUE(std::filesystem::is_directory(home() / "a '$x\n.mp4.tasks"));
 }
 
+// Each line is complete: it works in any folder, and without variables of the shell.
+TEST_F(SubmitScript, PrintsLinesThatRunByThemselves) {
+  const ShellResult printed =
+      shell(std::string(kPrint) + "-o f.mp4 --segment 20 --frames 0-59 --shards 2 --engine lines --program " +
+            (scratch_ / "poinsot").string() + " >../lines");
+  ASSERT_EQ(printed.exitCode, 0) << printed.out;
+  EXPECT_EQ(printed.out,
+            "poinsot: 2 tasks of about 2 s on 1 CPU with 512 MiB; the last line joins what they made, after them\n");
+  const ShellResult ran =
+      shell("cd / && while read -r line; do env -i bash -c \"$line\" || exit; done <\"$OLDPWD/../lines\"");
+  EXPECT_EQ(ran.exitCode, 0) << ran.out;
+  const auto render = [](int k) {
+    return "render\n./-it\\'s.toml\n-o\nf.mp4\n--frames\n0-59\n--segment\n20\n-j\n1\n--shard\n" +
+           std::to_string(k) + "/2\n";
+  };
+  EXPECT_EQ(left("words"), render(1) + render(2) + "assemble\nf.mp4\n");
+}
+
+/// Returns shell commands that print a script of the engine to ../script and run it.
+std::string printedAndRun(const std::string& engine, const std::string& options) {
+  const std::string print =
+      std::string(kPrint) + "-o f.mp4 --shards 1 --engine " + engine + " " + options + " >../script && ";
+  if (engine == "make") return print + "make -f ../script";
+  return print + (engine == "lines" ? "while read -r line; do bash -c \"$line\" || exit; done <../script"
+                                    : "bash ../script");
+}
+
+TEST_F(SubmitScript, RunsTheSetUpLinesBeforeEachTask) {
+  for (const std::string engine : {"slurm", "parallel", "make", "lines"}) {
+    if (engine != "slurm" && engine != "lines" && !isInstalled(engine)) continue;
+    // make rejects the hostile name of the folder.
+    if (engine == "make") continue;
+    executable(
+        "theirs",
+        "[[ $* == *' --shards-left '* ]] && { echo 1; exit 1; }\necho \"$1 $2 $SAID\" >>\"${0%/*}/words\"\n");
+    const ShellResult ran =
+        shell(printedAndRun(engine, "--setup 'SAID=\"it'\\''s\" # a note' --setup 'export SAID' --program '" +
+                                        (scratch_ / "theirs").string() + " in-image'"),
+              {});
+    EXPECT_EQ(ran.exitCode, 0) << engine << ran.out;
+    EXPECT_EQ(left("words"), "in-image render it's\nin-image assemble it's\n") << engine << ran.out;
+  }
+}
+
+TEST_F(SubmitScript, MakesNothingIfASetUpLineFails) {
+  for (const std::string engine : {"slurm", "lines"}) {
+    EXPECT_NE(shell(printedAndRun(engine, "--setup 'false # a note'")).exitCode, 0) << engine;
+    EXPECT_EQ(left("words"), "") << engine;
+  }
+}
+
 /// Fixture that runs attempts at one task of a printed script with a given program.
 class SubmitTask : public Submit {
  protected:

@@ -130,5 +130,67 @@ TEST_F(SweepCommand, CellsShareTheLimitsOfAScene) {
   refused({"-D", "time.start=0..1:3", "--limit", "triangles=11", "--dry-run"}, "triangles");
 }
 
+// Oracle: `render -D` of each value.
+TEST_F(SweepCommand, MakesASeriesOfTheFilmsThatRenderMakes) {
+  const std::vector<std::string> series{"--series", "-D", kRange, "-o", "f{value}.mp4", "--frames", "0-5"};
+  const auto made = good(series);
+  for (const char* value : {"0.01", "0.03", "0.05"}) {
+    const std::string name = std::string("f") + value + ".mp4";
+    EXPECT_THAT(made.err, HasSubstr("poinsot: " + name + " is ready (6 frames, "));
+    const auto alone = run(folder_, {"render", "a.toml", "-o", "one.mp4", "--frames", "0-5", "-D",
+                                     std::string("motion.omega_body=[") + value + ", 4, 0]"});
+    EXPECT_EQ(alone.exitCode, 0) << alone.err;
+    EXPECT_TRUE(bytes(name) == bytes("one.mp4")) << name;
+  }
+  std::filesystem::remove(folder_ / "f0.03.mp4");
+  const auto again = good(series);
+  EXPECT_THAT(again.err, HasSubstr("f0.01.mp4 is ready (6 frames, 6 of them already existed"));
+  EXPECT_THAT(again.err, HasSubstr("f0.03.mp4 is ready (6 frames, "));
+  EXPECT_THAT(again.err, Not(HasSubstr("f0.03.mp4 is ready (6 frames, 6 of them")));
+}
+
+TEST_F(SweepCommand, SharesTheFilmsOfASeriesBetweenShards) {
+  const auto shard = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"--series", "-D", kRange, "-o", "f{value}.mp4", "--frames", "0-2"};
+    words.insert(words.end(), more.begin(), more.end());
+    return sweep(words);
+  };
+  EXPECT_EQ(shard({"--shards-left", "2"}).out, "1-2\n");
+  EXPECT_EQ(shard({"--shard", "2/2"}).exitCode, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "f0.03.mp4"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "f0.01.mp4"));
+  const auto left = shard({"--shards-left", "2"});
+  EXPECT_EQ(left.exitCode, 1);
+  EXPECT_EQ(left.out, "1\n");
+  EXPECT_EQ(shard({"--shard", "1/2"}).exitCode, 0);
+  EXPECT_EQ(shard({"--shard", "4/4"}).exitCode, 0);  // has no film
+  const auto none = shard({"--shards-left", "2"});
+  EXPECT_EQ(none.exitCode, 0);
+  EXPECT_EQ(none.err, "poinsot: all 3 films are complete\n");
+}
+
+TEST_F(SweepCommand, MakesASeriesOfPicturesOrSequences) {
+  good({"--series", "-D", kRange, "-o", "p{value}.png"});
+  good({"--series", "-D", kRange, "-o", "s{value}_{frame:02}.png", "--frames", "3-4"});
+  for (const char* value : {"0.01", "0.03", "0.05"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder_ / (std::string("p") + value + ".png")));
+    EXPECT_TRUE(std::filesystem::exists(folder_ / (std::string("s") + value + "_04.png")));
+  }
+}
+
+TEST_F(SweepCommand, RejectsOptionsThatASeriesCannotHave) {
+  refused({"-D", kRange, "-o", "{value}.mp4"},
+          "-o: {value} stands for a value in the names of a series; add --series");
+  refused({"--series", "-D", kRange}, "--series: needs names for the films");
+  refused({"--series", "-D", kRange, "-o", "a.mp4"}, "write {value} in the name");
+  refused({"--series", "-D", kRange, "-o", "{value}.mp4", "--map"}, "leave out --map, --columns and --label");
+  refused({"--series", "-D", kRange, "-o", "{value}.mp4", "--manifest", "m.json"}, "--manifest and --trace");
+  refused({"--series", "-D", kRange, "-o", "{value}.png", "--shard", "1/2"},
+          "--shard and --manifest are for films");
+  // The error of one film is reported before any film is made.
+  refused({"--series", "-D", "time.duration=1|2|-1", "-o", "{value}.mp4"}, "time.duration");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "1.mp4"));
+}
+
 }  // namespace
 }  // namespace poinsot

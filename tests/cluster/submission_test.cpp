@@ -58,14 +58,14 @@ TEST(Division, ALargePictureTakesMoreTimeAndMemory) {
 
 Submission tiny() {
   Submission submission;
-  submission.program = "/opt/poinsot";
+  submission.program = {"/opt/poinsot"};
   submission.folder = "/work";
   submission.output = {request::OutputKind::kFilm, "out/film.mp4"};
   submission.render = {"render", "a.toml", "-o", "out/film.mp4", "-j", "2"};
   submission.assemble = {"assemble", "out/film.mp4"};
   submission.inputs = {"a.toml"};
   submission.frames = 90;
-  submission.segments = 3;
+  submission.pieces = "3 segments";
   submission.division = {3, 2, 1.0, 15, 768};
   return submission;
 }
@@ -80,6 +80,8 @@ TEST(Scripts, AreValidBashWithAnyNames) {
       return runShell("/", "bash -n <<'END OF THE SCRIPT'\n" + script + "END OF THE SCRIPT\n").out;
     };
     EXPECT_EQ(check(parallelScript(submission)), "") << word;
+    submission.setup = {word, "true # " + word};
+    EXPECT_EQ(check(linesScript(submission)), "") << word;
     if (slurmCan)
       EXPECT_EQ(check(slurmScript(submission)), "") << word;
     else
@@ -90,7 +92,8 @@ TEST(Scripts, AreValidBashWithAnyNames) {
 TEST(Scripts, RequestCpusMemoryAndTimeFromSlurm) {
   const std::string script = slurmScript(tiny());
   EXPECT_THAT(script, AllOf(HasSubstr(" --shards-left 3) && exit "), HasSubstr("--cpus-per-task=2 "),
-                            HasSubstr("--requeue"), HasSubstr("--mem-per-cpu=768M --time=11 ")));
+                            HasSubstr("--requeue"), HasSubstr("--mem-per-cpu=768M --time=6 ")));
+  EXPECT_THAT(script, HasSubstr(" --mem-per-cpu=256M --time=6 --output=\"$log/%j_join.txt\")"));
   EXPECT_THAT(script, AllOf(HasSubstr("--dependency=\"afterok:$array\" --kill-on-invalid-dep=yes"),
                             HasSubstr("--shard \"$SLURM_ARRAY_TASK_ID/3\"")));
 }

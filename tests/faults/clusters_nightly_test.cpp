@@ -77,9 +77,9 @@ TEST_F(SlurmNightly, SubmitsAllTasksIfNoneBegan) {
   expectTheBytesOfALocalRun();
 }
 
-/// Returns the shell block of docs/clusters.md that contains `words`.
-std::string exampleOfThePage(const std::string& words) {
-  const std::string page = bytesOf(POINSOT_SOURCE_DIR "/docs/clusters.md"), fence = "```sh\n";
+/// Returns the block of docs/clusters.md that contains `words`.
+std::string exampleOfThePage(const std::string& words, const std::string& language = "sh") {
+  const std::string page = bytesOf(POINSOT_SOURCE_DIR "/docs/clusters.md"), fence = "```" + language + "\n";
   for (std::size_t at = page.find(fence); at != std::string::npos; at = page.find(fence, at)) {
     at += fence.size();
     const std::string block = page.substr(at, page.find("```", at) - at);
@@ -89,13 +89,19 @@ std::string exampleOfThePage(const std::string& words) {
   return "false";
 }
 
-/// Returns commands that run an example unchanged, with a smaller scene of that name. The scene has four segments
-/// and therefore at most four tasks.
-std::string preparedExample(const SubmittedFilm& film, const std::string& words) {
+/// Puts a smaller scene in the place of the page's scene. The scene has four segments and therefore at most four
+/// tasks.
+/// @returns commands that prepare the folder
+std::string preparedScene(const SubmittedFilm& film) {
   std::string scene = std::string(kTinyScene) + "[output]\nsize = [64, 36]\n";
   scene.replace(scene.find("fps = 10"), 8, "fps = 60");
   film.put("scenes/football.toml", scene);
-  return "mkdir out && ln -s \"$poinsot\" poinsot && set -e\n" + exampleOfThePage(words);
+  return "mkdir out && ln -s \"$poinsot\" poinsot && set -e\n";
+}
+
+/// Returns commands that run an example unchanged.
+std::string preparedExample(const SubmittedFilm& film, const std::string& words) {
+  return preparedScene(film) + exampleOfThePage(words);
 }
 
 void expectFootballFilm(const SubmittedFilm& film) {
@@ -121,7 +127,33 @@ TEST_P(ClustersPage, ContainsExamplesThatRun) {
   expectFootballFilm(film);
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, ClustersPage, testing::Values("--engine parallel", "--engine make", "--shard 1/3"));
+INSTANTIATE_TEST_SUITE_P(Each, ClustersPage,
+                         testing::Values("--engine parallel", "--engine make", "--engine lines", "--shard 1/3"));
+
+TEST(SnakemakeNightly, RunsTheRulesOfTheDocumentation) {
+  if (!isInstalled("snakemake")) GTEST_SKIP() << "snakemake is not installed";
+  const SubmittedFilm film("films");
+  film.put("Snakefile", exampleOfThePage("rule film", "python"));
+  const ShellResult made = film.shell(preparedScene(film) + "PATH=$PWD:$PATH HOME=$PWD snakemake --cores 2");
+  EXPECT_EQ(made.exitCode, 0) << made.out;
+  expectFootballFilm(film);
+  EXPECT_THAT(film.shell("PATH=$PWD:$PATH HOME=$PWD snakemake --cores 2").out, HasSubstr("Nothing to be done"));
+}
+
+TEST_F(SlurmNightly, MakesASeries) {
+  const ShellResult printed = film_.shell(
+      "$poinsot submit tiny.toml --series -D 'time.start=0..2 s:3' -o 'f{value}.mp4' --size 64x36 --shards 2 "
+      ">\"$script\"");
+  ASSERT_EQ(printed.exitCode, 0) << printed.out;
+  EXPECT_THAT(submit("bash \"$script\""), HasSubstr("poinsot: tasks 1-2: job "));
+  waitForTheEnd();
+  const ShellResult same = film_.shell(
+      "for k in 0 1 2; do $poinsot render tiny.toml -D \"time.start=$k s\" -o local.mp4 --size 64x36 "
+      "--reproducible "
+      "--quiet && cmp local.mp4 f$k.mp4 || exit 1; done");
+  EXPECT_EQ(same.exitCode, 0) << same.out;
+  EXPECT_EQ(submit("bash \"$script\""), "poinsot: all 3 films are complete\n");
+}
 
 TEST(ParallelNightly, ContinuesWithTheSameCommandAfterAFailedTask) {
   if (!isInstalled("parallel")) GTEST_SKIP() << "GNU parallel is not installed";

@@ -108,5 +108,44 @@ TEST(Make, MakesAFilmAgainOnlyIfItsSceneIsNewer) {
   EXPECT_EQ(film.shell("make -q -f \"$script\"").exitCode, 0);
 }
 
+// The lines run in reverse order, and one of them twice, because its first run is killed.
+TEST(Lines, AreIndependentAndGiveTheBytesOfALocalRun) {
+  SubmittedFilm film;
+  film.writeScript("lines", "--program " + film.standIn());
+  film.breakShard(2, true);
+  const ShellResult made = film.shell(
+      "set -e; cd /\n"
+      "mapfile -t lines <\"$script\"\n"
+      "[[ ${#lines[@]} == 4 ]]\n"
+      "for k in 2 1 0; do bash -c \"${lines[k]}\" || bash -c \"${lines[k]}\"; done\n"
+      "bash -c \"${lines[3]}\"");
+  EXPECT_EQ(made.exitCode, 0) << made.out;
+  EXPECT_TRUE(film.died());
+  film.expectTheBytesOfALocalRun(made.out);
+}
+
+// Oracle of each film: `render -D` of its value.
+TEST(Series, HasTheFilmsOfALocalRun) {
+  const SubmittedFilm film(SubmittedFilm::kFolderForMake);
+  for (const std::string engine : {"parallel", "make", "lines"}) {
+    if (engine != "lines" && !isInstalled(engine)) continue;
+    const std::string run = engine == "parallel" ? "bash \"$script\""
+                            : engine == "make"   ? "make -j 2 -f \"$script\""
+                                                 : "while read -r line; do bash -c \"$line\"; done <\"$script\"";
+    const ShellResult made = film.shell(
+        "set -e; rm -rf films; mkdir films\n"
+        "$poinsot submit tiny.toml --series -D 'time.start=0..2 s:3' -o 'films/{value}.mp4' --size 64x36 --shards "
+        "2 "
+        "--engine " +
+        engine + " >\"$script\"\n" + run +
+        "\n"
+        "for k in 0 1 2; do\n"
+        "  $poinsot render tiny.toml -D \"time.start=$k s\" -o local.mp4 --size 64x36 --reproducible --quiet\n"
+        "  cmp local.mp4 films/$k.mp4\n"
+        "done");
+    EXPECT_EQ(made.exitCode, 0) << engine << made.out;
+  }
+}
+
 }  // namespace
 }  // namespace poinsot::faults

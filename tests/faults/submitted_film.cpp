@@ -69,8 +69,6 @@ bool SubmittedFilm::waitUntilDied(double most_s) const {
   return died();
 }
 
-std::vector<std::string> SubmittedFilm::broken() const { return {"POINSOT=" + (scratch_ / "dying").string()}; }
-
 bool SubmittedFilm::hasFilm() const { return std::filesystem::exists(folder_ / "film.mp4"); }
 
 void SubmittedFilm::expectTheBytesOfALocalRun(const std::string& said) {

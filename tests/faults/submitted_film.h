@@ -51,8 +51,10 @@ class SubmittedFilm {
   /// Returns whether a program has died or hangs since the last call of breakShard() or hangShard().
   bool died() const;
   bool waitUntilDied(double most_s) const;
+  /// Returns the path of the stand-in.
+  std::string standIn() const { return scratch_ / "dying"; }
   /// Returns variables with which a script runs the stand-in.
-  std::vector<std::string> broken() const;
+  std::vector<std::string> broken() const { return {"POINSOT=" + standIn()}; }
 
   bool hasFilm() const;
   /// Compares the film with its oracle, which one local process makes with --reproducible.
