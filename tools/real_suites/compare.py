@@ -10,7 +10,7 @@ SUITE is a folder with expected/NAME.png and actual/NAME.png (collect.py makes i
   RMS         calculate_rms() of Matplotlib with the tolerance 2, the default of pytest-mpl
   pixelmatch  no pixel may differ, with the default options of the npm package; to compare two versions of the package,
               give --pixelmatch twice
-  poinsot     the default rule of poinsot.diff()
+  poinsot     the default rule of poinsot.diff(), or --rule NAME
 
 Each rule reports a pair of different size. --json FILE writes the figures of each pair, and --list prints the pairs on
 which the rules disagree. A SUITE may also be such a FILE; its pictures are not compared again.
@@ -59,10 +59,10 @@ def rms(expected, actual):
         return None
 
 
-def by_poinsot(expected, actual):
+def by_poinsot(expected, actual, rule):
     """Returns FLIP's mean, which is None for pictures of different size, and the limits that do not hold."""
     try:
-        figures = poinsot.diff(expected, actual, jobs=1)
+        figures = poinsot.diff(expected, actual, rule, jobs=1)
     except poinsot.UsageError:
         return None, ["size"]
     return figures["flip"]["mean"], figures["beyond"]
@@ -80,23 +80,23 @@ def by_pixelmatch(packages, files):
     return [None if word == "size" else int(word) for word in done.stdout.split()]
 
 
-def judge(pair, expected, actual):
+def judge(pair, expected, actual, rule):
     pair.rms = rms(expected, actual)
     pair.changed = pair.rms != 0
-    pair.flip, pair.beyond = by_poinsot(expected, actual)
+    pair.flip, pair.beyond = by_poinsot(expected, actual, rule)
     reports = {"RMS": pair.rms is None or pair.rms > TOLERANCE, **{name: count != 0 for name, count in pair.pixels.items()},
                "poinsot": bool(pair.beyond)}
     pair.reported = [rule for rule, report in reports.items() if report]
     return pair
 
 
-def judged(suite, packages):
+def judged(suite, packages, rule):
     """Returns the pairs of a suite with the figures of each rule."""
     if suite.suffix == ".json":
         return [Pair(**figures) for figures in json.loads(suite.read_text())]
     files = [(expected, suite / "actual" / expected.name) for expected in sorted((suite / "expected").glob("*.png"))]
     counts = {version(folder): by_pixelmatch(folder, files) for folder in packages}
-    return [judge(Pair(suite.name, pair[0].stem, pixels={name: found[i] for name, found in counts.items()}), *pair)
+    return [judge(Pair(suite.name, pair[0].stem, pixels={name: found[i] for name, found in counts.items()}), *pair, rule)
             for i, pair in enumerate(files)]
 
 
@@ -135,11 +135,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--pixelmatch", metavar="PACKAGES", type=Path, action="append", default=[],
                         help="folder of the npm packages")
+    parser.add_argument("--rule", metavar="NAME", default="near", help="named limits of poinsot (default: near)")
     parser.add_argument("--json", metavar="FILE", type=Path, help="write the figures of each pair")
     parser.add_argument("--list", action="store_true", help="print the pairs on which the rules disagree")
     parser.add_argument("suite", type=Path, nargs="+")
     options = parser.parse_args()
-    pairs = [pair for suite in options.suite for pair in judged(suite, options.pixelmatch)]
+    pairs = [pair for suite in options.suite for pair in judged(suite, options.pixelmatch, options.rule)]
     suites = {}
     for pair in pairs:
         suites.setdefault(pair.suite, []).append(pair)
