@@ -17,6 +17,7 @@ import parts
 import sizes
 import wheel
 from closure import Closure
+from for_others import ForOthers
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.get("POINSOT_BUILD_DIR", ROOT / "build"))
@@ -43,7 +44,7 @@ def version():
 
 
 def assemble(folder):
-    """Makes the unpacked folder. Returns its libraries."""
+    """Makes the unpacked folder. Returns its libraries, and those for other programs."""
     shutil.rmtree(folder, ignore_errors=True)
     install = ["cmake", "--install", BUILD, "--strip", "--prefix", folder, "--component"]
     for component in ("program", "licence"):
@@ -51,14 +52,18 @@ def assemble(folder):
     program = folder / "bin/poinsot"
     closure = Closure([program], opened(program))
     closure.copy(folder / "lib/poinsot")
+    others = ForOthers(closure)
+    others.copy(folder)
+    if others.missing:
+        print(f"without bin/poinsot-gl, because this machine does not have {', '.join(others.missing)}", file=sys.stderr)
     # An RPATH, unlike a RUNPATH, also finds the libraries that the program opens, and those of each library.
     subprocess.run(["patchelf", "--force-rpath", "--set-rpath", "$ORIGIN/../lib/poinsot", program], check=True)
     licences = folder / "share/doc/poinsot/licences"
     licences.mkdir(parents=True)
-    closure.parts = parts.parts(closure.kept.values())
+    closure.parts = parts.parts({*closure.kept.values(), *others.files.values()})
     parts.write_licences(closure.parts, licences)
     shutil.copyfile(Path(__file__).with_name("README.txt"), folder / "README.txt")
-    return closure
+    return closure, others
 
 
 def opened(program):
@@ -85,8 +90,8 @@ def main():
     if not asked.no_build:
         build()
     folder = BUILD / "portable"
-    closure = assemble(folder)
-    needs = ".".join(map(str, elf.glibc([folder / "bin/poinsot", *closure.kept.values()])))
+    closure, others = assemble(folder)
+    needs = ".".join(map(str, elf.glibc([folder / "bin/poinsot", *closure.kept.values(), *others.files.values()])))
     print(f"needs glibc {needs} or newer", file=sys.stderr)
     if asked.sizes:
         print(sizes.table(folder, closure))

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Chooses the libraries that a portable poinsot contains, and replaces those that it never calls by a stand-in.
+"""Chooses the libraries that a portable poinsot contains, and leaves out those that it never calls.
 
 FFmpeg as Debian builds it is linked with about a hundred libraries, most of them for formats that poinsot neither writes
-nor reads; LLVM is linked with a theorem prover. Together they are larger than the rest. The stand-in is one small
-library, which defines the functions of them all. Each of its functions returns 0, which FFmpeg treats as a failure of
-the format.
+nor reads; LLVM is linked with a theorem prover. Together they are larger than the rest. For FFmpeg, a stand-in replaces
+them: one small library, which defines the functions of them all. Each of its functions returns 0, which FFmpeg treats as
+a failure of the format. For LLVM, which other programs load too, they become optional.
 """
 
 import os
@@ -12,6 +12,7 @@ import subprocess
 from pathlib import Path
 
 import elf
+import optional
 
 # Libraries whose dependencies are replaced, if nothing else needs them.
 TRIMMED = ("libavcodec.", "libavformat.", "libavutil.", "libswscale.", "libswresample.", "libLLVM")
@@ -19,6 +20,7 @@ TRIMMED = ("libavcodec.", "libavformat.", "libavutil.", "libswscale.", "libswres
 CALLED = ("libav", "libsw", "libx264.", "libx265.", "libSvtAv1Enc.", "libvpx.", "libdav1d.", "libz.so", "libzstd.",
           "libstdc++.", "libgcc_s.")
 STAND_IN = "libpoinsot_absent.so"
+OPTIONAL = ("libLLVM",)  # libraries whose replaced dependencies become optional
 
 
 class Closure:
@@ -50,16 +52,21 @@ class Closure:
             copied = folder / name
             copied.write_bytes(Path(path).read_bytes())
             copied.chmod(0o644)
-            changes = [word for it in self.replaced.get(name, ()) for word in ("--replace-needed", it, STAND_IN)]
+            replaced = self.replaced.get(name, ())
+            if name.startswith(OPTIONAL):
+                optional.make_optional(copied, replaced, {symbol.name for symbol, _ in self.missing(name)})
+                replaced = ()
+            changes = [word for it in replaced for word in ("--replace-needed", it, STAND_IN)]
             for words in (changes, ["--force-rpath", "--set-rpath", "$ORIGIN"]):  # patchelf fails if asked for both at once
                 if words:
                     subprocess.run(["patchelf", *words, copied], check=True)
         self._write_stand_in(folder / STAND_IN)
 
-    def missing(self):
-        """Returns the symbols that the trimmed libraries take from replaced ones."""
+    def missing(self, *users):
+        """Returns the symbols that trimmed libraries take from replaced ones, with their versions."""
         found = {}
-        for user, names in self.replaced.items():
+        for user in users:
+            names = self.replaced[user]
             kept = {symbol.name for name in elf.needed(self.kept[user]) if name in self.kept
                     for symbol in elf.symbols(self.kept[name]) if symbol.defined}
             wanted = {symbol.name: symbol.version for symbol in elf.symbols(self.kept[user]) if not symbol.defined}
@@ -70,7 +77,7 @@ class Closure:
         return list(found.values())
 
     def _write_stand_in(self, path):
-        missing, lines, versions = self.missing(), [], {}
+        missing, lines, versions = self.missing(*(it for it in self.replaced if not it.startswith(OPTIONAL))), [], {}
         for symbol, version in missing:
             is_data = symbol.kind in ("OBJECT", "TLS")
             lines.append(f"char {symbol.name}[{max(symbol.size, 1)}];" if is_data else f"long {symbol.name}(void) {{ return 0; }}")

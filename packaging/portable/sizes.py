@@ -7,6 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 # A filter for x86 code makes the archive 4 % smaller. With this dictionary, unpacking takes 65 MB of memory.
 FILTERS = ("--x86", "--lzma2=preset=9e,dict=64MiB")
+FOR_OTHERS = "lib/poinsot-gl"
 LEAST_BYTES = 1_000_000  # smaller parts share a row
 
 
@@ -23,6 +24,8 @@ def _grouped(folder, closure):
         group = source.get(closure.kept.get(path.name), "other files")
         if path == folder / "bin/poinsot":
             group = "the program, with its fonts"
+        elif folder / FOR_OTHERS in path.parents:
+            group = "Mesa for other programs"
         groups.setdefault(group, []).append(path)
     return groups
 

@@ -27,7 +27,7 @@ def make(portable, build, version):
                    stdout=subprocess.DEVNULL)
     content = stage / "lib/python3/dist-packages"
     inside = content / "poinsot/portable"
-    shutil.copytree(portable, inside)
+    shutil.copytree(portable, inside, ignore=shutil.ignore_patterns("poinsot-gl"))  # a wheel cannot hold its links
     extension = next((content / "poinsot").glob("_core.*.so"))
     _check_libraries(extension, inside / "lib/poinsot")
     subprocess.run(["patchelf", "--force-rpath", "--set-rpath", "$ORIGIN/portable/lib/poinsot", extension], check=True)

@@ -75,10 +75,11 @@ class Portable(unittest.TestCase):
         self.addCleanup(made.cleanup)
         return Path(made.name)
 
-    def run_in_room(self, *words):
+    def run_in_room(self, *words, program="poinsot", **settings):
         user = ["--userspec=65534:65534"] if os.geteuid() == 0 and "--user" not in self.enter else []
-        return subprocess.run([*self.enter, "chroot", *user, self.room, "/opt/poinsot/bin/poinsot", *words],
-                              env={"HOME": "/tmp", "PATH": "/usr/sbin:/usr/bin:/sbin:/bin"}, capture_output=True, text=True, stdin=subprocess.DEVNULL)
+        return subprocess.run([*self.enter, "chroot", *user, self.room, f"/opt/poinsot/bin/{program}", *words],
+                              env={"HOME": "/tmp", "PATH": "/usr/sbin:/usr/bin:/sbin:/bin", **settings}, capture_output=True, text=True,
+                              stdin=subprocess.DEVNULL)
 
     def expect_done(self, *words):
         done = self.run_in_room(*words)
@@ -177,6 +178,56 @@ class Portable(unittest.TestCase):
         self.run_with_wheel(folder, blocks["sh"])
         (folder / "spin.toml").write_text((folder / "spin.toml").read_text() + '\n[style]\ntheme = "dark"\n')
         self.assertIn("different  spin", self.run_with_wheel(folder, blocks["sh"], code=8))
+
+    def run_other_program(self, *words, **settings):
+        """Runs bin/poinsot-gl in the room, after adding a shell, a program that draws, and libglvnd without a Mesa."""
+        if not (self.room / "bin").exists():
+            (self.room / "bin").mkdir()
+            shutil.copy("/bin/dash", self.room / "bin/sh")
+            for name in ("libEGL.so.1", "libGLdispatch.so.0", "libexpat.so.1"):
+                shutil.copy(elf.library(name), self.room / "lib/x86_64-linux-gnu" / name)
+            source = SOURCES / "tests/package/other_program.c"
+            subprocess.run([os.environ.get("CC", "gcc"), "-O1", "-o", self.room / "bin/other", source], check=True)
+        return self.run_in_room(*words, program="poinsot-gl", **settings)
+
+    def draw_with_other_program(self, *words, **settings):
+        """Runs tests/package/other_program.c with the OpenGL of the package. Returns what it printed, by key."""
+        done = self.run_other_program("other", *words, **settings)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        found = {}
+        for line in done.stdout.splitlines():
+            found.setdefault(line.partition(": ")[0], []).append(line.partition(": ")[2])
+        return found
+
+    def test_draws_for_another_program(self):
+        osmesa = self.draw_with_other_program("osmesa")
+        egl = self.draw_with_other_program("egl")
+        # Oracle: the OpenGL that the program in the package reports.
+        said = self.expect_done("doctor")
+        for found in (osmesa, egl):
+            self.assertIn(re.search(r"Mesa [0-9.]+", found["version"][0])[0], said)
+            self.assertIn(re.search(r"LLVM [0-9.]+", found["renderer"][0])[0], said)
+            self.assertIn("128 bits", found["renderer"][0])
+            self.assertNotIn(STAND_IN, "".join(found["library"]))  # would hide functions of the real libraries
+        self.assertEqual(osmesa["pixels"], egl["pixels"])
+        by_name = {Path(path).name: path for path in egl["library"]}
+        self.assertEqual(by_name["libexpat.so.1"], "/lib/x86_64-linux-gnu/libexpat.so.1")  # the system's goes first
+        for name in ("libGLX_mesa.so.0", "libEGL_mesa.so.0", "libLLVM-15.so.1", "libstdc++.so.6"):
+            self.assertTrue(by_name[name].startswith("/opt/poinsot/lib/"), by_name[name])
+
+    def test_draws_for_another_program_despite_inherited_settings(self):
+        plain = self.draw_with_other_program("egl")
+        pinned = self.draw_with_other_program("egl", GALLIUM_DRIVER="softpipe", LP_NATIVE_VECTOR_WIDTH="256", LP_NO_RAST="1",
+                                              __EGL_VENDOR_LIBRARY_FILENAMES="/nowhere", LIBGL_DRIVERS_PATH="/nowhere", MESA_GL_VERSION_OVERRIDE="2.1")
+        self.assertEqual(pinned, plain)
+
+    def test_rejects_other_programs_that_cannot_run(self):
+        for words, code, reason in (((), 2, "no program to run"), (("--fast",), 2, "--fast: not an option"),
+                                    (("/nowhere",), 127, "/nowhere: no such program"), (("nowhere",), 127, "nowhere: no such program"),
+                                    (("/tmp",), 126, "/tmp: a folder"), (("/opt/poinsot/README.txt",), 126, "/opt/poinsot/README.txt: not an exec")):
+            done = self.run_other_program(*words)
+            self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
+            self.assertIn(f"poinsot-gl: {reason}", done.stderr)
 
     def test_states_the_glibc_that_it_needs(self):
         self.assertRegex(self.said, r"needs glibc 2\.\d+ or newer")
