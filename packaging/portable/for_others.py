@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Adds bin/poinsot-gl to a portable poinsot, and the libraries with which it makes other programs draw.
 
-The folder lib/poinsot-gl has Mesa's libraries, which replace those of the system. Each of them looks for its own Mesa and
-LLVM first, then for the system's libraries, and then for the copies in the package. A process has only one libstdc++, and
-the program that draws may need a newer one than the package has, so the system's libstdc++ goes first.
+The folder lib/poinsot-gl has Mesa's libraries, which replace those of the system. Each of them looks for other parts of
+Mesa and LLVM in the folder `own` first, then for the system's libraries, and then for copies in `others` and lib/poinsot.
+A process has only one libstdc++, and the program that draws may need a newer one than the package has. The system's
+libstdc++ therefore goes first.
 """
 
 import os
@@ -13,8 +14,10 @@ from pathlib import Path
 
 import elf
 
-# Libraries that a program opens through libglvnd, by itself, or through these libraries.
-OF_MESA = ("libGLX_mesa.so.0", "libEGL_mesa.so.0", "libgbm.so.1", "libglapi.so.0", "libOSMesa.so.8")
+# Libraries of Mesa that programs open, some of them through libglvnd.
+OPENED = ("libGLX_mesa.so.0", "libEGL_mesa.so.0", "libOSMesa.so.8")
+# Libraries that only Mesa's own libraries must find. A program that is linked with libgbm may need a newer one.
+OWN = ("libgbm.so.1", "libglapi.so.0", "libLLVM")
 DRIVER = "swrast_dri.so"
 SYSTEM = "/usr/lib/x86_64-linux-gnu:/lib/x86_64-linux-gnu:/usr/lib64:/lib64:/usr/lib"
 MANIFEST = '{"file_format_version": "1.0.0", "ICD": {"library_path": "libEGL_mesa.so.0"}}\n'
@@ -25,19 +28,17 @@ class ForOthers:
 
     def __init__(self, closure):
         self.files, self.closure = {}, closure
-        mesas = {name: elf.library(name) for name in OF_MESA}
-        driver = Path(mesas["libGLX_mesa.so.0"] or "/").parent / "dri" / DRIVER
-        self.missing = [name for name, path in mesas.items() if path is None] + ([] if driver.exists() else [DRIVER])
+        driver = Path(elf.library("libGLX_mesa.so.0") or "/").parent / "dri" / DRIVER
+        self.missing = [name for name in OPENED if elf.library(name) is None] + ([] if driver.exists() else [DRIVER])
         if self.missing:
             return
-        self.files = {name: path for name, path in mesas.items() if name not in closure.kept}
         self.files[f"dri/{DRIVER}"] = os.path.realpath(driver)
-        waiting = [name for path in self.files.values() for name in elf.needed(path)]
+        waiting = [*OPENED, *elf.needed(self.files[f"dri/{DRIVER}"])]
         while waiting:
             name = waiting.pop()
-            if name in closure.kept or name in mesas or f"others/{name}" in self.files or name.startswith(elf.OF_GLIBC):
+            if name in closure.kept or _place(name) in self.files or name.startswith(elf.OF_GLIBC):
                 continue
-            self.files[f"others/{name}"] = elf.library(name)
+            self.files[_place(name)] = elf.library(name)
             waiting += elf.needed(elf.library(name))
 
     def copy(self, root):
@@ -50,20 +51,24 @@ class ForOthers:
             copied.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(path, copied)
             copied.chmod(0o644)
-            up = "/.." * name.count("/")
-            _find_in(copied, *(f"$ORIGIN{up}{it}" for it in ("", "/llvm")), SYSTEM, *(f"$ORIGIN{up}{it}" for it in ("/others", "/../poinsot")))
+            up = "$ORIGIN" + "/.." * name.count("/")
+            _find_in(copied, up, f"{up}/own", SYSTEM, f"{up}/others", f"{up}/../poinsot")
         for name in self.closure.kept:
-            # Mesa's libraries find LLVM in a folder of its own, so that no other program finds it.
-            if name in OF_MESA or name.startswith("libLLVM"):
-                link = folder / ("" if name in OF_MESA else "llvm") / name
+            if name.startswith(OPENED + OWN):
+                link = folder / _place(name)
                 link.parent.mkdir(exist_ok=True)
                 link.symlink_to(os.path.relpath(root / "lib/poinsot" / name, link.parent))
-            if name in OF_MESA:  # The loader takes $ORIGIN from the link, so the library needs both places.
-                _find_in(root / "lib/poinsot" / name, "$ORIGIN", "$ORIGIN/llvm", SYSTEM, "$ORIGIN/others", "$ORIGIN/../poinsot")
+            if name in OPENED:  # The loader takes $ORIGIN from the link, so the library needs both places.
+                _find_in(root / "lib/poinsot" / name, "$ORIGIN", "$ORIGIN/own", SYSTEM, "$ORIGIN/others", "$ORIGIN/../poinsot")
         (folder / "egl.json").write_text(MANIFEST)
         script = root / "bin/poinsot-gl"
         shutil.copyfile(Path(__file__).with_name("poinsot-gl"), script)
         script.chmod(0o755)
+
+
+def _place(name):
+    """Returns the path of a library in lib/poinsot-gl."""
+    return name if name in OPENED else f"own/{name}" if name.startswith(OWN) else f"others/{name}"
 
 
 def _find_in(library, *folders):
