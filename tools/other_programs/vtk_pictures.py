@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Draws ten typical pictures with VTK, to measure which pixels an OpenGL library moves.
+"""Draws eleven typical pictures with VTK, to measure which pixels an OpenGL library moves.
 
-    vtk_pictures.py FOLDER                 draws the pictures into a folder, and prints the renderer
-    vtk_pictures.py --compare ONE OTHER    prints how many pixels differ; exit code 1 if any does
+    vtk_pictures.py FOLDER [--only NAME...]  draws the pictures into a folder, and prints the renderer
+    vtk_pictures.py --compare ONE OTHER      prints how many pixels differ; exit code 1 if any does
 
 Drawing needs VTK (Debian: python3-vtk9) and an X server, for example that of `xvfb-run -a`. Comparing needs neither.
 """
@@ -220,6 +220,7 @@ def compare(one, other):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--compare", action="store_true", help="compare two folders of pictures")
+    parser.add_argument("--only", nargs="+", metavar="NAME", choices=[it.__name__ for it in PICTURES], help="draw only these pictures")
     parser.add_argument("folders", nargs="+", type=Path)
     asked = parser.parse_args()
     if len(asked.folders) != (2 if asked.compare else 1):
@@ -230,7 +231,8 @@ def main():
     import vtk
     asked.folders[0].mkdir(parents=True, exist_ok=True)
     # The windows stay open, because an X server may restart when its last window closes.
-    windows = [draw(picture, asked.folders[0] / f"{picture.__name__}.ppm") for picture in PICTURES]
+    windows = [draw(picture, asked.folders[0] / f"{picture.__name__}.ppm") for picture in PICTURES
+               if not asked.only or picture.__name__ in asked.only]
     print("\n".join(line for line in windows[-1].ReportCapabilities().splitlines() if line.startswith("OpenGL") and "extensions" not in line))
     return 0
 
