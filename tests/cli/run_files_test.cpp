@@ -28,10 +28,10 @@ constexpr const char* kTelling = "poinsotOutcome(";
 const std::set<std::string> kInputs{"--asset-root", "--images", "--mask", "SCENE", "REFERENCE",
                                     "TEST",         "MANIFEST", "OUTPUT", "THEIRS"};
 /// Placeholders in the help that do not stand for a file. NAME stands for a file only as the operand of `new`.
-const std::set<std::string> kNoFiles{"NAME",      "N",   "NAME=VALUE", "KEY=VALUE", "WxH",   "A-B",  "RATE",
-                                     "STYLE",     "T",   "LENGTH",     "k/n",       "TEX",   "M",    "S",
-                                     "T1,T2,...", "HZ",  "SIZE",       "0-N",       "ANGLE", "TEXT", "X,Y,W,H",
-                                     "COMMAND",   "INT", "Excludes",   "Print"};
+const std::set<std::string> kNoFiles{"LINE", "WORDS",   "NAME",      "N",   "NAME=VALUE", "KEY=VALUE", "WxH",
+                                     "A-B",  "RATE",    "STYLE",     "T",   "LENGTH",     "k/n",       "TEX",
+                                     "M",    "S",       "T1,T2,...", "HZ",  "SIZE",       "0-N",       "ANGLE",
+                                     "TEXT", "X,Y,W,H", "COMMAND",   "INT", "Excludes",   "Print"};
 
 // Scene of two frames; it names a file, because it has its own style.
 const char* const kText =
