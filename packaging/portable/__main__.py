@@ -17,7 +17,7 @@ import parts
 import sizes
 import wheel
 from closure import Closure
-from for_others import ForOthers
+from for_others import MANIFEST, ForOthers
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.get("POINSOT_BUILD_DIR", ROOT / "build"))
@@ -52,6 +52,8 @@ def assemble(folder):
     program = folder / "bin/poinsot"
     closure = Closure([program], opened(program))
     closure.copy(folder / "lib/poinsot")
+    if "libEGL_mesa.so.0" in closure.kept:  # libEGL of the package opens it; src/gl/egl_context.cpp says so to libEGL
+        (folder / "lib/poinsot/poinsot_egl.json").write_text(MANIFEST)
     others = ForOthers(closure)
     others.copy(folder)
     if others.missing:
@@ -69,7 +71,9 @@ def assemble(folder):
 def opened(program):
     """Returns the libraries to add that the program opens. OSMesa draws without drivers, so it replaces EGL if it exists."""
     names = elf.opened(program)
-    return [name for name in names if not (name.startswith("libEGL") and any(it.startswith("libOSMesa") for it in names))]
+    if any(name.startswith("libOSMesa") for name in names):
+        return [name for name in names if not name.startswith("libEGL")]
+    return [*names, "libEGL_mesa.so.0"]
 
 
 def pack(folder, archive):

@@ -2,6 +2,7 @@
 #include "core/shared_library.h"
 
 #include <dlfcn.h>
+#include <link.h>
 
 namespace poinsot::core {
 namespace {
@@ -26,6 +27,11 @@ bool SharedLibrary::isOpen(const char* soname) {
   void* const handle = dlopen(soname, RTLD_NOLOAD | RTLD_LAZY);
   if (handle) dlclose(handle);  // undoes the reference count of the dlopen above
   return handle != nullptr;
+}
+
+std::filesystem::path SharedLibrary::file() const {
+  const link_map* found = nullptr;
+  return dlinfo(handle_, RTLD_DI_LINKMAP, &found) == 0 ? found->l_name : "";
 }
 
 void* SharedLibrary::address(const char* name) const { return dlsym(handle_, name); }

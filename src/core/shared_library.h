@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "core/error.h"
@@ -18,6 +19,9 @@ class SharedLibrary {
   SharedLibrary(const char* soname, const char* package, ErrorKind kind);
   /// Returns whether this process has already loaded the library. Does not load it.
   static bool isOpen(const char* soname);
+
+  /// Returns the file that the loader found.
+  std::filesystem::path file() const;
 
   SharedLibrary(const SharedLibrary&) = delete;
   SharedLibrary& operator=(const SharedLibrary&) = delete;

@@ -3,7 +3,10 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <mutex>
+#include <system_error>
 
 #include "core/shared_library.h"
 #include "gl/back_ends.h"
@@ -52,6 +55,27 @@ const EglFunctions& egl() {
   return functions;
 }
 
+/// During its lifetime, libEGL loads the drivers that a list beside it names. A portable package has such a list
+/// and its own Mesa. Without a list, or if the user names another one, nothing changes.
+class OwnDriver {
+ public:
+  OwnDriver() {
+    const auto list = egl().library.file().parent_path() / "poinsot_egl.json";
+    std::error_code ignored;
+    chosen_ = !std::getenv(kVariable) && std::filesystem::exists(list, ignored) &&
+              setenv(kVariable, list.c_str(), 0) == 0;
+  }
+  ~OwnDriver() {
+    if (chosen_) unsetenv(kVariable);  // programs that this process starts have other drivers
+  }
+  OwnDriver(const OwnDriver&) = delete;
+  OwnDriver& operator=(const OwnDriver&) = delete;
+
+ private:
+  static constexpr const char* kVariable = "__EGL_VENDOR_LIBRARY_FILENAMES";
+  bool chosen_ = false;
+};
+
 /// EGL display without a window system. A process has only one such display, which the caller may use too. It is
 /// terminated with our last context, unless it was already initialised before our first context.
 class SurfacelessDisplay {
@@ -90,6 +114,7 @@ EGLDisplay SurfacelessDisplay::find() {
   const auto getPlatformDisplay =
       reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(egl().getProcAddress("eglGetPlatformDisplayEXT"));
   if (!getPlatformDisplay) throw core::graphicsError("EGL is too old: it has no platform displays");
+  const OwnDriver driver;
   const EGLDisplay display = getPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (display == EGL_NO_DISPLAY) throw missing();
   return display;

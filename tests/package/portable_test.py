@@ -231,6 +231,18 @@ class Portable(unittest.TestCase):
             self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
             self.assertIn(f"poinsot-gl: {reason}", done.stderr)
 
+    def test_draws_with_the_driver_that_a_list_beside_libegl_names(self):
+        folder = self.folder()
+        shutil.copy(elf.library("libEGL.so.1"), folder / "libEGL.so.1")
+
+        def doctor():
+            done = subprocess.run([BUILD / "bin/poinsot", "doctor"], capture_output=True, text=True,
+                                  env={"HOME": str(folder), "LD_LIBRARY_PATH": str(folder)})
+            return next(line for line in done.stdout.splitlines() if line[8:].startswith("OpenGL egl"))
+        self.assertRegex(doctor(), "^ok ")
+        (folder / "poinsot_egl.json").write_text('{"file_format_version": "1.0.0", "ICD": {"library_path": "libmissing.so.0"}}')
+        self.assertNotRegex(doctor(), "^ok ")
+
     def test_states_the_glibc_that_it_needs(self):
         self.assertRegex(self.said, r"needs glibc 2\.\d+ or newer")
 
