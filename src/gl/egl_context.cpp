@@ -111,10 +111,10 @@ Error SurfacelessDisplay::missing() {
 }
 
 EGLDisplay SurfacelessDisplay::find() {
+  const OwnDriver driver;  // libEGL loads its drivers when it is asked for the first function
   const auto getPlatformDisplay =
       reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(egl().getProcAddress("eglGetPlatformDisplayEXT"));
   if (!getPlatformDisplay) throw core::graphicsError("EGL is too old: it has no platform displays");
-  const OwnDriver driver;
   const EGLDisplay display = getPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (display == EGL_NO_DISPLAY) throw missing();
   return display;
