@@ -8,34 +8,6 @@
 
 namespace poinsot::compare {
 
-/// Colour with three components, in any colour space. All constants of this file are from sections 3 and 4.1 of
-/// the paper cited in compare/flip.h.
-using Triple = std::array<double, 3>;
-
-/// Converts an sRGB value in [0, 1] to linear light (IEC 61966-2-1).
-double linearLight(double encoded);
-
-/// Converts linear RGB to the linear opponent space Y Cx Cz. Y is the lightness, from -16 to 100. Cx is red
-/// against green, Cz is yellow against blue.
-Triple opponentColor(const Triple& rgb);
-
-/// Converts an opponent colour to linear RGB, with each channel clipped to [0, 1].
-Triple rgbOfOpponent(const Triple& yCxCz);
-
-/// Converts linear RGB to CIELab (D65), adjusted for the Hunt effect: a and b become smaller for dark colours.
-Triple huntLab(const Triple& rgb);
-
-/// Returns the HyAB distance of two Lab colours: |ΔL| + √(Δa² + Δb²).
-double hyabDistance(const Triple& a, const Triple& b);
-
-/// Returns the largest colour distance, 41.276098. It is the HyAB distance of green and blue, to the power 0.7.
-double largestColorDistance();
-
-/// Returns the difference of two Hunt-adjusted colours as an error in [0, 1]. It depends on d, the HyAB distance
-/// to the power 0.7. The lower 0.4 of d's range has errors from 0 to 0.95, because the eye distinguishes more
-/// there.
-double colorError(const Triple& a, const Triple& b);
-
 /// Term of a contrast sensitivity: a 2D filter with `profile` along both axes, times `weight`. The terms of a
 /// channel sum to 1.
 struct SensitivityPart {

@@ -43,10 +43,10 @@ template <class Value, bool odd>
 }
 
 template <bool odd>
-[[gnu::always_inline]] inline void addPairsAlong(const Pairs& pairs, int width, double* out) {
-  int x = 0;
-  for (; x + 4 <= width; x += 4) addPairsAt<Four, odd>(x, pairs, out);
-  for (; x < width; ++x) addPairsAt<double, odd>(x, pairs, out);
+[[gnu::always_inline]] inline void addPairsAlong(const Pairs& pairs, ColumnSpan where, double* out) {
+  int x = where.begin;
+  for (; x + 4 <= where.end; x += 4) addPairsAt<Four, odd>(x, pairs, out);
+  for (; x < where.end; ++x) addPairsAt<double, odd>(x, pairs, out);
 }
 
 // The compiler makes two versions of this function. The AVX2 version computes the same sums, four values per
@@ -55,11 +55,11 @@ template <bool odd>
 #if defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
 [[gnu::target_clones("avx2", "default")]]
 #endif
-void addPairs(bool odd, const Pairs& pairs, int width, double* out) {
+void addPairs(bool odd, const Pairs& pairs, ColumnSpan where, double* out) {
   if (odd)
-    addPairsAlong<true>(pairs, width, out);
+    addPairsAlong<true>(pairs, where, out);
   else
-    addPairsAlong<false>(pairs, width, out);
+    addPairsAlong<false>(pairs, where, out);
 }
 
 Pairs pairsOf(const std::vector<double>& half, const Rows& before, const Rows& after) {
@@ -89,40 +89,43 @@ Kernel Kernel::scaled(double factor) const {
   return kernel;
 }
 
-void Kernel::alongColumns(const RowWindow& window, int plane, double* out) const {
+void Kernel::alongColumns(const RowWindow& window, int plane, ColumnSpan where, double* out) const {
   Rows before(half_.size()), after(half_.size());
   for (int i = 0; i <= radius(); ++i) {
     before[static_cast<std::size_t>(i)] = window.row(plane, -i);
     after[static_cast<std::size_t>(i)] = window.row(plane, i);
   }
-  addPairs(parity_ == Parity::kOdd, pairsOf(half_, before, after), window.width(), out);
+  addPairs(parity_ == Parity::kOdd, pairsOf(half_, before, after), where, out);
 }
 
-void Kernel::alongRow(const double* in, int width, double* out) const {
-  const auto r = static_cast<std::size_t>(radius()), n = static_cast<std::size_t>(width);
-  thread_local std::vector<double> padded;  // kept, because allocating it per row took 1/12 of the time
-  padded.resize(n + 2 * r);
-  std::fill_n(padded.begin(), r, in[0]);
-  std::copy_n(in, n, padded.begin() + static_cast<std::ptrdiff_t>(r));
-  std::fill_n(padded.end() - static_cast<std::ptrdiff_t>(r), r, in[n - 1]);
+void Kernel::alongRow(const double* in, ColumnSpan where, double* out) const {
   Rows before(half_.size()), after(half_.size());
-  for (std::size_t i = 0; i <= r; ++i) {
-    before[i] = &padded[r - i];
-    after[i] = &padded[r + i];
+  for (int i = 0; i <= radius(); ++i) {
+    before[static_cast<std::size_t>(i)] = in - i;
+    after[static_cast<std::size_t>(i)] = in + i;
   }
-  addPairs(parity_ == Parity::kOdd, pairsOf(half_, before, after), width, out);
+  addPairs(parity_ == Parity::kOdd, pairsOf(half_, before, after), where, out);
 }
 
 RowWindow::RowWindow(image::PixelSize size, int planes, int radius, Source source)
     : size_(size), planes_(planes), radius_(radius), source_(std::move(source)) {
   POINSOT_EXPECT(size.width > 0 && size.height > 0 && planes > 0 && radius >= 0);
-  values_.resize(static_cast<std::size_t>(planes) * static_cast<std::size_t>(2 * radius + 1) *
-                 static_cast<std::size_t>(size.width));
+  rows_.assign(static_cast<std::size_t>(planes * (2 * radius + 1)), MarginedRow(size.width, radius));
 }
 
 double* RowWindow::slot(int plane, int y) {
   const int rows = 2 * radius_ + 1;
-  return &values_[static_cast<std::size_t>(plane * rows + y % rows) * static_cast<std::size_t>(size_.width)];
+  return rows_[static_cast<std::size_t>(plane * rows + y % rows)].columns();
+}
+
+void RowWindow::make(int y) {
+  std::vector<double*> rows(static_cast<std::size_t>(planes_));
+  for (int k = 0; k < planes_; ++k) rows[static_cast<std::size_t>(k)] = slot(k, y);
+  source_(y, rows);
+  for (double* row : rows) {
+    std::fill_n(row - radius_, radius_, row[0]);
+    std::fill_n(row + size_.width, radius_, row[size_.width - 1]);
+  }
 }
 
 void RowWindow::moveTo(int y) {
@@ -130,11 +133,7 @@ void RowWindow::moveTo(int y) {
   core::checkInterruption();  // polled here, because every filter calls moveTo() for each row
   middle_ = y;
   made_ = std::max(made_, y - radius_);
-  std::vector<double*> rows(static_cast<std::size_t>(planes_));
-  for (; made_ <= std::min(y + radius_, size_.height - 1); ++made_) {
-    for (int k = 0; k < planes_; ++k) rows[static_cast<std::size_t>(k)] = slot(k, made_);
-    source_(made_, rows);
-  }
+  for (; made_ <= std::min(y + radius_, size_.height - 1); ++made_) make(made_);
 }
 
 const double* RowWindow::row(int plane, int offset) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -8,9 +9,32 @@
 
 namespace poinsot::compare {
 
+/// Range of columns of a picture; `end` is outside.
+struct ColumnSpan {
+  int begin = 0, end = 0;
+  /// Returns the span with `by` more columns at each end.
+  ColumnSpan grown(int by) const { return {begin - by, end + by}; }
+  friend bool operator==(const ColumnSpan&, const ColumnSpan&) = default;
+};
+
+/// Row of numbers with `margin` more places before its first column and after its last.
+class MarginedRow {
+ public:
+  MarginedRow(int width, int margin)
+      : margin_(margin), values_(static_cast<std::size_t>(width) + 2 * static_cast<std::size_t>(margin)) {}
+  /// Returns the place of column 0; columns from -margin are there.
+  double* columns() { return values_.data() + margin_; }
+  const double* columns() const { return values_.data() + margin_; }
+
+ private:
+  std::ptrdiff_t margin_;
+  std::vector<double> values_;
+};
+
 /// Sliding window over the rows of one or more planes of numbers. It holds the rows from y - radius to y + radius,
 /// so that complete planes need not be stored. A callback computes each row once, from the top. Outside the
-/// picture, the first or last row is repeated.
+/// picture, the values at its edge are repeated: the first and last row, and in each row `radius` columns beyond
+/// its first and last value.
 class RowWindow {
  public:
   /// Callback that writes row y of each plane; planes[k] has room for `width` values.
@@ -19,21 +43,24 @@ class RowWindow {
   /// Makes an empty window, which moveTo() fills. @pre size at least 1x1, planes > 0, radius >= 0.
   RowWindow(image::PixelSize size, int planes, int radius, Source source);
 
-  /// Makes row y the middle of the window. @pre y is inside the picture, and not less than before.
+  /// Makes row y the middle of the window. Rows that no window holds are not computed.
+  /// @pre y is inside the picture, and not less than before.
   void moveTo(int y);
 
-  /// Returns row y + offset of a plane. @pre |offset| <= radius.
+  /// Returns column 0 of row y + offset of a plane. @pre |offset| <= radius.
   const double* row(int plane, int offset) const;
   int width() const { return size_.width; }
+  int radius() const { return radius_; }
 
  private:
   double* slot(int plane, int y);
+  void make(int y);
 
   image::PixelSize size_;
   int planes_, radius_;
   Source source_;
-  int middle_ = 0, made_ = 0;   ///< rows below number `made_` have been computed
-  std::vector<double> values_;  ///< ring buffer of 2 radius + 1 rows per plane
+  int middle_ = 0, made_ = 0;      ///< rows below number `made_` have been computed
+  std::vector<MarginedRow> rows_;  ///< ring buffer of 2 radius + 1 rows per plane
 };
 
 /// One-dimensional filter whose weights are symmetric (even) or antisymmetric (odd).
@@ -51,12 +78,14 @@ class Kernel {
   Kernel scaled(double factor) const;
 
   /// Applies the filter along the columns of a plane, at the middle row of a window.
-  /// @param out  receives `width` values. @pre the window's radius is not less than this one.
-  void alongColumns(const RowWindow& window, int plane, double* out) const;
+  /// @param where  columns to compute, at most the window's radius beyond its rows
+  /// @param out  column 0 of the result. @pre the window's radius is not less than this one.
+  void alongColumns(const RowWindow& window, int plane, ColumnSpan where, double* out) const;
 
-  /// Applies the filter along a row. Beyond its ends, the row's first and last values are repeated.
-  /// @param in, out  arrays of `width` values each, which must not overlap
-  void alongRow(const double* in, int width, double* out) const;
+  /// Applies the filter along a row.
+  /// @param in  column 0 of the row, which has values in `where.grown(radius())`
+  /// @param out  column 0 of the result; must not overlap `in`
+  void alongRow(const double* in, ColumnSpan where, double* out) const;
 
  private:
   double sign() const { return parity_ == Parity::kOdd ? -1 : 1; }

@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include "compare/affected_spans.h"
 #include "compare/kernel.h"
+#include "compare/row_arithmetic.h"
 #include "core/expect.h"
 
 namespace poinsot::compare {
@@ -45,13 +47,6 @@ RowWindow lumaWindow(const image::BasicImage<Sample>& a, const image::BasicImage
           }};
 }
 
-/// Returns the SSIM of a window from the means of a, b, a², b² and ab.
-double similarity(double a, double b, double aa, double bb, double ab) {
-  constexpr double kC1 = 0.01 * 0.01, kC2 = 0.03 * 0.03;
-  const double varianceA = aa - a * a, varianceB = bb - b * b, covariance = ab - a * b;
-  return (2 * a * b + kC1) * (2 * covariance + kC2) / ((a * a + b * b + kC1) * (varianceA + varianceB + kC2));
-}
-
 template <typename Sample>
 std::optional<SsimFigures> ssimOf(const image::BasicImage<Sample>& a, const image::BasicImage<Sample>& b,
                                   const IgnoreMask* ignored) {
@@ -60,22 +55,30 @@ std::optional<SsimFigures> ssimOf(const image::BasicImage<Sample>& a, const imag
   if (std::min(width, height) < 2 * kRadius + 1) return std::nullopt;
   const Kernel profile = windowProfile();
   RowWindow window = lumaWindow(a, b);
-  std::vector<double> column(static_cast<std::size_t>(width));
-  std::array<std::vector<double>, kMoments> means;
-  means.fill(column);
+  AffectedSpans affected(a, b, kRadius);
+  MarginedRow column(width, kRadius);
+  std::array<MarginedRow, kMoments> means{column, column, column, column, column};
+  std::vector<double> row(static_cast<std::size_t>(width));
   SsimFigures figures;
   double sum = 0;
   std::int64_t windows = 0;
   for (int y = kRadius; y < height - kRadius; ++y) {
-    window.moveTo(y);
-    for (int k = 0; k < kMoments; ++k) {
-      profile.alongColumns(window, k, column.data());
-      profile.alongRow(column.data(), width, means[static_cast<std::size_t>(k)].data());
+    std::ranges::fill(row, 1.0);  // equal windows have the similarity 1
+    if (const std::vector<ColumnSpan>& spans = affected.row(y); !spans.empty()) {
+      window.moveTo(y);
+      for (const ColumnSpan& span : spans) {
+        for (int k = 0; k < kMoments; ++k) {
+          profile.alongColumns(window, k, span.grown(kRadius), column.columns());
+          profile.alongRow(column.columns(), span, means[static_cast<std::size_t>(k)].columns());
+        }
+        similarities({means[kA].columns(), means[kB].columns(), means[kAA].columns(), means[kBB].columns(),
+                      means[kAB].columns()},
+                     span, row.data());
+      }
     }
     for (int x = kRadius; x < width - kRadius; ++x) {
       if (ignored && ignored->ignores(x, y)) continue;
-      const auto i = static_cast<std::size_t>(x);
-      const double s = similarity(means[kA][i], means[kB][i], means[kAA][i], means[kBB][i], means[kAB][i]);
+      const double s = row[static_cast<std::size_t>(x)];
       sum += s;
       ++windows;
       if (s < figures.worst) figures = {0, s, x, y};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compare/flip.h"
+#include "compare/flip_color.h"
 #include "compare/flip_stages.h"
 
 namespace poinsot::compare {
@@ -56,8 +57,8 @@ TEST(FlipColor, HyabAddsLightnessAndChroma) { EXPECT_EQ(hyabDistance({10, 3, -1}
 // 0.95.
 TEST(FlipColor, MapsTheErrorByTheDefinedCurve) {
   EXPECT_NEAR(largestColorDistance(), 41.276098, 5e-7);
-  EXPECT_EQ(colorError({50, 1, 2}, {50, 1, 2}), 0);
-  const auto errorAt = [](double distance) { return colorError({0, 0, 0}, {distance, 0, 0}); };
+  EXPECT_EQ(colorError({50, 1, 2}, {50, 1, 2}, largestColorDistance()), 0);
+  const auto errorAt = [](double distance) { return colorError({0, 0, 0}, {distance, 0, 0}, largestColorDistance()); };
   const double knee = std::pow(0.4 * 41.276098, 1 / 0.7);
   EXPECT_NEAR(errorAt(knee), 0.95, 1e-8);
   EXPECT_NEAR(errorAt(knee * std::pow(0.5, 1 / 0.7)), 0.475, 1e-8);
@@ -108,9 +109,10 @@ TEST(FlipFilters, FeatureKernelsHaveTheDefinedWeights) {
 // an edge of 1.
 TEST(FlipFilters, AStepFromBlackToWhiteHasAnEdgeOfOne) {
   const FeatureKernels kernels = featureKernels(kFlipPixelsPerDegree);
-  std::vector<double> row(40), out(40);
-  std::fill(row.begin() + 20, row.end(), 1.0);
-  kernels.edge.alongRow(row.data(), 40, out.data());
+  MarginedRow row(40, kernels.edge.radius());
+  std::vector<double> out(40);
+  std::fill(row.columns() + 20, row.columns() + 40 + kernels.edge.radius(), 1.0);
+  kernels.edge.alongRow(row.columns(), {0, 40}, out.data());
   EXPECT_NEAR(std::abs(out[19]), 1, 1e-15);
   EXPECT_NEAR(std::abs(out[20]), 1, 1e-15);
   EXPECT_EQ(out[5], 0);
