@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "compare/changed_pixels.h"
 #include "compare/common_form.h"
 #include "core/error.h"
 #include "core/expect.h"
@@ -59,10 +60,12 @@ class Worst {
 template <typename Sample>
 class Sums {
  public:
-  Sums(int channels, double level) : channels_(channels), level_(level) {}
+  /// @param compared  number of compared pixels
+  Sums(int channels, double level, std::int64_t compared)
+      : channels_(channels), level_(level), compared_(compared) {}
 
+  /// Adds a compared pixel that differs.
   void add(int x, int y, const Sample* p, const Sample* q) {
-    ++compared_;
     int largest = 0;
     for (int c = 0; c < channels_; ++c) {
       const int delta = std::abs(p[c] - q[c]);
@@ -70,7 +73,6 @@ class Sums {
       sum_ += delta;
       squares_ += std::int64_t{delta} * delta;
     }
-    if (largest == 0) return;
     ++differing_;
     if (largest > level_ * kStep<Sample>) ++counted_;
     if (worst_.wants(largest)) worst_.add(largest, pixel(x, y, largest, p, q));
@@ -104,20 +106,19 @@ class Sums {
 
   int channels_;
   double level_;
-  std::int64_t compared_ = 0, differing_ = 0, counted_ = 0, sum_ = 0, squares_ = 0;
+  std::int64_t compared_, differing_ = 0, counted_ = 0, sum_ = 0, squares_ = 0;
   Worst worst_;
 };
 
 template <typename Sample>
 ImageDifference summed(const image::BasicImage<Sample>& a, const image::BasicImage<Sample>& b,
                        const ComparisonOptions& options) {
-  Sums<Sample> sums(a.channels, options.level);
-  for (int y = 0; y < a.size.height; ++y) {
-    core::checkInterruption();
-    const Sample *p = a.at(0, y), *q = b.at(0, y);
-    for (int x = 0; x < a.size.width; ++x, p += a.channels, q += a.channels)
-      if (!options.ignored || !options.ignored->ignores(x, y)) sums.add(x, y, p, q);
-  }
+  const IgnoreMask* const ignored = options.ignored;
+  const std::int64_t pixels = std::int64_t{a.size.width} * a.size.height;
+  Sums<Sample> sums(a.channels, options.level, ignored ? ignored->comparedPixels() : pixels);
+  forEachChangedPixel(a, b, image::wholeOf(a.size), [&](int x, int y, const Sample* p, const Sample* q) {
+    if (!ignored || !ignored->ignores(x, y)) sums.add(x, y, p, q);
+  });
   return sums.figures();
 }
 

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 #include "compare/affected_spans.h"
 #include "compare/flip_color.h"
@@ -36,30 +38,42 @@ enum Plane { kY, kCx, kCz, kPlanes };
 template <typename Sample>
 RowWindow opponentWindow(const image::BasicImage<Sample>& picture, int radius) {
   return {picture.size, kPlanes, radius, [&picture](int y, const std::vector<double*>& planes) {
-            const auto& linear = linearTable<Sample>();
+            const double* const linear = linearTable<Sample>().data();
+            const std::array<double*, kPlanes> color{planes[kY], planes[kCx], planes[kCz]};
             const Sample* p = picture.at(0, y);
-            for (int x = 0; x < picture.size.width; ++x, p += picture.channels) {
-              const Triple color = opponentColor({linear[p[0]], linear[p[1]], linear[p[2]]});
-              for (std::size_t k = 0; k < kPlanes; ++k) planes[k][x] = color[k];
-            }
+            for (int x = 0; x < picture.size.width; ++x, p += picture.channels)
+              for (std::size_t k = 0; k < kPlanes; ++k) color[k][x] = linear[p[k]];
+            toOpponent(color, {0, picture.size.width});
           }};
 }
 
-/// Perceived rows of a picture, from the top.
+/// Filter along the columns of a plane, with its results in a row.
+struct ColumnFilter {
+  Plane plane;
+  Kernel kernel;
+  MarginedRow row;
+};
+
+/// Perceived rows of a picture, from the top. Filters work along columns first, then along the resulting rows.
 class PerceivedRows {
  public:
   template <typename Sample>
   PerceivedRows(const image::BasicImage<Sample>& picture, double pixelsPerDegree)
-      : window_(opponentWindow(picture, flipRadius(pixelsPerDegree))),
-        sensitivity_(contrastSensitivity(pixelsPerDegree)),
-        features_(featureKernels(pixelsPerDegree)) {}
+      : window_(opponentWindow(picture, flipRadius(pixelsPerDegree))), features_(featureKernels(pixelsPerDegree)) {
+    const auto sensitivity = contrastSensitivity(pixelsPerDegree);
+    for (const Plane plane : {kY, kCx, kCz})
+      for (const SensitivityPart& part : sensitivity[plane]) {
+        blurs_.push_back({plane, part.profile, empty_});
+        weights_.push_back(part.weight);
+      }
+  }
 
   /// Computes row y in some spans of columns. @pre as RowWindow::moveTo()
   void moveTo(int y, const std::vector<ColumnSpan>& spans) {
     window_.moveTo(y);
     for (const ColumnSpan& span : spans) {
-      for (int plane = 0; plane < kPlanes; ++plane) blur(plane, span);
-      toHuntLab({color_[kY].columns(), color_[kCx].columns(), color_[kCz].columns()}, span);
+      filterColumns(span.grown(window_.radius()));
+      blurRows(span);
       findFeatures(span);
     }
   }
@@ -70,41 +84,48 @@ class PerceivedRows {
   }
 
  private:
-  void blur(int plane, ColumnSpan span) {
-    double* const out = color_[static_cast<std::size_t>(plane)].columns();
-    std::fill(out + span.begin, out + span.end, 0.0);
-    for (const SensitivityPart& part : sensitivity_[static_cast<std::size_t>(plane)]) {
-      filter(part.profile, part.profile, plane, span, across_);
-      addScaled(across_.columns(), part.weight, span, out);
+  /// Applies all filters along the columns, in blocks of columns that the fastest cache holds.
+  void filterColumns(ColumnSpan span) {
+    constexpr int kBlock = 128;
+    for (ColumnSpan block{span.begin, 0}; block.begin < span.end; block.begin = block.end) {
+      block.end = std::min(block.begin + kBlock, span.end);
+      for (ColumnFilter* filter : {&smooth_, &edges_, &points_}) filterColumns(*filter, block);
+      for (ColumnFilter& filter : blurs_) filterColumns(filter, block);
     }
+  }
+  void filterColumns(ColumnFilter& filter, ColumnSpan block) {
+    filter.kernel.alongColumns(window_, filter.plane, block, filter.row.columns());
+  }
+
+  void blurRows(ColumnSpan span) {
+    for (MarginedRow& row : color_) std::fill(row.columns() + span.begin, row.columns() + span.end, 0.0);
+    for (std::size_t i = 0; i < blurs_.size(); ++i) {
+      blurs_[i].kernel.alongRow(blurs_[i].row.columns(), span, across_.columns());
+      addScaled(across_.columns(), weights_[i], span, color_[blurs_[i].plane].columns());
+    }
+    toHuntLab({color_[kY].columns(), color_[kCx].columns(), color_[kCz].columns()}, span);
   }
 
   /// Computes the strengths of edges and points. Each strength is the length of a gradient, whose components are
   /// filter responses along x and along y. Each response is smoothed in the other direction.
   void findFeatures(ColumnSpan span) {
-    features_.smooth.alongColumns(window_, kY, span.grown(window_.radius()), smoothed_.columns());
-    findFeature(features_.edge, span, edge_);
-    findFeature(features_.point, span, point_);
-  }
-
-  void findFeature(const Kernel& profile, ColumnSpan span, MarginedRow& length) {
     // Luminance is (Y + 16) / 116. The 16 cancels, because the weights of a profile sum to 0.
     constexpr double kScale = 116;
-    profile.alongRow(smoothed_.columns(), span, length.columns());
-    filter(profile, features_.smooth, kY, span, across_);
-    toLengths(length.columns(), across_.columns(), kScale, span);
-  }
-
-  void filter(const Kernel& alongY, const Kernel& alongX, int plane, ColumnSpan span, MarginedRow& out) {
-    alongY.alongColumns(window_, plane, span.grown(alongX.radius()), column_.columns());
-    alongX.alongRow(column_.columns(), span, out.columns());
+    for (const auto& [profile, length] : {std::pair(&edges_, &edge_), std::pair(&points_, &point_)}) {
+      profile->kernel.alongRow(smooth_.row.columns(), span, length->columns());
+      smooth_.kernel.alongRow(profile->row.columns(), span, across_.columns());
+      toLengths(length->columns(), across_.columns(), kScale, span);
+    }
   }
 
   RowWindow window_;
-  std::array<std::vector<SensitivityPart>, kPlanes> sensitivity_;
-  FeatureKernels features_;
   const MarginedRow empty_{window_.width(), window_.radius()};
-  MarginedRow column_ = empty_, smoothed_ = empty_, across_ = empty_, edge_ = empty_, point_ = empty_;
+  const FeatureKernels features_;
+  ColumnFilter smooth_{kY, features_.smooth, empty_}, edges_{kY, features_.edge, empty_},
+      points_{kY, features_.point, empty_};
+  std::vector<ColumnFilter> blurs_;
+  std::vector<double> weights_;  ///< of the blurs
+  MarginedRow across_ = empty_, edge_ = empty_, point_ = empty_;
   std::array<MarginedRow, kPlanes> color_{empty_, empty_, empty_};
 };
 
@@ -113,6 +134,7 @@ FlipMap flipOf(const image::BasicImage<Sample>& a, const image::BasicImage<Sampl
   POINSOT_EXPECT(a.size == b.size && !a.pixels.empty() && pixelsPerDegree > 0);
   const auto width = static_cast<std::size_t>(a.size.width);
   FlipMap map{a.size, std::vector<double>(width * static_cast<std::size_t>(a.size.height))};
+  if (a.pixels == b.pixels) return map;
   AffectedSpans affected(a, b, flipRadius(pixelsPerDegree));
   PerceivedRows rowsA(a, pixelsPerDegree), rowsB(b, pixelsPerDegree);
   double* errors = map.error.data();
@@ -130,11 +152,13 @@ FlipMap flipOf(const image::BasicImage<Sample>& a, const image::BasicImage<Sampl
 /// exceeds `share` times the total. Only the values near a quantile are sorted: bins divide the values by size.
 class WeightedQuantiles {
  public:
-  explicit WeightedQuantiles(const std::vector<double>& values) : values_(values) {
-    forEachValue([this](double value) {
-      bins_[binOf(value)] += value;
-      total_ += value;
-    });
+  /// @param values  at least one; none is 0, because zeros have no weight
+  explicit WeightedQuantiles(std::vector<double> values) : values_(std::move(values)) {
+    const auto [least, most] = std::ranges::minmax(values_);
+    least_ = least;
+    binsPerUnit_ = most > least ? kBins / (most - least) : 0;
+    for (const double value : values_) bins_[binOf(value)] += value;
+    total_ = std::accumulate(bins_.begin(), bins_.end(), 0.0);
   }
 
   double at(double share) const {
@@ -149,32 +173,30 @@ class WeightedQuantiles {
  private:
   static constexpr std::size_t kBins = 1024;
 
-  static std::size_t binOf(double value) { return std::min(static_cast<std::size_t>(value * kBins), kBins - 1); }
-
-  template <typename Visit>
-  void forEachValue(Visit visit) const {
-    constexpr std::size_t kCheckedAtOnce = 1 << 16;
-    for (std::size_t i = 0; i < values_.size(); ++i) {
-      if (i % kCheckedAtOnce == 0) core::checkInterruption();
-      visit(values_[i]);
-    }
+  std::size_t binOf(double value) const {
+    return std::min(static_cast<std::size_t>((value - least_) * binsPerUnit_), kBins - 1);
   }
 
   double within(std::size_t bin, double sum, double wanted) const {
+    core::checkInterruption();
     std::vector<double> sorted;
-    forEachValue([&](double value) {
-      if (binOf(value) == bin) sorted.push_back(value);
-    });
-    std::sort(sorted.begin(), sorted.end());
+    std::ranges::copy_if(values_, std::back_inserter(sorted), [&](double v) { return binOf(v) == bin; });
+    std::ranges::sort(sorted);
     for (const double value : sorted)
       if ((sum += value) > wanted) return value;
     return sorted.back();
   }
 
-  const std::vector<double>& values_;
+  std::vector<double> values_;
   std::array<double, kBins> bins_{};  ///< sum of the values in each bin
-  double total_ = 0;
+  double least_ = 0, binsPerUnit_ = 0, total_ = 0;
 };
+
+std::vector<double> nonzero(const std::vector<double>& values) {
+  std::vector<double> found;
+  std::ranges::copy_if(values, std::back_inserter(found), [](double value) { return value != 0; });
+  return found;
+}
 
 }  // namespace
 
@@ -185,15 +207,14 @@ double FlipMap::mean() const {
 double FlipMap::max() const { return *std::max_element(error.begin(), error.end()); }
 
 FlipFigures figuresOf(const FlipMap& map, std::optional<std::int64_t> pixels) {
-  const WeightedQuantiles quantiles(map.error);
-  const auto all = static_cast<double>(map.error.size());
-  const double mean = pixels && *pixels > 0 ? map.mean() * (all / static_cast<double>(*pixels)) : map.mean();
-  return {mean,
-          *std::min_element(map.error.begin(), map.error.end()),
-          quantiles.at(0.25),
-          quantiles.at(0.5),
-          quantiles.at(0.75),
-          map.max()};
+  std::vector<double> errors = nonzero(map.error);
+  if (errors.empty()) return {};
+  const double counted = static_cast<double>(pixels && *pixels > 0 ? *pixels : std::ssize(map.error));
+  const double mean = std::accumulate(errors.begin(), errors.end(), 0.0) / counted;
+  const auto [least, most] = std::ranges::minmax(errors);
+  const double min = errors.size() == map.error.size() ? least : 0;
+  const WeightedQuantiles quantiles(std::move(errors));
+  return {mean, min, quantiles.at(0.25), quantiles.at(0.5), quantiles.at(0.75), most};
 }
 
 FlipMap flip(const image::Image& a, const image::Image& b, double pixelsPerDegree) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "compare/vectorised.h"
 #include "core/expect.h"
 #include "core/interruption.h"
 
@@ -13,58 +14,85 @@ namespace {
 
 typedef double Four __attribute__((vector_size(32)));
 
-/// Row pointers for the offsets 0, 1, ..., radius on one side of the middle. A filter along a row has all of them
-/// point into that row.
-using Rows = std::vector<const double*>;
-
-/// Weights and rows for the innermost loop. They are raw pointers, because checked indices make the loop a third
-/// slower.
-struct Pairs {
-  const double* half;
-  const double* const* before;
-  const double* const* after;
-  std::size_t count;
+/// Values that a filter adds in pairs, at the same distance before and after the middle: along columns, those of
+/// rows above and below.
+struct RowPairs {
+  const double* const* above;
+  const double* const* below;
+  const double* before(std::size_t i) const { return above[i]; }
+  const double* after(std::size_t i) const { return below[i]; }
 };
 
-/// Computes out[x] = half[0] before[0][x] + sum over i of half[i] (after[i][x] ± before[i][x]). A Value holds one
-/// or four consecutive x. Pairs are added before they are multiplied: this halves the multiplications, and
-/// mirrored pictures get exactly mirrored sums.
-template <class Value, bool odd>
-[[gnu::always_inline]] inline void addPairsAt(int x, const Pairs& pairs, double* out) {
-  Value sum, b, a;
-  std::memcpy(&b, pairs.before[0] + x, sizeof b);  // memcpy reads a value at any alignment
-  sum = pairs.half[0] * b;
-  for (std::size_t i = 1; i < pairs.count; ++i) {
-    std::memcpy(&b, pairs.before[i] + x, sizeof b);
-    std::memcpy(&a, pairs.after[i] + x, sizeof a);
-    sum += pairs.half[i] * (odd ? a - b : a + b);
+/// Along a row: the values i columns to the left and to the right.
+struct ColumnPairs {
+  const double* row;
+  const double* before(std::size_t i) const { return row - i; }
+  const double* after(std::size_t i) const { return row + i; }
+};
+
+template <class Value>
+[[gnu::always_inline]] inline void read(Value& value, const double* from) {
+  std::memcpy(&value, from, sizeof value);  // memcpy reads a value at any alignment
+}
+
+/// Computes out[x] = half[0] before(0)[x] + sum over i of half[i] (after(i)[x] ± before(i)[x]) for `count` Values
+/// from x. `half` is a raw pointer, because checked indices make the loop a third slower. A Value holds one or
+/// four consecutive x. Several Values share the reading of pointers and weights. Pairs are added before they are
+/// multiplied: this halves the multiplications, and mirrored pictures get exactly mirrored sums.
+template <class Value, int count, bool odd, class Pairs>
+[[gnu::always_inline]] inline void addPairsAt(int x, const Pairs& pairs, const double* half, std::size_t weights,
+                                              double* out) {
+  constexpr int kStep = sizeof(Value) / sizeof(double);
+  Value sum[count], b, a;
+#pragma GCC unroll 8
+  for (int k = 0; k < count; ++k) {
+    read(b, pairs.before(0) + x + k * kStep);
+    sum[k] = half[0] * b;
   }
-  std::memcpy(out + x, &sum, sizeof sum);
+  for (std::size_t i = 1; i < weights; ++i) {
+    const double *before = pairs.before(i) + x, *after = pairs.after(i) + x;
+    const double weight = half[i];
+#pragma GCC unroll 8
+    for (int k = 0; k < count; ++k) {
+      read(b, before + k * kStep);
+      read(a, after + k * kStep);
+      sum[k] += weight * (odd ? a - b : a + b);
+    }
+  }
+#pragma GCC unroll 8
+  for (int k = 0; k < count; ++k) std::memcpy(out + x + k * kStep, &sum[k], sizeof sum[k]);
 }
 
-template <bool odd>
-[[gnu::always_inline]] inline void addPairsAlong(const Pairs& pairs, ColumnSpan where, double* out) {
+template <bool odd, class Pairs>
+[[gnu::always_inline]] inline void addPairsAlong(const Pairs& pairs, const std::vector<double>& half,
+                                                 ColumnSpan where, double* out) {
+  const double* const weights = half.data();
+  const std::size_t count = half.size();
   int x = where.begin;
-  for (; x + 4 <= where.end; x += 4) addPairsAt<Four, odd>(x, pairs, out);
-  for (; x < where.end; ++x) addPairsAt<double, odd>(x, pairs, out);
+  for (; x + 16 <= where.end; x += 16) addPairsAt<Four, 4, odd>(x, pairs, weights, count, out);
+  for (; x + 4 <= where.end; x += 4) addPairsAt<Four, 1, odd>(x, pairs, weights, count, out);
+  for (; x < where.end; ++x) addPairsAt<double, 1, odd>(x, pairs, weights, count, out);
 }
 
-// The compiler makes two versions of this function. The AVX2 version computes the same sums, four values per
-// instruction; it has no FMA, which would round differently. Builds for ThreadSanitizer have one version, because
-// selecting a version before ThreadSanitizer is ready would end the program.
-#if defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
-[[gnu::target_clones("avx2", "default")]]
-#endif
-void addPairs(bool odd, const Pairs& pairs, ColumnSpan where, double* out) {
-  if (odd)
-    addPairsAlong<true>(pairs, where, out);
+template <class Pairs>
+[[gnu::always_inline]] inline void addPairs(Kernel::Parity parity, const Pairs& pairs,
+                                            const std::vector<double>& half, ColumnSpan where, double* out) {
+  if (parity == Kernel::Parity::kOdd)
+    addPairsAlong<true>(pairs, half, where, out);
   else
-    addPairsAlong<false>(pairs, where, out);
+    addPairsAlong<false>(pairs, half, where, out);
 }
 
-Pairs pairsOf(const std::vector<double>& half, const Rows& before, const Rows& after) {
-  POINSOT_EXPECT(before.size() == half.size() && after.size() == half.size());
-  return {half.data(), before.data(), after.data(), half.size()};
+POINSOT_VECTORISED
+void addRowPairs(Kernel::Parity parity, const RowPairs& pairs, const std::vector<double>& half, ColumnSpan where,
+                 double* out) {
+  addPairs(parity, pairs, half, where, out);
+}
+
+POINSOT_VECTORISED
+void addColumnPairs(Kernel::Parity parity, const ColumnPairs& pairs, const std::vector<double>& half,
+                    ColumnSpan where, double* out) {
+  addPairs(parity, pairs, half, where, out);
 }
 
 }  // namespace
@@ -90,27 +118,19 @@ Kernel Kernel::scaled(double factor) const {
 }
 
 void Kernel::alongColumns(const RowWindow& window, int plane, ColumnSpan where, double* out) const {
-  Rows before(half_.size()), after(half_.size());
-  for (int i = 0; i <= radius(); ++i) {
-    before[static_cast<std::size_t>(i)] = window.row(plane, -i);
-    after[static_cast<std::size_t>(i)] = window.row(plane, i);
-  }
-  addPairs(parity_ == Parity::kOdd, pairsOf(half_, before, after), where, out);
+  POINSOT_EXPECT(radius() <= window.radius());
+  addRowPairs(parity_, {window.rowsAbove(plane), window.rowsBelow(plane)}, half_, where, out);
 }
 
 void Kernel::alongRow(const double* in, ColumnSpan where, double* out) const {
-  Rows before(half_.size()), after(half_.size());
-  for (int i = 0; i <= radius(); ++i) {
-    before[static_cast<std::size_t>(i)] = in - i;
-    after[static_cast<std::size_t>(i)] = in + i;
-  }
-  addPairs(parity_ == Parity::kOdd, pairsOf(half_, before, after), where, out);
+  addColumnPairs(parity_, {in}, half_, where, out);
 }
 
 RowWindow::RowWindow(image::PixelSize size, int planes, int radius, Source source)
     : size_(size), planes_(planes), radius_(radius), source_(std::move(source)) {
   POINSOT_EXPECT(size.width > 0 && size.height > 0 && planes > 0 && radius >= 0);
   rows_.assign(static_cast<std::size_t>(planes * (2 * radius + 1)), MarginedRow(size.width, radius));
+  pointers_.resize(static_cast<std::size_t>(planes * 2 * (radius + 1)));
 }
 
 double* RowWindow::slot(int plane, int y) {
@@ -134,11 +154,15 @@ void RowWindow::moveTo(int y) {
   middle_ = y;
   made_ = std::max(made_, y - radius_);
   for (; made_ <= std::min(y + radius_, size_.height - 1); ++made_) make(made_);
+  pointToRows();
 }
 
-const double* RowWindow::row(int plane, int offset) const {
-  const int y = std::clamp(middle_ + offset, 0, size_.height - 1);
-  return const_cast<RowWindow*>(this)->slot(plane, y);
+void RowWindow::pointToRows() {
+  auto next = pointers_.begin();
+  for (int plane = 0; plane < planes_; ++plane)
+    for (const int step : {-1, 1})
+      for (int i = 0; i <= radius_; ++i)
+        *next++ = slot(plane, std::clamp(middle_ + step * i, 0, size_.height - 1));
 }
 
 }  // namespace poinsot::compare

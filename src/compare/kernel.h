@@ -47,20 +47,27 @@ class RowWindow {
   /// @pre y is inside the picture, and not less than before.
   void moveTo(int y);
 
-  /// Returns column 0 of row y + offset of a plane. @pre |offset| <= radius.
-  const double* row(int plane, int offset) const;
+  /// Column 0 of the rows y, y + step, y + 2 step, ... of a plane, radius + 1 rows; step is -1 for rowsAbove() and
+  /// 1 for rowsBelow().
+  const double* const* rowsAbove(int plane) const { return rowsFrom(plane, 0); }
+  const double* const* rowsBelow(int plane) const { return rowsFrom(plane, radius_ + 1); }
   int width() const { return size_.width; }
   int radius() const { return radius_; }
 
  private:
   double* slot(int plane, int y);
   void make(int y);
+  void pointToRows();
+  const double* const* rowsFrom(int plane, int first) const {
+    return &pointers_[static_cast<std::size_t>(plane * 2 * (radius_ + 1) + first)];
+  }
 
   image::PixelSize size_;
   int planes_, radius_;
   Source source_;
-  int middle_ = 0, made_ = 0;      ///< rows below number `made_` have been computed
-  std::vector<MarginedRow> rows_;  ///< ring buffer of 2 radius + 1 rows per plane
+  int middle_ = 0, made_ = 0;            ///< rows below number `made_` have been computed
+  std::vector<MarginedRow> rows_;        ///< ring buffer of 2 radius + 1 rows per plane
+  std::vector<const double*> pointers_;  ///< for each plane, its rows above and its rows below
 };
 
 /// One-dimensional filter whose weights are symmetric (even) or antisymmetric (odd).

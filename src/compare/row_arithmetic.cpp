@@ -7,15 +7,7 @@
 #include <numbers>
 
 #include "compare/flip_color.h"
-
-// The compiler makes two versions of a function. The AVX2 version computes the same results, four values per
-// instruction; it has no FMA, which would round differently. Builds for ThreadSanitizer have one version, because
-// selecting a version before ThreadSanitizer is ready would end the program.
-#if defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
-#define POINSOT_VECTORISED [[gnu::target_clones("avx2", "default")]]
-#else
-#define POINSOT_VECTORISED
-#endif
+#include "compare/vectorised.h"
 
 namespace poinsot::compare {
 
@@ -27,6 +19,17 @@ void addScaled(const double* __restrict x, double factor, ColumnSpan where, doub
 POINSOT_VECTORISED
 void toLengths(double* __restrict x, const double* __restrict y, double divisor, ColumnSpan where) {
   for (int i = where.begin; i < where.end; ++i) x[i] = std::sqrt(x[i] * x[i] + y[i] * y[i]) / divisor;
+}
+
+POINSOT_VECTORISED
+void toOpponent(const std::array<double*, 3>& color, ColumnSpan where) {
+  double* __restrict c0 = color[0], * __restrict c1 = color[1], * __restrict c2 = color[2];
+  for (int i = where.begin; i < where.end; ++i) {
+    const Triple opponent = opponentColor({c0[i], c1[i], c2[i]});
+    c0[i] = opponent[0];
+    c1[i] = opponent[1];
+    c2[i] = opponent[2];
+  }
 }
 
 POINSOT_VECTORISED
@@ -56,11 +59,12 @@ void flipErrors(const PerceivedRow& a, const PerceivedRow& b, ColumnSpan where, 
 POINSOT_VECTORISED
 void similarities(const WindowMeans& means, ColumnSpan where, double* __restrict out) {
   constexpr double kC1 = 0.01 * 0.01, kC2 = 0.03 * 0.03;
-  const auto [as, bs, aas, bbs, abs] = means;
+  const auto [as, bs, squares, products] = means;
   for (int i = where.begin; i < where.end; ++i) {
     const double a = as[i], b = bs[i];
-    const double varianceA = aas[i] - a * a, varianceB = bbs[i] - b * b, covariance = abs[i] - a * b;
-    out[i] = (2 * a * b + kC1) * (2 * covariance + kC2) / ((a * a + b * b + kC1) * (varianceA + varianceB + kC2));
+    const double product = 2 * a * b, square = a * a + b * b;
+    const double variances = squares[i] - square, covariances = products[i] - product;
+    out[i] = (product + kC1) * (covariances + kC2) / ((square + kC1) * (variances + kC2));
   }
 }
 

@@ -16,6 +16,9 @@ void addScaled(const double* x, double factor, ColumnSpan where, double* sum);
 /// Replaces x by √(x² + y²) / divisor.
 void toLengths(double* x, const double* y, double divisor, ColumnSpan where);
 
+/// Replaces linear RGB by opponent colours Y Cx Cz, see flip_color.h.
+void toOpponent(const std::array<double*, 3>& color, ColumnSpan where);
+
 /// Replaces opponent colours Y Cx Cz by Hunt-adjusted CIELab, see flip_color.h.
 void toHuntLab(const std::array<double*, 3>& color, ColumnSpan where);
 
@@ -28,8 +31,8 @@ struct PerceivedRow {
 /// Computes FLIP's errors of two rows.
 void flipErrors(const PerceivedRow& a, const PerceivedRow& b, ColumnSpan where, double* errors);
 
-/// Means of a, b, a², b² and ab in the window around each column.
-using WindowMeans = std::array<const double*, 5>;
+/// Means of a, b, a² + b² and 2ab in the window around each column.
+using WindowMeans = std::array<const double*, 4>;
 /// Computes the SSIM of each window.
 void similarities(const WindowMeans& means, ColumnSpan where, double* out);
 

@@ -29,7 +29,7 @@ double luma(const Sample* p) {
   return (0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2]) / image::BasicImage<Sample>::kMost;
 }
 
-enum Moment { kA, kB, kAA, kBB, kAB, kMoments };
+enum Moment { kA, kB, kSquares, kProducts, kMoments };
 
 template <typename Sample>
 RowWindow lumaWindow(const image::BasicImage<Sample>& a, const image::BasicImage<Sample>& b) {
@@ -40,9 +40,8 @@ RowWindow lumaWindow(const image::BasicImage<Sample>& a, const image::BasicImage
               const double va = luma(p), vb = luma(q);
               planes[kA][x] = va;
               planes[kB][x] = vb;
-              planes[kAA][x] = va * va;
-              planes[kBB][x] = vb * vb;
-              planes[kAB][x] = va * vb;
+              planes[kSquares][x] = va * va + vb * vb;
+              planes[kProducts][x] = 2 * va * vb;
             }
           }};
 }
@@ -57,24 +56,23 @@ std::optional<SsimFigures> ssimOf(const image::BasicImage<Sample>& a, const imag
   RowWindow window = lumaWindow(a, b);
   AffectedSpans affected(a, b, kRadius);
   MarginedRow column(width, kRadius);
-  std::array<MarginedRow, kMoments> means{column, column, column, column, column};
+  std::array<MarginedRow, kMoments> means{column, column, column, column};
   std::vector<double> row(static_cast<std::size_t>(width));
   SsimFigures figures;
   double sum = 0;
   std::int64_t windows = 0;
   for (int y = kRadius; y < height - kRadius; ++y) {
+    const std::vector<ColumnSpan>& spans = affected.row(y);
     std::ranges::fill(row, 1.0);  // equal windows have the similarity 1
-    if (const std::vector<ColumnSpan>& spans = affected.row(y); !spans.empty()) {
-      window.moveTo(y);
-      for (const ColumnSpan& span : spans) {
-        for (int k = 0; k < kMoments; ++k) {
-          profile.alongColumns(window, k, span.grown(kRadius), column.columns());
-          profile.alongRow(column.columns(), span, means[static_cast<std::size_t>(k)].columns());
-        }
-        similarities({means[kA].columns(), means[kB].columns(), means[kAA].columns(), means[kBB].columns(),
-                      means[kAB].columns()},
-                     span, row.data());
+    if (!spans.empty()) window.moveTo(y);
+    for (const ColumnSpan& span : spans) {
+      for (int k = 0; k < kMoments; ++k) {
+        profile.alongColumns(window, k, span.grown(kRadius), column.columns());
+        profile.alongRow(column.columns(), span, means[static_cast<std::size_t>(k)].columns());
       }
+      similarities(
+          {means[kA].columns(), means[kB].columns(), means[kSquares].columns(), means[kProducts].columns()}, span,
+          row.data());
     }
     for (int x = kRadius; x < width - kRadius; ++x) {
       if (ignored && ignored->ignores(x, y)) continue;

@@ -141,9 +141,10 @@ TEST(AffectedSpans, CoverWhatTheDefinitionCovers) {
     AffectedSpans affected(a, b, kRadius);
     for (int y = 0; y < a.size.height; ++y) {
       const std::vector<ColumnSpan>& spans = affected.row(y);
-      for (int x = 0; x < a.size.width; ++x)
-        if (isNear(b, x, y, kRadius))
-          EXPECT_TRUE(std::ranges::any_of(spans, [x](ColumnSpan s) { return s.begin <= x && x < s.end; }));
+      const auto covered = [&](int x) {
+        return std::ranges::any_of(spans, [x](ColumnSpan s) { return s.begin <= x && x < s.end; });
+      };
+      for (int x = 0; x < a.size.width; ++x) EXPECT_TRUE(covered(x) || !isNear(b, x, y, kRadius)) << x << " " << y;
       for (const auto& [begin, end] : spans)
         EXPECT_TRUE(isNear(b, begin, y, kRadius) && isNear(b, end - 1, y, kRadius));
     }
