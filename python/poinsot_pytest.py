@@ -62,12 +62,19 @@ def _origin(config: pytest.Config) -> str:
     return str(origin)
 
 
+def _selects(config: pytest.Config) -> bool:
+    """Reports whether pytest runs some tests of a file only."""
+    options = ("keyword", "markexpr", "deselect", "lf", "stepwise")
+    return any(getattr(config.option, name, None) for name in options) or any("::" in word for word in config.args)
+
+
 class _Session:
     """Hooks that need the state of a run. With pytest-xdist, each worker has one, and the controller has one."""
 
     def __init__(self, config: pytest.Config) -> None:
         self.config = config
         self.outcomes: list[dict[str, Any]] = []  # all outcomes of the run, in the process that reports
+        self.unfinished: set[str] = set()  # files of tests of which a test did not compare all its pictures
         self._run: Run | None = None
 
     @property
@@ -118,14 +125,19 @@ class _Session:
             item.user_properties += test.properties()  # pytest writes them into its JUnit report
 
     def pytest_runtest_logreport(self, report: Any) -> None:
-        self.outcomes += getattr(report, "poinsot_golden", ())
+        outcomes = getattr(report, "poinsot_golden", ())
+        self.outcomes += outcomes
+        if report.outcome != "passed" and not any(it["status"] in ("different", "new") for it in outcomes):
+            self.unfinished.add(report.nodeid.partition("::")[0])
 
     def pytest_sessionfinish(self, session: pytest.Session) -> None:
+        if session.shouldstop or session.shouldfail or _selects(self.config):
+            self.unfinished |= {it["file"] for it in self.outcomes}
         if self.outcomes and not hasattr(self.config, "workerinput"):
             self.run.write_report(self.outcomes)
 
     def pytest_terminal_summary(self, terminalreporter: Any) -> None:
         if self.outcomes:
             terminalreporter.section("golden images")
-            for line in self.run.summary(self.outcomes):
+            for line in self.run.summary(self.outcomes, self.unfinished):
                 terminalreporter.write_line(line)

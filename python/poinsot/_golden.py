@@ -63,12 +63,16 @@ class Run:
             with open(self.markdown, "a") as file:
                 file.write(markdown)
 
-    def summary(self, outcomes: list[Outcome]) -> Iterator[str]:
-        counts = Counter(it["status"] for it in outcomes)
+    def summary(self, outcomes: list[Outcome], unfinished: set[str]) -> Iterator[str]:
+        """Returns the lines of the terminal's summary. unfinished: files of tests whose unused baselines are not known"""
+        unused = _unused([it for it in outcomes if it["file"] not in unfinished])
+        counts = Counter([*(it["status"] for it in outcomes), *("unused" for _ in unused)])
         yield ", ".join(f"{count} {status}" for status, count in sorted(counts.items()))
         for it in outcomes:
             if it["status"] in ("approved", "near", *_FAILING):
                 yield f"{it['status']:<10} {it['name']}: {it['message']}"
+        for path in unused:
+            yield f"{'unused':<10} {self.shown(path)}: no test compares a picture with it; remove it if its test is gone"
         yield f"report: {self.shown(self.report)}"
         if any(it["status"] in _FAILING for it in outcomes):
             yield "if new pictures are right, approve them: run pytest again with --golden-update=NAME (* matches any characters)"
@@ -156,7 +160,7 @@ class Test:
         new.parent.mkdir(parents=True, exist_ok=True)
         new.unlink(missing_ok=True)
         outcome: Outcome = {"name": name, "status": "error", "message": "", "figures": {}, "place": os.fsencode(baseline), "baseline": b"", "new": b"",
-                            "rule": settings.words, "ignore": settings.ignore, "mask": settings.mask}
+                            "file": self.item.nodeid.partition("::")[0], "is_own": settings.baseline is None, "rule": settings.words, "ignore": settings.ignore, "mask": settings.mask}
         self.outcomes.append(outcome)
         try:
             save(picture, new, settings)
@@ -229,6 +233,17 @@ class Test:
             if outcome["status"] != "error":
                 lines.append(f"  if the new picture is right, approve it: {self.run.command} {shlex.quote(self.item.nodeid)} --golden-update")
         return "\n".join(lines)
+
+
+def _unused(outcomes: list[Outcome]) -> list[Path]:
+    """Returns the files beside the baselines of some tests with which none was compared. Another plugin's baselines are left out,
+    because several files of tests share their folder."""
+    places = {Path(os.fsdecode(it["place"])) for it in outcomes if it["is_own"]}
+    kinds = {place.suffix for place in places}
+    return sorted(
+        file for folder in {place.parent for place in places} if folder.is_dir()
+        for file in folder.iterdir() if file.suffix in kinds and not file.name.startswith(".") and file not in places
+    )
 
 
 def _fail(message: str) -> NoReturn:

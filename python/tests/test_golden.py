@@ -71,6 +71,23 @@ def test_fails_without_baselines_and_writes_none(fresh):
     assert "approve it: pytest 'tests/test_plots.py::test_arrays[40]' --golden-update" in said
 
 
+def test_lists_baselines_that_no_test_of_a_complete_file_uses(project):
+    left = project.baselines / "test_of_last_year.png"
+    shutil.copy(project.baselines / "test_wave.png", left)
+    line = "unused     tests/golden/test_plots/test_of_last_year.png: no test compares a picture with it"
+    for words in (["tests"], ["tests", "-n", "2"], []):
+        said = project.run(*words)
+        assert line in said
+        assert said.count("unused  ") == 1
+        assert f"{len(NAMES)} identical, 1 unused" in said
+    for words in (["tests", "-k", "wave"], ["tests/test_plots.py::test_wave"], ["tests", "--deselect", "tests/test_plots.py::test_wave"]):
+        assert "unused  " not in project.run(*words)
+    assert left.exists()
+    with open(project.folder / "tests/test_plots.py", "a") as tests:
+        tests.write("\n\n@pytest.mark.skip\n@pytest.mark.golden\ndef test_of_last_year():\n    pass\n")
+    assert "unused  " not in project.run("tests")
+
+
 def test_approves_pictures_beside_the_tests_and_passes_then(project):
     assert sorted(project.digest()) == sorted(f"{name}.png" for name in NAMES)
     assert f"{len(NAMES)} identical" in project.run("tests")
