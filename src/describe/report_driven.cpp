@@ -23,6 +23,26 @@ void addSteadyPrecession(Section& section, const physics::HeavyTop& top, double 
               std::isinf(steady->fast) ? "none: the axis is level" : "");
 }
 
+/// Names the motion of a heavy top as textbooks do; empty if it has no name.
+std::string nameOf(const scene::HeavyTopStart& start) {
+  const auto kind = start.top.nutationKind(start.omega_P, start.up_P);
+  if (!kind) return "";
+  switch (*kind) {
+    case physics::NutationKind::kCusps:
+      return "nutation with cusps";
+    case physics::NutationKind::kLoops:
+      return "nutation with loops";
+    case physics::NutationKind::kWaves:
+      return "nutation in waves";
+    case physics::NutationKind::kSteady:
+      break;
+  }
+  const auto steady = start.top.steadyPrecession(start.tilt_rad(), start.spin());
+  const double rate = start.nutation().precession_rad / start.nutation().period_s;
+  const bool isSlow = steady && std::abs(rate - steady->slow) < std::abs(rate - steady->fast);
+  return isSlow ? "slow steady precession" : "fast steady precession";
+}
+
 void addNutation(Section& section, const physics::Nutation& nutation) {
   section.add("nutation_least_tilt", "nutation: least tilt", nutation.leastTilt_rad, "rad", "from the vertical");
   section.add("nutation_largest_tilt", "  largest tilt", nutation.mostTilt_rad, "rad", "");
@@ -82,6 +102,8 @@ Section heavyTopSection(const scene::Scene& scene) {
                 "relative difference; the motion uses the mean of the two moments");
   section.add("top_tilt", "angle between k and the vertical", start->tilt_rad(), "rad", "");
   section.add("top_spin", "spin omega_3", start->spin(), "rad/s", "eq 26");
+  if (const std::string name = nameOf(*start); !name.empty())
+    section.add("top_motion", "motion of the axis", name, "", "");
   section.add("sleeping_spin", "sleeps upright above 2 sqrt(I1 M g l)/I3", start->top.sleepingSpin(), "rad/s", "");
   addSteadyPrecession(section, start->top, start->tilt_rad(), start->spin());
   addNutation(section, start->nutation());

@@ -129,4 +129,32 @@ Nutation HeavyTop::nutation(const Eigen::Vector3d& omega_P, const Eigen::Vector3
   return swing;
 }
 
+std::optional<NutationKind> HeavyTop::nutationKind(const Eigen::Vector3d& omega_P,
+                                                   const Eigen::Vector3d& up_P) const {
+  constexpr double kSameTilt = 1e-7, kSmallRate = 1e-6;
+  const Nutation swing = nutation(omega_P, up_P);
+  const auto [leastSine, leastCosine] = sineCosine(swing.leastTilt_rad);
+  const auto [mostSine, mostCosine] = sineCosine(swing.mostTilt_rad);
+  if (std::min(leastSine, mostSine) < kSameTilt || !std::isfinite(swing.period_s)) return std::nullopt;
+  if (swing.mostTilt_rad - swing.leastTilt_rad < kSameTilt) return NutationKind::kSteady;
+  const double L_z =
+      across * dotProduct(omega_P, up_P) + (along - across) * dotProduct(omega_P, k_P) * dotProduct(k_P, up_P);
+  const double L_3 = along * dotProduct(omega_P, k_P);
+  const double least = (L_z - L_3 * leastCosine) / (leastSine * leastSine);
+  const double most = (L_z - L_3 * mostCosine) / (mostSine * mostSine);
+  if (std::abs(least) < kSmallRate * std::abs(most)) return NutationKind::kCusps;
+  return (least < 0) == (most < 0) ? NutationKind::kWaves : NutationKind::kLoops;
+}
+
+double HeavyTop::spinOfPrecession(double tilt_rad, double precession) const {
+  requireFinite(tilt_rad, "the tilt");
+  requireFinite(precession, "the rate of precession");
+  POINSOT_EXPECT(precession != 0);
+  return (weight / precession + across * sineCosine(tilt_rad).cosine * precession) / along;
+}
+
+Eigen::Vector3d HeavyTop::omegaPrecessing(const Eigen::Vector3d& up_P, double spin, double precession) const {
+  return spin * k_P + precession * (up_P - dotProduct(up_P, k_P) * k_P);
+}
+
 }  // namespace poinsot::physics

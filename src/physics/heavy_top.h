@@ -16,6 +16,11 @@ struct SteadyPrecession {
   double fast = 0;
 };
 
+/// Kinds of nutation, by the path of the axis on a sphere about the fixed point (Goldstein, figure 5.9). With
+/// `kWaves`, the axis always precesses in one direction; with `kCusps`, it stops at its least tilt; with `kLoops`,
+/// it goes back there.
+enum class NutationKind { kSteady, kCusps, kLoops, kWaves };
+
 /// Nutation of a heavy top: the swing of its tilt theta, the angle between k and the vertical. period_s is the
 /// time from one least tilt to the next, and precession_rad is the turn about the vertical in this time. Both are
 /// infinite if the top approaches the upright position without reaching it.
@@ -62,6 +67,21 @@ struct HeavyTop {
   /// @pre up_P is of unit length.
   /// @throws core::Error(kPhysics) if omega_P is not finite.
   Nutation nutation(const Eigen::Vector3d& omega_P, const Eigen::Vector3d& up_P) const;
+
+  /// Returns the kind of nutation of the motion that has the given state at any one time. Angles that differ by
+  /// less than 1e-7 rad and rates that are less than 1e-6 of each other count as rounding. Returns nullopt for a
+  /// motion through the vertical, or towards it, where no such path exists.
+  /// @pre, @throws as nutation()
+  std::optional<NutationKind> nutationKind(const Eigen::Vector3d& omega_P, const Eigen::Vector3d& up_P) const;
+
+  /// Returns the spin omega_3 at which the top precesses steadily at the rate `precession`, rad/s: (M g l + I1 cos
+  /// theta Omega²)/(I3 Omega). @pre the rate is not 0.
+  /// @throws core::Error(kPhysics) if a number is not finite.
+  double spinOfPrecession(double tilt_rad, double precession) const;
+
+  /// Returns omega_P, rad/s, of a top with the spin omega_3 whose axis turns about the vertical at the rate
+  /// `precession` and does not nod: omega_3 k + Omega (z - (z·k) k).
+  Eigen::Vector3d omegaPrecessing(const Eigen::Vector3d& up_P, double spin, double precession) const;
 };
 
 /// Returns the heavy top with these moments and this weight, or nullopt if it is not a symmetric top. The centre

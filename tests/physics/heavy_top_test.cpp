@@ -183,5 +183,33 @@ TEST(HeavyTop, RefusesNumbersThatAreNotFinite) {
   }
 }
 
+// By hand: an axis released at rest draws cusps. With half of the slow precession it goes on in one direction, and
+// with the opposite precession it starts backwards.
+TEST(HeavyTop, NamesItsNutation) {
+  const HeavyTop top = heavyTop(kMoments, kGravity).value();
+  for (const double tilt_rad : {0.3, 1.0, 2.2}) {
+    const Vector3d up_P = upAtTilt(tilt_rad);
+    const SteadyPrecession steady = top.steadyPrecession(tilt_rad, kSpin).value();
+    const auto kindAt = [&](double rate) {
+      return top.nutationKind(top.omegaPrecessing(up_P, kSpin, rate), up_P);
+    };
+    EXPECT_EQ(kindAt(0), NutationKind::kCusps);
+    EXPECT_EQ(kindAt(-steady.slow), NutationKind::kLoops);
+    EXPECT_EQ(kindAt(steady.slow / 2), NutationKind::kWaves);
+    EXPECT_EQ(kindAt(steady.slow), NutationKind::kSteady);
+    EXPECT_EQ(kindAt(steady.fast), NutationKind::kSteady);
+  }
+  EXPECT_EQ(top.nutationKind({0, 0, kSpin}, {0, 0, 1}), std::nullopt);  // a sleeping top
+}
+
+// The spin of a precession must have this rate among its two steady ones. Measured: 3e-16.
+TEST(HeavyTop, FindsTheSpinOfAPrecession) {
+  const HeavyTop top = heavyTop(kMoments, kGravity).value();
+  for (const double rate : {0.2, 1.5, 6.0, -2.0}) {
+    const auto [slow, fast] = top.steadyPrecession(1.1, top.spinOfPrecession(1.1, rate)).value();
+    EXPECT_LT(std::min(std::abs(slow / rate - 1), std::abs(fast / rate - 1)), 2e-14) << rate;
+  }
+}
+
 }  // namespace
 }  // namespace poinsot::physics

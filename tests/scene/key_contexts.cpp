@@ -48,6 +48,8 @@ const std::map<std::string_view, std::string>& contexts() {
   static const std::string points =
       "[[body.point_mass]]\nmass = 1\nposition = [1, 2, 3]\n[[body.point_mass]]\nmass = 2\nposition = [1, -2, 1]\n"
       "[[body.point_mass]]\nmass = 3\nposition = [-1, 0, 5]\n";
+  static const std::string top =
+      "body.principal_moments = [2, 2, 1]\nmotion.gravity.mgr_body = [0, 0, 3]\nmotion.lean = 1\n";
   static const std::map<std::string_view, std::string> all = {
       {"body.principal_moments", kOmega},
       {"body.inertia", kOmega},
@@ -72,6 +74,12 @@ const std::map<std::string_view, std::string>& contexts() {
       {"motion.spin_axis", kMoments + "motion.spin = 1\n"},
       {"motion.tilt", kMoments + "motion.spin = 1\nmotion.spin_axis = \"1\"\n"},
       {"motion.tilt_towards", kMoments + "motion.spin = 1\nmotion.spin_axis = \"1\"\nmotion.tilt = 0.1\n"},
+      {"motion.precession", top + "motion.spin = 50\nmotion.spin_axis = \"3\"\n"},
+      {"motion.nutation", top + "motion.spin = 50\nmotion.spin_axis = \"3\"\n"},
+      {"motion.lean", kMoments + kOmega + "motion.spin_axis = \"3\"\n"},
+      {"motion.euler_rates.precession", kMoments + "motion.euler_rates.spin = 1\n"},
+      {"motion.euler_rates.nutation", kMoments + "motion.euler_rates.spin = 1\n"},
+      {"motion.euler_rates.spin", kMoments + "motion.euler_rates.precession = 1\n"},
       {"motion.energy", kMoments + "motion.L = 4.2\n"},
       {"motion.L", kMoments + "motion.energy = 4.5\n"},
       {"motion.phase", kMoments + "motion.energy = 4.5\nmotion.L = 4.2\n"},

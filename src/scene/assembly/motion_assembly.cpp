@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/error.h"
-#include "physics/level_attitude.h"
+#include "core/text.h"
+#include "physics/euler_angles.h"
 #include "physics/start.h"
+#include "scene/assembly/top_start.h"
+#include "scene/keys/start_ways.h"
 #include "scene/limits.h"
 #include "scene/shapes.h"
 
@@ -17,22 +20,6 @@ namespace {
 
 using Eigen::Vector3d;
 using physics::Quaternion;
-
-/// One of the ways to give a start of the motion, as a list of keys. The first `required` keys must be given.
-struct Way {
-  std::vector<std::string_view> names;
-  std::size_t required;
-};
-
-const std::vector<Way>& ways() {
-  static const std::vector<Way> all = {{{"omega_body"}, 1},
-                                       {{"omega_space"}, 1},
-                                       {{"L_body"}, 1},
-                                       {{"L_space"}, 1},
-                                       {{"spin", "spin_axis", "tilt", "tilt_towards"}, 2},
-                                       {{"energy", "L", "phase", "branch"}, 2}};
-  return all;
-}
 
 std::string pathOf(std::string_view name) { return fmt::format("motion.{}", name); }
 
@@ -59,57 +46,101 @@ class StartAssembly {
       : start_(draft.start), mgr_B_(draft.forcing.mgr_B), body_(body), findings_(findings), motion_(motion) {}
 
   std::optional<Rest> run() {
-    std::vector<const Way*> given;
-    for (const Way& way : ways())
-      if (!firstGiven(way).empty()) given.push_back(&way);
-    if (given.empty())
-      refuseNone();
-    else if (given.size() > 1)
-      refuseSecond(*given[0], *given[1]);
-    else if (complete(*given[0]))
-      start(firstGiven(*given[0]));
+    for (const StartWay& way : startWays())
+      if (!firstGiven(way).empty()) given_.push_back(&way);
+    if (!contradicts() && complete()) start();
     return std::move(rest_);
   }
 
  private:
-  std::string firstGiven(const Way& way) const {
-    for (const std::string_view name : way.names)
-      if (findings_.has(pathOf(name))) return pathOf(name);
+  /// Returns the path of the first key of a way that the scene gives; empty if it gives none.
+  std::string firstGiven(const StartWay& way) const {
+    const bool isRate = start_.precession.has_value();  // the key gives a rate, or the words slow and fast
+    if (way.name == "a rate of precession" && !isRate) return "";
+    if (way.name == "precession slow or fast" && isRate) return "";
+    for (const std::string_view name : way.keys) {
+      if (name == "spin_axis" && namesAxisOfLean()) continue;
+      const std::string path = pathOf(name);
+      if (path.ends_with('.') ? findings_.hasBelow(path.substr(0, path.size() - 1)) : findings_.has(path))
+        return path.ends_with('.') ? path.substr(0, path.size() - 1) : path;
+    }
     return "";
   }
 
-  void refuseNone() {
+  /// Returns whether spin_axis is given for `lean` alone.
+  bool namesAxisOfLean() const { return findings_.has("motion.lean") && !findings_.has("motion.spin"); }
+
+  bool contradicts() {
+    for (std::size_t second = 1; second < given_.size(); ++second)
+      for (std::size_t first = 0; first < second; ++first)
+        if (!combine(*given_[first], *given_[second])) {
+          refuseSecond(*given_[first], *given_[second]);
+          return true;
+        }
+    return false;
+  }
+
+  void refuseSecond(const StartWay& first, const StartWay& second) {
+    findings_.refuse(firstGiven(second),
+                     fmt::format("{} is given too; {}", firstGiven(first), rule(first, second)));
+  }
+
+  static std::string rule(const StartWay& first, const StartWay& second) {
+    const auto gives = [&](StartPart part) { return first.part == part && second.part == part; };
+    if (gives(StartPart::kAttitude)) return "an attitude is given in one way: " + namesOf(StartPart::kAttitude);
+    if (gives(StartPart::kRotation)) return "a rotation is given in one way: " + namesOf(StartPart::kRotation);
+    if (first.name == "euler_rates") return "rates of Euler angles need motion.euler, or no attitude";
+    if (first.part == StartPart::kRotation) return fmt::format("{} needs spin and spin_axis", second.name);
+    return "a top starts in one way: tilt, precession or nutation";
+  }
+
+  static std::string namesOf(StartPart part) {
+    std::vector<std::string_view> names;
+    for (const StartWay& way : startWays())
+      if (way.part == part) names.push_back(way.name);
+    const std::string last(names.back());
+    names.pop_back();
+    return core::joined(names, ", ") + " or " + last;
+  }
+
+  bool complete() {
+    for (const StartWay* way : given_)
+      for (std::size_t i = 0; i < way->required; ++i)
+        if (!findings_.has(pathOf(way->keys[i])) && way->required > 1) {
+          refuseIncomplete(*way, *way, way->keys[i]);
+          return false;
+        }
+    for (const StartWay* way : given_)
+      if (way->part == StartPart::kRotation) return true;
+    refuseNoRotation();
+    return false;
+  }
+
+  /// @param given  way of which the scene has a key
+  /// @param needed  way of which it lacks the key `missing`
+  void refuseIncomplete(const StartWay& given, const StartWay& needed, std::string_view missing) {
+    const std::vector<std::string_view> together(
+        needed.keys.begin(), needed.keys.begin() + static_cast<std::ptrdiff_t>(needed.required));
+    findings_.refuseMissing(pathOf(missing), firstGiven(given),
+                            fmt::format("{} is missing: give {} together", pathOf(missing), listed(together)));
+  }
+
+  void refuseNoRotation() {
+    for (const StartWay* way : given_)
+      if (way->part == StartPart::kTilt || way->part == StartPart::kTop)
+        return refuseIncomplete(*way, startWay("spin and spin_axis"), "spin");
     if (findings_.misspelt("motion")) return;
-    for (const Way& way : ways())
-      for (const std::string_view name : way.names)
+    for (const StartWay& way : startWays())
+      for (const std::string_view name : way.keys)
         if (findings_.misspelt(pathOf(name))) return;
     findings_.refuse("motion.omega_body",
                      "a start is required: give the angular velocity, such as [0.01, 3.0, 0.0]");
   }
 
-  void refuseSecond(const Way& first, const Way& second) {
-    findings_.refuse(firstGiven(second),
-                     fmt::format("{} is given too; a start is given in one way: omega_body, omega_space, L_body, "
-                                 "L_space, spin and spin_axis, or energy and L",
-                                 firstGiven(first)));
-  }
-
-  bool complete(const Way& way) {
-    for (std::size_t i = 0; i < way.required; ++i) {
-      if (findings_.has(pathOf(way.names[i]))) continue;
-      const std::vector<std::string_view> needed(way.names.begin(),
-                                                 way.names.begin() + static_cast<std::ptrdiff_t>(way.required));
-      findings_.refuseMissing(
-          pathOf(way.names[i]), firstGiven(way),
-          fmt::format("{} is missing: give {} together", pathOf(way.names[i]), listed(needed)));
-      return false;
-    }
-    return true;
-  }
-
-  void start(const std::string& path) {
+  void start() {
     chooseOrientation();
     checkTilt();
+    const std::string path = pathOfRotation();
     if (const auto value = restText()) return atRest({path, *value});
     motion_.omega_B = Vector3d::Ones();  // nonzero, so that a rejected start is not taken for rest
     if (!body_) return;
@@ -120,11 +151,46 @@ class StartAssembly {
     }
   }
 
+  std::string pathOfRotation() const {
+    for (const StartWay* way : given_)
+      if (way->part == StartPart::kRotation) return firstGiven(*way);
+    return "motion";
+  }
+
+  bool gives(StartPart part) const {
+    return std::ranges::any_of(given_, [part](const StartWay* way) { return way->part == part; });
+  }
+
   void chooseOrientation() {
+    if (findings_.hasBelow("motion.euler") && passed({"euler.precession", "euler.nutation", "euler.spin"}))
+      motion_.orientation_WB = physics::attitudeOf(start_.euler);
+    else if (start_.rollPitchYaw)
+      motion_.orientation_WB = physics::attitudeOf(
+          physics::RollPitchYaw{(*start_.rollPitchYaw)[0], (*start_.rollPitchYaw)[1], (*start_.rollPitchYaw)[2]});
+    else if (start_.lean)
+      lean();
     const bool inSpace = findings_.has("motion.omega_space") || findings_.has("motion.L_space");
     const bool turned = setsGoing(motion_.forcing) || !motion_.forcing.dragRate_P.isZero(0);
-    if ((inSpace || turned) && !findings_.has("motion.orientation"))
+    if ((inSpace || turned || findings_.hasBelow("motion.euler_rates")) && !gives(StartPart::kAttitude))
       motion_.orientation_WB = Quaternion::Identity();
+  }
+
+  void lean() {
+    motion_.orientation_WB = Quaternion::Identity();  // in case there is no axis
+    const auto axis_B = axisOfLean();
+    if (axis_B) motion_.orientation_WB = physics::leaningAttitude(*axis_B, *start_.lean);
+  }
+
+  std::optional<Vector3d> axisOfLean() {
+    if (!body_ || findings_.failed("motion.spin_axis")) return std::nullopt;
+    if (const auto axis_B = spinAxis_B()) return axis_B;
+    if (!motion_.forcing.gravity_B.isZero(0)) return motion_.forcing.gravity_B.stableNormalized();
+    if (!gravityPulls())
+      findings_.refuseMissing(
+          "motion.spin_axis", "motion.lean",
+          "motion.spin_axis is missing: it names the axis that leans; without gravity, no axis "
+          "is marked");
+    return std::nullopt;
   }
 
   void checkTilt() {
@@ -134,7 +200,7 @@ class StartAssembly {
     if (start_.tilt.value_or(0) == 0) return;
     if (gravityPulls())
       findings_.refuse("motion.tilt", underGravity());
-    else if (start_.spin == 0.0 && (setsGoing(motion_.forcing) || findings_.has("motion.orientation")))
+    else if (start_.spin == 0.0 && (setsGoing(motion_.forcing) || gives(StartPart::kAttitude)))
       findings_.refuse("motion.tilt",
                        "has no effect if motion.spin is 0, because L is 0; leave it out, or give a spin");
   }
@@ -148,15 +214,15 @@ class StartAssembly {
   std::string underGravity() const {
     std::vector<std::string_view> names{"tilt"};
     if (findings_.has("motion.tilt_towards")) names.emplace_back("tilt_towards");
+    if (!gives(StartPart::kAttitude))
+      return fmt::format(
+          "cannot tilt L under gravity, whose vertical is fixed; to lean the body, give motion.lean "
+          "instead of {}",
+          listed(names));
     const bool computable =
         body_ && start_.spin && findings_.has("motion.spin_axis") && passed({"spin_axis", "tilt_towards"});
-    if (findings_.has("motion.orientation"))
-      return "cannot tilt a body under gravity, because motion.orientation sets its attitude; leave out " +
-             listed(names) + (computable ? sameNutation(names) : "");
-    return fmt::format(
-        "cannot tilt a body under gravity, whose axes are the world's at the start; give motion.orientation{} "
-        "instead of {}",
-        computable ? orientationLeaning() : "", listed(names));
+    return "cannot tilt L under gravity, because the scene gives the attitude; leave out " + listed(names) +
+           (computable ? sameNutation(names) : "");
   }
 
   std::string sameNutation(std::vector<std::string_view> names) const {
@@ -165,22 +231,9 @@ class StartAssembly {
                        pasted(omegaTilted(*start_.spin)), listed(names));
   }
 
-  std::string orientationLeaning() const {
-    return fmt::format(" = {}, which tilts spin_axis by {:g} deg from the vertical,", pasted(leaning()),
-                       *start_.tilt * 180 / std::numbers::pi);
-  }
-
   Vector3d omegaTilted(double spin) const {
     return physics::omegaFromSpin(body_->axes,
                                   {spinAxis(), spin, start_.tilt.value_or(0), start_.tiltTowards.value_or(0)});
-  }
-
-  /// Returns the attitude, as w, x, y, z, in which L points up. Without gravity, spin_axis then leans from the
-  /// vertical by the angle `tilt`.
-  Eigen::Vector4d leaning() const {
-    const Vector3d up_B = body_->axes.angularMomentum(omegaTilted(1));
-    const Quaternion q_WB = physics::turnOntoVertical(up_B, physics::Vertical::kUp);
-    return {q_WB.w(), q_WB.x(), q_WB.y(), q_WB.z()};
   }
 
   /// Returns the rotation that the scene gives, such as "0 rad/s", if it is zero; otherwise nullopt.
@@ -188,14 +241,16 @@ class StartAssembly {
     const auto isZero = [](const std::optional<Vector3d>& v) { return v && v->isZero(0); };
     if (isZero(start_.omega_B) || isZero(start_.omega_W)) return "(0, 0, 0) rad/s";
     if (isZero(start_.L_B) || isZero(start_.L_W)) return "(0, 0, 0) kg·m²/s";
-    if (start_.spin == 0.0) return "0 rad/s";
+    const auto& [phi, theta, psi] = start_.eulerRates;
+    if (findings_.hasBelow("motion.euler_rates") && phi == 0 && theta == 0 && psi == 0) return "0 rad/s";
+    if (start_.spin == 0.0 && !isTopStart(start_)) return "0 rad/s";
     return std::nullopt;
   }
 
   void atRest(Rest rest) {
     motion_.omega_B = Vector3d::Zero();
     if (setsGoing(motion_.forcing)) return;
-    if (motion_.orientation_WB || findings_.has("motion.orientation"))
+    if (motion_.orientation_WB || gives(StartPart::kAttitude))
       rest_ = std::move(rest);
     else
       findings_.refuse(rest.path,
@@ -204,10 +259,12 @@ class StartAssembly {
                                    rest.value));
   }
 
-  std::optional<Vector3d> omega() const {
+  std::optional<Vector3d> omega() {
     const physics::PrincipalAxes& axes = body_->axes;
     const Quaternion q_WB = motion_.orientation_WB.value_or(Quaternion::Identity());
     if (start_.omega_B) return start_.omega_B;
+    if (isTopStart(start_)) return omegaOfTop();
+    if (findings_.hasBelow("motion.euler_rates")) return omegaOfEulerRates();
     if (start_.omega_W) return physics::omegaFromSpace(q_WB, *start_.omega_W);
     if (start_.L_B) return axes.angularVelocity(*start_.L_B);
     if (start_.L_W) return physics::omegaFromMomentum(axes, q_WB, *start_.L_W);
@@ -216,6 +273,18 @@ class StartAssembly {
       return physics::omegaFromEnergy(axes,
                                       {*start_.energy, *start_.L, start_.phase.value_or(0), start_.branch == 1});
     return std::nullopt;
+  }
+
+  std::optional<Vector3d> omegaOfTop() {
+    if (gravityPulls() && motion_.forcing.gravity_B.isZero(0)) return std::nullopt;  // reported already
+    if (!motion_.orientation_WB || !passed({"spin", "spin_axis", "lean", "orientation"})) return std::nullopt;
+    return topOmega(start_, *body_, motion_, spinAxis_B(), findings_);
+  }
+
+  std::optional<Vector3d> omegaOfEulerRates() const {
+    const bool valid = passed({"euler.precession", "euler.nutation", "euler.spin", "euler_rates.precession",
+                               "euler_rates.nutation", "euler_rates.spin"});
+    return valid ? std::optional(physics::omegaFromEulerRates(start_.euler, start_.eulerRates)) : std::nullopt;
   }
 
   /// Returns whether none of the keys failed its own check. A missing key counts as passed.
@@ -228,6 +297,12 @@ class StartAssembly {
   int spinAxis() const {
     if (start_.spinAxis < 3) return start_.spinAxis;
     return body_->axes.moments().ascendingAxes()[static_cast<std::size_t>(start_.spinAxis - 3)];
+  }
+
+  /// Returns the unit vector of spin_axis; nullopt if the scene does not give it, or the body is invalid.
+  std::optional<Vector3d> spinAxis_B() const {
+    if (!body_ || !findings_.has("motion.spin_axis")) return std::nullopt;
+    return body_->axes.toB(Vector3d::Unit(spinAxis()));
   }
 
   void setOmega(const Vector3d& omega_B, const std::string& path) {
@@ -245,6 +320,7 @@ class StartAssembly {
   const Body* body_;
   Findings& findings_;
   Motion& motion_;
+  std::vector<const StartWay*> given_;  ///< in the order of startWays()
   std::optional<Rest> rest_;
 };
 

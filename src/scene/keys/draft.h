@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "physics/euler_angles.h"
+#include "physics/heavy_top.h"
 #include "physics/unaligned_types.h"
 #include "scene/scene.h"
 
@@ -54,6 +56,9 @@ struct BodyDraft {
   std::vector<PointDraft> points;
 };
 
+/// Which of the two steady precessions that a heavy top has. The order is the order of the key's words.
+enum class PrecessionWord { kSlow, kFast };
+
 /// Values of the keys that give the start of the motion. A valid scene uses one of several ways to give it.
 struct StartDraft {
   std::optional<Eigen::Vector3d> omega_B, omega_W, L_B, L_W;
@@ -61,6 +66,12 @@ struct StartDraft {
   int spinAxis = 0;  ///< 0, 1, 2: principal axis; 3, 4, 5: axis of the smallest, middle, largest moment
   std::optional<double> energy, L, phase;
   int branch = 0;  ///< half of the axis that the polhode encloses; 0: positive, 1: negative
+  physics::EulerAngles euler, eulerRates;
+  std::optional<Eigen::Vector3d> rollPitchYaw;
+  std::optional<double> lean;
+  std::optional<PrecessionWord> steady;  ///< steady precession of a heavy top with a spin
+  std::optional<double> precession;      ///< rate of a steady precession, without a spin
+  std::optional<physics::NutationKind> nutation;
 };
 
 struct TorqueStepDraft {

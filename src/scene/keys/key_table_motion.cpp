@@ -13,6 +13,8 @@ constexpr Range kMomenta{.least = kLeastMoment * kLeastSpin, .most = kMostMoment
 constexpr Range kLengthOfL{.least = kLeastMoment * kLeastSpin, .most = kMostMoment * kMostSpin};
 constexpr Range kEnergies{.least = 1e-140, .most = 1e140};
 constexpr Range kTilts{.least = 0, .most = 89.999, .unit = "deg"};  // at 90 deg, the spin about the axis is 0
+constexpr Range kLeans{.least = 0, .most = 180, .unit = "deg"};
+constexpr Range kTurns{.least = -360, .most = 360, .unit = "deg"};
 constexpr Range kTiltSides{.least = -360, .most = 360, .unit = "deg"};
 constexpr Range kPhases{.least = 0, .most = 0.999999999};   // 1 is the same phase as 0
 constexpr Range kTolerances{.least = 1e-14, .most = 1e-3};  // between rounding errors and visible errors
@@ -25,7 +27,7 @@ std::vector<Key> vectorStartKeys() {
        .range = kSpins,
        .example = "[0.01, \"3 rpm\", 0]",
        .help = "Angular velocity at motion time 0, in components along the body's axes. A scene gives the start "
-               "of the motion by omega_body, omega_space, L_body, L_space, spin, or energy and L.",
+               "of the motion in one of the [ways to start](#ways-to-start).",
        .put = into([](Draft& d) { return &d.start.omega_B; })},
       {.path = "motion.omega_space",
        .type = kVector,
@@ -74,8 +76,7 @@ std::vector<Key> spinKeys() {
        .range = kTilts,
        .example = "\"2 deg\"",
        .help = "Angle between the angular momentum L and spin_axis. The default is 0, which is a steady spin. "
-               "Under gravity, tilt is an error. To lean the body, give motion.orientation instead, with the "
-               "value that the error message contains.",
+               "Under gravity, give lean instead.",
        .put = into([](Draft& d) { return &d.start.tilt; })},
       {.path = "motion.tilt_towards",
        .dimension = kAngle,
@@ -121,8 +122,107 @@ std::vector<Key> energyKeys() {
   };
 }
 
+std::vector<Key> topKeys() {
+  return {
+      {.path = "motion.precession",
+       .dimension = kAngularVelocity,
+       .range = kSpins,
+       .words = {"slow", "fast"},
+       .example = "\"slow\"",
+       .help =
+           "Steady precession of a symmetric top under gravity, at the lean that the scene gives. With spin and "
+           "spin_axis, `slow` or `fast` chooses one of the two rates at which this spin precesses. Without spin, "
+           "a rate sets the spin.",
+       .put =
+           [](Draft& d, std::size_t, const Checked& value) {
+             const auto* word = std::get_if<Word>(&value);
+             if (word)
+               d.start.steady = static_cast<PrecessionWord>(word->index);
+             else
+               d.start.precession = std::get<double>(value);
+           }},
+      {.path = "motion.nutation",
+       .type = kWord,
+       .words = {"cusps", "loops", "waves"},
+       .example = "\"cusps\"",
+       .help =
+           "Nutation of a symmetric top under gravity, which starts at its least lean. With `cusps`, its axis is "
+           "released at rest, and comes to rest at each least lean. With `loops`, the axis starts backwards, and "
+           "with `waves` forwards, at half the rate of the slow steady precession.",
+       .put =
+           [](Draft& d, std::size_t, const Checked& value) {
+             constexpr physics::NutationKind kKinds[] = {
+                 physics::NutationKind::kCusps, physics::NutationKind::kLoops, physics::NutationKind::kWaves};
+             d.start.nutation = kKinds[std::get<Word>(value).index];
+           }},
+  };
+}
+
+Key eulerKey(std::string path, std::string_view example, std::string_view help, Range range,
+             double physics::EulerAngles::*angle) {
+  return {.path = "motion.euler." + path,
+          .dimension = kAngle,
+          .range = range,
+          .fallback = "0",
+          .example = example,
+          .help = help,
+          .put = into([angle](Draft& d) { return &(d.start.euler.*angle); })};
+}
+
+Key eulerRateKey(std::string path, std::string_view help, double physics::EulerAngles::*rate) {
+  return {.path = "motion.euler_rates." + path,
+          .dimension = kAngularVelocity,
+          .range = kSpins,
+          .fallback = "0",
+          .example = "\"20 rpm\"",
+          .help = help,
+          .put = into([rate](Draft& d) { return &(d.start.eulerRates.*rate); })};
+}
+
+std::vector<Key> eulerKeys() {
+  using E = physics::EulerAngles;
+  return {
+      eulerKey(
+          "precession", "\"30 deg\"",
+          "Angle phi of the Euler angles in the order z, x, z, at motion time 0. The body is turned by `spin` "
+          "about the world's z, then by `nutation` about the world's x, then by `precession` about the world's "
+          "z.",
+          kTurns, &E::precession),
+      eulerKey("nutation", "\"60 deg\"", "Angle theta between the body's z axis and the world's z axis.", kLeans,
+               &E::nutation),
+      eulerKey("spin", "\"45 deg\"", "Angle psi by which the body is turned about its own z axis.", kTurns,
+               &E::spin),
+      eulerRateKey("precession", "Rate of the Euler angle phi: the body turns about the world's z.",
+                   &E::precession),
+      eulerRateKey("nutation",
+                   "Rate of the Euler angle theta: the body turns about the line of nodes, at right angles to the "
+                   "world's z and the body's z.",
+                   &E::nutation),
+      eulerRateKey("spin", "Rate of the Euler angle psi: the body turns about its own z.", &E::spin),
+  };
+}
+
 std::vector<Key> attitudeKeys() {
   return {
+      {.path = "motion.lean",
+       .dimension = kAngle,
+       .range = kLeans,
+       .example = "\"60 deg\"",
+       .help =
+           "Angle at motion time 0 between the world's z and spin_axis. Under gravity, spin_axis may be left out; "
+           "the line from the fixed point to the centre of mass then leans. The axis leans towards -y. In free "
+           "motion, lean turns the body together with L; the angle between L and spin_axis is tilt.",
+       .put = into([](Draft& d) { return &d.start.lean; })},
+      {.path = "motion.roll_pitch_yaw",
+       .type = kVector,
+       .dimension = kAngle,
+       .range = kTurns,
+       .example = "[\"10 deg\", 0, \"90 deg\"]",
+       .help =
+           "Roll, pitch and yaw of the body at motion time 0, as for aircraft and robots. From the world's axes, "
+           "the body is turned by the yaw about its z, then by the pitch about its new y, then by the roll about "
+           "its newest x.",
+       .put = into([](Draft& d) { return &d.start.rollPitchYaw; })},
       {.path = "motion.orientation",
        .type = kQuaternion,
        .range = kQuaternionNorm,
@@ -156,6 +256,8 @@ std::vector<Key> attitudeKeys() {
 
 }  // namespace
 
-std::vector<Key> motionKeys() { return joined({vectorStartKeys(), spinKeys(), energyKeys(), attitudeKeys()}); }
+std::vector<Key> motionKeys() {
+  return joined({vectorStartKeys(), spinKeys(), topKeys(), energyKeys(), attitudeKeys(), eulerKeys()});
+}
 
 }  // namespace poinsot::scene

@@ -6,6 +6,7 @@
 #include "physics/catalogue.h"
 #include "scene/keys/key_text.h"
 #include "scene/keys/keys.h"
+#include "scene/keys/start_ways.h"
 #include "scene/limits.h"
 #include "scene/shapes.h"
 #include "scene/state_quantity.h"
@@ -132,6 +133,20 @@ scene's own `[camera]` or `[show]`.
 
 )";
 
+// {} is the table of the pairs.
+constexpr const char* kStarts =
+    R"(### Ways to start
+
+A scene gives the rotation at motion time 0 in exactly one way: omega_body, omega_space, L_body, L_space, spin and
+spin_axis, energy and L, euler_rates, or a rate of precession. `tilt`, `precession` as a word and `nutation` say more about
+a spin. In addition, a scene may give the attitude in one way: lean, euler, roll_pitch_yaw or orientation. This table shows
+which ways combine.
+
+{}
+### Keys of `[motion]`
+
+)";
+
 std::string visibility(std::string_view table) {
   if (!isExtra(table)) return fmt::format("`{0} = false` is short for `{0}.visible = false`.\n\n", table);
   std::string text = fmt::format("`{0} = true` is short for `{0}.visible = true`.", table);
@@ -144,6 +159,7 @@ std::string visibility(std::string_view table) {
 std::string heading(std::string_view table) {
   std::string text = table.empty() ? "## At the top\n\n" : fmt::format("## `{}`\n\n", tableText(table));
   if (table == "view[]") text += kViews;
+  if (table == "motion") text += fmt::format(fmt::runtime(kStarts), startWaysMarkdown());
   if (hasVisible(table)) text += visibility(table);
   return text + "| key | type | range | default | example | meaning |\n| --- | --- | --- | --- | --- | --- |\n";
 }

@@ -8,8 +8,7 @@
 namespace poinsot::scene {
 namespace {
 
-// Largest relative difference of the two moments perpendicular to k, for any top and for a fast spin.
-constexpr double kSymmetric = 1e-3, kNearly = 0.5;
+constexpr double kNearly = 0.5;  // as kMostUneven, for a fast spin
 
 bool gravityAlone(const physics::Forcing& forcing) {
   physics::Forcing rest = forcing;
@@ -37,7 +36,7 @@ double HeavyTopStart::tilt_rad() const { return std::atan2(up_P.cross(top.k_P).n
 double HeavyTopStart::spin() const { return omega_P.dot(top.k_P); }
 
 std::optional<HeavyTopStart> heavyTopStart(const Scene& scene) {
-  return gravityAlone(scene.motion.forcing) ? startOf(scene, kSymmetric) : std::nullopt;
+  return gravityAlone(scene.motion.forcing) ? startOf(scene, kMostUneven) : std::nullopt;
 }
 
 std::optional<HeavyTopStart> nearlyHeavyTopStart(const Scene& scene) {
@@ -47,7 +46,7 @@ std::optional<HeavyTopStart> nearlyHeavyTopStart(const Scene& scene) {
   if (!gravityAlone(forcing)) return std::nullopt;
   const auto start = startOf(scene, kNearly);
   const bool averages = start && std::abs(start->spin()) >= start->top.sleepingSpin();
-  return averages ? start : startOf(scene, kSymmetric);
+  return averages ? start : startOf(scene, kMostUneven);
 }
 
 }  // namespace poinsot::scene

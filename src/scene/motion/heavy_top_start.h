@@ -9,6 +9,10 @@
 
 namespace poinsot::scene {
 
+/// Largest relative difference of the two moments across the axis of a symmetric top: measured moments are never
+/// exactly equal.
+inline constexpr double kMostUneven = 1e-3;
+
 /// Start of a heavy top: a symmetric body with a fixed point on its axis k, under gravity alone.
 struct HeavyTopStart {
   physics::HeavyTop top;
@@ -22,7 +26,7 @@ struct HeavyTopStart {
 };
 
 /// Returns the start of the scene's motion if the body is a heavy top; otherwise nullopt. The two moments
-/// perpendicular to k may differ by a thousandth, because measured moments are never exactly equal.
+/// perpendicular to k may differ by kMostUneven.
 std::optional<HeavyTopStart> heavyTopStart(const Scene& scene);
 
 /// Returns the start of the symmetric top that is most similar to the body, for estimates about a film. Ignores
