@@ -52,7 +52,7 @@ TEST(EulerAngles, RatesGiveTheAngularVelocity) {
   }
 }
 
-// By hand: the axis leans from z towards -y, and a lean of the body's z is the Euler angle theta.
+// Worked out by hand: the axis leans from z towards -y, and a lean of the body's z is the Euler angle theta.
 TEST(LeaningAttitude, LeansTheAxisTowardsMinusY) {
   for (const Vector3d& axis_B : {Vector3d(0, 0, 2), Vector3d(3, 0, 0), Vector3d(1, -2, 0.5), Vector3d(0, 0, -1)}) {
     const Quaterniond q_WB(leaningAttitude(axis_B, 0.7));

@@ -183,8 +183,8 @@ TEST(HeavyTop, RefusesNumbersThatAreNotFinite) {
   }
 }
 
-// By hand: an axis released at rest draws cusps. With half of the slow precession it goes on in one direction, and
-// with the opposite precession it starts backwards.
+// Worked out by hand: an axis released at rest draws cusps. With half of the slow precession it goes on in one
+// direction, and with the opposite precession it starts backwards.
 TEST(HeavyTop, NamesItsNutation) {
   const HeavyTop top = heavyTop(kMoments, kGravity).value();
   for (const double tilt_rad : {0.3, 1.0, 2.2}) {

@@ -137,10 +137,9 @@ scene's own `[camera]` or `[show]`.
 constexpr const char* kStarts =
     R"(### Ways to start
 
-A scene gives the rotation at motion time 0 in exactly one way: omega_body, omega_space, L_body, L_space, spin and
-spin_axis, energy and L, euler_rates, or a rate of precession. `tilt`, `precession` as a word and `nutation` say more about
-a spin. In addition, a scene may give the attitude in one way: lean, euler, roll_pitch_yaw or orientation. This table shows
-which ways combine.
+A scene gives the rotation at motion time 0 in exactly one way, a row of the table below. It may give the attitude in one
+way: lean, euler, roll_pitch_yaw or orientation. It may say more about a spin in one way: tilt, nutation, or `precession` as
+a word. The table shows which ways combine.
 
 {}
 ### Keys of `[motion]`

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 #include <string>
 
 #include "core/expect.h"
@@ -63,19 +64,20 @@ bool combine(const StartWay& a, const StartWay& b) {
 }
 
 std::string startWaysMarkdown() {
-  std::string text = "| |", line = "| --- |";
-  for (const StartWay& way : startWays()) {
-    text += fmt::format(" {} |", way.name);
+  std::string heading = "| |", line = "| --- |", rows;
+  const auto isColumn = [](const StartWay& way) { return way.part != kRotation; };
+  for (const StartWay& column : startWays() | std::views::filter(isColumn)) {
+    heading += fmt::format(" {} |", column.name);
     line += " --- |";
   }
-  text += "\n" + line + "\n";
   for (const StartWay& row : startWays()) {
-    text += fmt::format("| {} |", row.name);
-    for (const StartWay& column : startWays())
-      text += &row == &column ? " |" : combine(row, column) ? " yes |" : " no |";
-    text += "\n";
+    if (isColumn(row)) continue;
+    rows += fmt::format("| {} |", row.name);
+    for (const StartWay& column : startWays() | std::views::filter(isColumn))
+      rows += combine(row, column) ? " yes |" : " no |";
+    rows += "\n";
   }
-  return text;
+  return fmt::format("{}\n{}\n{}", heading, line, rows);
 }
 
 }  // namespace poinsot::scene

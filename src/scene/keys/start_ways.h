@@ -30,7 +30,8 @@ const StartWay& startWay(std::string_view name);
 /// Returns whether a scene may give the start in both ways. @pre the two differ
 bool combine(const StartWay& a, const StartWay& b);
 
-/// Returns the table of all pairs as Markdown.
+/// Returns a table in Markdown: which rotations combine with which tilts, tops and attitudes. Two ways that give
+/// the same part never combine.
 std::string startWaysMarkdown();
 
 }  // namespace poinsot::scene
