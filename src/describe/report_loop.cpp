@@ -21,7 +21,9 @@ Section loopSection(const scene::Scene& scene) {
   section.add("loop_period", "time after which the motion repeats", loop.period_s, "s", "attitude and omega");
   section.add("loop_polhode_periods", "  periods of the polhode in that time", loop.polhodePeriods, "",
               "0: a steady spin");
-  section.add("loop_turns", "  turns about L in that time", loop.turns, "", "");
+  const bool isTop = !scene.motion.forcing.none();
+  section.add("loop_turns", isTop ? "  turns about the vertical in that time" : "  turns about L in that time",
+              loop.turns, "", "");
   section.add("loop_omega_change", "change of omega at the start, relative to |omega|", loop.change, "",
               "at the same |L|");
   section.add("loop_omega_turned", "  change of its direction in the body", loop.turned_rad, "rad", "");

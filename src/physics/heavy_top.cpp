@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics/heavy_top.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
+#include "core/error.h"
 #include "core/expect.h"
 #include "physics/elliptic.h"
 #include "physics/fixed_order.h"
@@ -151,6 +155,33 @@ double HeavyTop::spinOfPrecession(double tilt_rad, double precession) const {
   requireFinite(precession, "the rate of precession");
   POINSOT_EXPECT(precession != 0);
   return (weight / precession + across * sineCosine(tilt_rad).cosine * precession) / along;
+}
+
+ClosedPrecession HeavyTop::nearestClosedPrecession(double tilt_rad, double precession, double wanted_s) const {
+  constexpr double kTurn = 2 * std::numbers::pi, kMostTurns = 1e6, kWithin = 0.25;
+  requireFinite(wanted_s, "the time until the motion repeats");
+  const double spin = spinOfPrecession(tilt_rad, precession), cosine = sineCosine(tilt_rad).cosine;
+  const double turns = wanted_s * std::abs(precession) / kTurn;
+  if (turns > kMostTurns)
+    throw core::physicsError(fmt::format(
+        "the top precesses {:.3g} times; at most {:g} turns can be made to repeat", turns, kMostTurns));
+  const double ratio = spin / precession - cosine, offset = (across / along - 1) * cosine;
+  ClosedPrecession best;
+  double least = kInfinity;
+  const int from = std::max(1, static_cast<int>(std::ceil((1 - kWithin) * turns)));
+  const auto tryRatio = [&](double n, int m) {
+    const double excess = n / m - offset;
+    if (!(excess > 0)) return;
+    const double rate = std::copysign(std::sqrt(weight / (along * excess)), precession);
+    if (std::abs(rate - precession) >= least) return;
+    least = std::abs(rate - precession);
+    best = {rate, spinOfPrecession(tilt_rad, rate), m * kTurn / std::abs(rate), m};
+  };
+  for (int m = from; m <= std::max<double>(from, (1 + kWithin) * turns); ++m) {
+    tryRatio(std::floor(ratio * m), m);
+    tryRatio(std::floor(ratio * m) + 1, m);  // greater than the ratio, so that at least this one exists
+  }
+  return best;
 }
 
 Eigen::Vector3d HeavyTop::omegaPrecessing(const Eigen::Vector3d& up_P, double spin, double precession) const {

@@ -31,6 +31,14 @@ struct Nutation {
   double precession_rad = 0;
 };
 
+/// Steady precession of a heavy top whose attitude repeats after period_s. Rates in rad/s.
+struct ClosedPrecession {
+  double precession = 0;
+  double spin = 0;  ///< omega_3
+  double period_s = 0;
+  int turns = 0;  ///< turns about the vertical in period_s
+};
+
 /// Symmetric top with a fixed point on its axis, in uniform gravity. k_P is the unit vector from the fixed point
 /// to the centre of mass. The moments about the fixed point are I1 (`across`) across k and I3 (`along`) along k,
 /// in kg·m². M g l (`weight`) is positive, in N·m. omega_3 and the vertical component L_z of L are constant. With
@@ -78,6 +86,15 @@ struct HeavyTop {
   /// theta Omega²)/(I3 Omega). @pre the rate is not 0.
   /// @throws core::Error(kPhysics) if a number is not finite.
   double spinOfPrecession(double tilt_rad, double precession) const;
+
+  /// Returns the steady precession nearest to the given one, at the same tilt, whose motion repeats in about
+  /// `wanted_s`. In m turns about the vertical, the top turns n times about its axis: psi'/phi' = n/m, where
+  ///   psi'/phi' = M g l/(I3 Omega²) + (I1/I3 - 1) cos theta
+  /// Takes the nearest rate among those whose period is within a quarter of `wanted_s`. If there is none, takes
+  /// the least number of turns.
+  /// @throws core::Error(kPhysics) if a number is not finite, or for more than 1e6 turns in `wanted_s`
+  /// @pre the rate is not 0, wanted_s > 0
+  ClosedPrecession nearestClosedPrecession(double tilt_rad, double precession, double wanted_s) const;
 
   /// Returns omega_P, rad/s, of a top with the spin omega_3 whose axis turns about the vertical at the rate
   /// `precession` and does not nod: omega_3 k + Omega (z - (z·k) k).

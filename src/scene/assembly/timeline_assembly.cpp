@@ -47,13 +47,6 @@ void checkWhat(const TimelineDraft& entry, const std::string& path, Findings& fi
                     "cannot be combined with camera.azimuth; give the new azimuth, or the angle to turn by");
 }
 
-/// Rejects changes of speed in a film that repeats. Its period is computed for one constant speed.
-void checkLoop(const TimelineDraft& entry, const std::string& path, Findings& findings) {
-  constexpr const char* kWhy = "a film that repeats (time.loop) has one constant speed; leave out one of the two";
-  if (entry.speed) findings.refuse(path + ".speed", kWhy);
-  if (entry.hold) findings.refuse(path + ".hold", kWhy);
-}
-
 TimelineEntry entryOf(const TimelineDraft& given) {
   TimelineEntry entry;
   entry.at_s = *given.at;
@@ -103,7 +96,6 @@ Timeline assembleTimeline(const Draft& draft, double duration_s, Findings& findi
     checkWhen(entry, pathOf(i), end_s, findings);
     checkWhat(entry, pathOf(i), findings);
     doubtHold(entry, pathOf(i), end_s, findings);
-    if (draft.loop) checkLoop(entry, pathOf(i), findings);
     if (entry.at) entries.push_back(entry);
   }
   std::ranges::stable_sort(entries, {}, [](const TimelineDraft& entry) { return *entry.at; });

@@ -56,7 +56,7 @@ struct BodyDraft {
   std::vector<PointDraft> points;
 };
 
-/// Which of the two steady precessions that a heavy top has. The order is the order of the key's words.
+/// One of the two steady precessions of a heavy top. The order is the order of the key's words.
 enum class PrecessionWord { kSlow, kFast };
 
 /// Values of the keys that give the start of the motion. A valid scene uses one of several ways to give it.

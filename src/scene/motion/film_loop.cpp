@@ -10,21 +10,62 @@
 #include "physics/closed_motion.h"
 #include "physics/double_double.h"
 #include "scene/limits.h"
+#include "scene/motion/film_clock.h"
+#include "scene/motion/heavy_top_start.h"
 #include "scene/motion/make_motion.h"
 
 namespace poinsot::scene {
 namespace {
 
 void checkCanRepeat(const Scene& scene, double speed) {
-  if (!scene.motion.forcing.none())
-    throw core::sceneError(
-        "something acts on the body, so its motion never repeats exactly: only free motion can be made to repeat");
   if (std::ranges::any_of(scene.views,
                           [&](const View& view) { return movesAlong(scene.motion, view.camera, view.show); }))
     throw core::sceneError(
         "a thrown body does not return to its starting point; with show.flight = false the picture follows the "
         "centre of mass and can repeat");
   if (speed == 0) throw core::sceneError("nothing moves at speed 0: there is no period");
+}
+
+void checkPaces(const FilmClock& clock, double duration_s) {
+  constexpr double kSame = 1e-9;
+  const double first = clock.pace(0), last = clock.pace(duration_s);
+  if (std::abs(first - last) > kSame)
+    throw core::sceneError(fmt::format(
+        "the film begins with timeline speed {:g} and ends with {:g}; at the end, return to the speed of the "
+        "beginning",
+        first, last));
+}
+
+/// Returns the angle between the attitudes at the two ends of a period.
+double mismatch_rad(const Scene& scene, double period_s) {
+  const auto motion = makeMotion(scene, 0, period_s);
+  return motion->at(0).q_WB.angularDistance(motion->at(period_s).q_WB);
+}
+
+physics::ClosedStart closedTop(const Scene& scene, double wanted_s) {
+  const auto start = heavyTopStart(scene);
+  if (!start)
+    throw core::sceneError(
+        "something acts on the body, so its motion never repeats exactly: only free motion and the steady "
+        "precession of "
+        "a top can be made to repeat");
+  if (start->uneven > 0 || start->top.nutationKind(start->omega_P, start->up_P) != physics::NutationKind::kSteady)
+    throw core::sceneError(
+        "a top repeats only in steady precession, and the axis of this one nods; give motion.precession");
+  const physics::Nutation swing = start->nutation();
+  const auto closed =
+      start->top.nearestClosedPrecession(start->tilt_rad(), swing.precession_rad / swing.period_s, wanted_s);
+  const Eigen::Vector3d omega_P = start->top.omegaPrecessing(start->up_P, closed.spin, closed.precession);
+  const double turned_rad = std::atan2(omega_P.cross(start->omega_P).norm(), omega_P.dot(start->omega_P));
+  Scene changed = scene;
+  changed.motion.omega_B = scene.body.axes.toB(omega_P);
+  return {omega_P,
+          closed.period_s,
+          0,
+          closed.turns,
+          (omega_P - start->omega_P).norm(),
+          turned_rad,
+          mismatch_rad(changed, closed.period_s)};
 }
 
 double framesOf(const Time& time, double period_s, double speed, const Limits& limits) {
@@ -48,14 +89,29 @@ double durationOf(double frames, const core::Rational& fps) {
   return isExact ? duration_s : std::nextafter(duration_s, 0.0);
 }
 
+/// Fits duration and speed to a period. A film whose timeline changes the speed keeps its duration, because the
+/// times of the timeline refer to it.
+void fitFilm(Scene& scene, const FilmClock& clock, double period_s, const Limits& limits) {
+  Time& time = scene.time;
+  const double frames = clock.changes() ? std::max(1.0, std::round(time.duration_s * time.fps.value()))
+                                        : framesOf(time, period_s, clock.speed(), limits);
+  time.duration_s = durationOf(frames, time.fps);
+  const double played_s = clock.played_s(frames / time.fps.value());
+  time.speed = std::copysign(period_s / played_s, clock.speed());
+}
+
 }  // namespace
 
 void closeLoop(Scene& scene, const Limits& limits) {
   const double speed = chosenSpeed(scene);
   checkCanRepeat(scene, speed);
+  const FilmClock clock(0, speed, scene.timeline);
+  if (clock.changes()) checkPaces(clock, scene.time.duration_s);
   const Eigen::Vector3d drawn_P = drawnOmega_P(scene);
-  const auto closed =
-      physics::nearestClosedStart(scene.body.axes.moments(), drawn_P, std::abs(speed) * scene.time.duration_s);
+  const double wanted_s = std::abs(clock.motionTime_s(scene.time.duration_s));
+  const auto closed = scene.motion.forcing.none()
+                          ? physics::nearestClosedStart(scene.body.axes.moments(), drawn_P, wanted_s)
+                          : closedTop(scene, wanted_s);
   Loop loop;
   loop.durationAsked_s = scene.time.duration_s;
   loop.speedAsked = speed;
@@ -65,9 +121,7 @@ void closeLoop(Scene& scene, const Limits& limits) {
   loop.turned_rad = closed.turned_rad;
   loop.change = drawn_P.isZero(0) ? 0 : closed.change / drawn_P.norm();
   loop.mismatch_rad = closed.mismatch_rad;
-  const double frames = framesOf(scene.time, closed.period_s, speed, limits);
-  scene.time.duration_s = durationOf(frames, scene.time.fps);
-  scene.time.speed = std::copysign(closed.period_s / (frames / scene.time.fps.value()), speed);
+  fitFilm(scene, clock, closed.period_s, limits);
   scene.motion.omega_B = scene.body.axes.toB(undrawnOmega_P(scene, closed.omega0_P));
   scene.time.loop = loop;
 }
