@@ -80,7 +80,7 @@ TEST(FilmLoop, RejectsMotionsThatDoNotRepeat) {
 
 std::string topWith(const std::string& start) {
   return "[body]\nprincipal_moments = [2, 2, 1]\n[motion]\ngravity.mgr_body = [0, 0, 3]\nspin_axis = \"3\"\n" +
-         start + "\n" + kLoop;
+         start + "\n" + kLoop + "speed = 1\n";
 }
 
 // Oracle: the integrated motion. The attitude returns, and the lean stays. Measured: 5e-13, the integrator's
