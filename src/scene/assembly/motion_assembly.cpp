@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "physics/euler_angles.h"
+#include "physics/mean_periods.h"
 #include "physics/start.h"
 #include "scene/assembly/top_start.h"
 #include "scene/keys/start_ways.h"
@@ -58,17 +59,31 @@ class StartAssembly {
     const bool isRate = start_.precession.has_value();  // the key gives a rate, or the words slow and fast
     if (way.name == "a rate of precession" && !isRate) return "";
     if (way.name == "precession slow or fast" && isRate) return "";
-    for (const std::string_view name : way.keys) {
-      if (name == "spin_axis" && namesAxisOfLean()) continue;
-      const std::string path = pathOf(name);
-      if (path.ends_with('.') ? findings_.hasBelow(path.substr(0, path.size() - 1)) : findings_.has(path))
-        return path.ends_with('.') ? path.substr(0, path.size() - 1) : path;
-    }
+    for (const std::string_view name : way.keys)
+      if (given(name) && (given(way.keys[0]) || &way == ownerOf(name))) return tableOrKey(name);
     return "";
   }
 
-  /// Returns whether spin_axis is given for `lean` alone.
-  bool namesAxisOfLean() const { return findings_.has("motion.lean") && !findings_.has("motion.spin"); }
+  /// Returns the path of a key, or of a table, whose name ends in a point.
+  static std::string tableOrKey(std::string_view name) {
+    return pathOf(name.ends_with('.') ? name.substr(0, name.size() - 1) : name);
+  }
+
+  bool given(std::string_view name) const {
+    return name.ends_with('.') ? findings_.hasBelow(tableOrKey(name)) : findings_.has(pathOf(name));
+  }
+
+  /// Returns the way for which a key counts: of the ways with this key, one whose first key the scene gives, or
+  /// else the first.
+  const StartWay* ownerOf(std::string_view name) const {
+    const StartWay* owner = nullptr;
+    for (const StartWay& way : startWays()) {
+      if (std::ranges::find(way.keys, name) == way.keys.end()) continue;
+      if (given(way.keys[0])) return &way;
+      if (!owner) owner = &way;
+    }
+    return owner;
+  }
 
   bool contradicts() {
     for (std::size_t second = 1; second < given_.size(); ++second)
@@ -269,6 +284,9 @@ class StartAssembly {
     if (start_.L_B) return axes.angularVelocity(*start_.L_B);
     if (start_.L_W) return physics::omegaFromMomentum(axes, q_WB, *start_.L_W);
     if (start_.spin && passed({"spin_axis", "tilt", "tilt_towards"})) return omegaTilted(*start_.spin);
+    if (start_.periodPhi && start_.periodPsi && passed({"mode", "phase", "branch"}))
+      return physics::omegaFromPeriods(
+          axes, {*start_.periodPhi, *start_.periodPsi, start_.mode, start_.phase.value_or(0), start_.branch == 1});
     if (start_.energy && start_.L && passed({"phase", "branch"}))
       return physics::omegaFromEnergy(axes,
                                       {*start_.energy, *start_.L, start_.phase.value_or(0), start_.branch == 1});

@@ -12,6 +12,7 @@
 
 #include "physics/euler_angles.h"
 #include "physics/heavy_top.h"
+#include "physics/mean_periods.h"
 #include "physics/unaligned_types.h"
 #include "scene/scene.h"
 
@@ -66,6 +67,8 @@ struct StartDraft {
   int spinAxis = 0;  ///< 0, 1, 2: principal axis; 3, 4, 5: axis of the smallest, middle, largest moment
   std::optional<double> energy, L, phase;
   int branch = 0;  ///< half of the axis that the polhode encloses; 0: positive, 1: negative
+  std::optional<double> periodPhi, periodPsi;
+  std::optional<physics::AxisMode> mode;
   physics::EulerAngles euler, eulerRates;
   std::optional<Eigen::Vector3d> rollPitchYaw;
   std::optional<double> lean;

@@ -13,6 +13,7 @@ constexpr Range kMomenta{.least = kLeastMoment * kLeastSpin, .most = kMostMoment
 constexpr Range kLengthOfL{.least = kLeastMoment * kLeastSpin, .most = kMostMoment * kMostSpin};
 constexpr Range kEnergies{.least = 1e-140, .most = 1e140};
 constexpr Range kTilts{.least = 0, .most = 89.999, .unit = "deg"};  // at 90 deg, the spin about the axis is 0
+constexpr Range kPeriods{.least = 1e-20, .most = 1e20};
 constexpr Range kLeans{.least = 0, .most = 180, .unit = "deg"};
 constexpr Range kTurns{.least = -360, .most = 360, .unit = "deg"};
 constexpr Range kTiltSides{.least = -360, .most = 360, .unit = "deg"};
@@ -119,6 +120,35 @@ std::vector<Key> energyKeys() {
                "principal axis. `positive`, the default, goes round the positive half of this axis, and "
                "`negative` goes round the negative half.",
        .put = into([](Draft& d) { return &d.start.branch; })},
+  };
+}
+
+std::vector<Key> periodKeys() {
+  return {
+      {.path = "motion.P_phi",
+       .dimension = kTime,
+       .range = kPeriods,
+       .example = "\"27.4 h\"",
+       .help = "Mean period in which the long axis of a tumbling body goes round L, as in tables of asteroids. "
+               "Give P_psi "
+               "too.",
+       .put = into([](Draft& d) { return &d.start.periodPhi; })},
+      {.path = "motion.P_psi",
+       .dimension = kTime,
+       .range = kPeriods,
+       .example = "\"264 h\"",
+       .help =
+           "Period of the rotation about the long axis of a tumbling body: of a full turn (LAM), or of a swing "
+           "(SAM).",
+       .put = into([](Draft& d) { return &d.start.periodPsi; })},
+      {.path = "motion.mode",
+       .type = kWord,
+       .words = {"SAM", "LAM"},
+       .example = "\"SAM\"",
+       .help = "Axis that L circles in the body, if two rotations have the same P_phi and P_psi: the short axis "
+               "(SAM), or "
+               "the long axis (LAM).",
+       .put = into([](Draft& d) { return &d.start.mode; })},
   };
 }
 
@@ -257,7 +287,8 @@ std::vector<Key> attitudeKeys() {
 }  // namespace
 
 std::vector<Key> motionKeys() {
-  return joined({vectorStartKeys(), spinKeys(), topKeys(), energyKeys(), attitudeKeys(), eulerKeys()});
+  return joined(
+      {vectorStartKeys(), spinKeys(), topKeys(), energyKeys(), periodKeys(), attitudeKeys(), eulerKeys()});
 }
 
 }  // namespace poinsot::scene

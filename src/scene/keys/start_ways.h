@@ -17,7 +17,8 @@ enum class StartPart { kRotation, kTilt, kTop, kAttitude };
 struct StartWay {
   std::string_view name;  ///< name in messages and in the reference, such as "spin and spin_axis"
   StartPart part;
-  /// Names of the keys below [motion]. A name that ends in a point is a table, and stands for its keys.
+  /// Names of the keys below [motion]. A name that ends in a point is a table, and stands for its keys. A name may
+  /// belong to two ways; it then counts for those of which the scene gives the first key.
   std::vector<std::string_view> keys;
   std::size_t required = 1;  ///< the first `required` keys must be given
 };
