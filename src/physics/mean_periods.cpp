@@ -15,8 +15,6 @@
 namespace poinsot::physics {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Moments in ascending order.
 Eigen::Vector3d ascending(const PrincipalMoments& moments) {
   const auto axis = moments.ascendingAxes();
@@ -97,8 +95,8 @@ std::optional<MeanPeriods> meanPeriods(const PrincipalMoments& moments, const Ei
   const bool isShort = curve.regime() == PolhodeRegime::kAboutLargest;
   if (!hasLongAxis(moments) || (!isShort && curve.regime() != PolhodeRegime::kAboutSmallest)) return std::nullopt;
   const double psi_s = 2 * curve.radialPeriod();
-  const double turned_rad = 2 * curve.anglePerRadialPeriod() - (isShort ? 2 * kPi : 0);
-  return MeanPeriods{psi_s * (2 * kPi / turned_rad), psi_s, isShort ? AxisMode::kShort : AxisMode::kLong};
+  const double turned_rad = 2 * curve.anglePerRadialPeriod() - (isShort ? 2 * std::numbers::pi : 0);
+  return MeanPeriods{psi_s * (2 * std::numbers::pi / turned_rad), psi_s, isShort ? AxisMode::kShort : AxisMode::kLong};
 }
 
 Eigen::Vector3d omegaFromPeriods(const PrincipalAxes& axes, const PeriodStart& start) {

@@ -34,6 +34,32 @@ std::optional<Number> numberIn(std::string_view text) {
   return Number{value, std::string(text.substr(0, length)), std::string(core::trimmed(text.substr(length)))};
 }
 
+/// Returns whether the value of a key consists of numbers. False for an unknown key, which is reported later.
+bool takesNumbers(std::string_view path) {
+  const Key* key = findKey(path);
+  if (!key) return false;
+  switch (key->type) {
+    case ValueType::kNumber:
+    case ValueType::kInteger:
+    case ValueType::kVector:
+    case ValueType::kPerAxis:
+    case ValueType::kExtents:
+    case ValueType::kQuaternion:
+    case ValueType::kNumbers:
+    case ValueType::kPair:
+    case ValueType::kMatrix:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Returns whether the value of a key is a word, or true or false.
+bool takesWords(std::string_view path) {
+  const Key* key = findKey(path);
+  return key && (key->type == ValueType::kWord || key->type == ValueType::kBool);
+}
+
 /// Part of an override that may be a range, with the text before and after it.
 struct Found {
   std::string key, before, range, after;
@@ -46,8 +72,9 @@ class Reader {
   Reader(Found found, int most) : found_(std::move(found)), most_(most) {}
 
   SweepAxis axis() const {
+    if (const auto words = words_()) return ofWords(*words);
     const std::vector<Number> numbers = found_.range.find('|') == std::string::npos ? spread() : listed();
-    SweepAxis axis{found_.key, found_.element, unitOf(numbers), {}, found_.before, found_.after};
+    SweepAxis axis{found_.key, found_.element, unitOf(numbers), {}, false, found_.before, found_.after};
     for (const Number& number : numbers) {
       std::string text = axis.unit.empty() ? number.typed : number.typed + " " + axis.unit;
       // In a list, text with a unit needs quotes. A single value does not.
@@ -59,6 +86,44 @@ class Reader {
   }
 
  private:
+  std::vector<std::string> parts() const {
+    std::vector<std::string> parts;
+    for (std::string_view rest = found_.range;;) {
+      const auto bar = rest.find('|');
+      parts.emplace_back(core::trimmed(rest.substr(0, bar)));
+      if (bar == std::string_view::npos) return parts;
+      rest.remove_prefix(bar + 1);
+    }
+  }
+
+  /// Returns the words that the key allows; empty if it has none.
+  static std::vector<std::string> allowedWords(const Key& key) {
+    if (key.type == ValueType::kBool) return {"false", "true"};
+    return {key.words.begin(), key.words.end()};
+  }
+
+  /// Returns the values if they are words of the key. Returns nullopt if they are to be numbers.
+  std::optional<std::vector<std::string>> words_() const {
+    const Key& key = *findKey(found_.key);
+    const std::vector<std::string> given = parts(), allowed = allowedWords(key);
+    const auto isAllowed = [&](const std::string& word) {
+      return std::ranges::find(allowed, word) != allowed.end();
+    };
+    if (std::ranges::all_of(given, isAllowed)) return given;
+    if (takesNumbers(found_.key)) return std::nullopt;
+    const auto wrong = std::ranges::find_if_not(given, isAllowed);
+    const auto near = core::closest(*wrong, allowed);
+    refuse(fmt::format("'{}' is not one of {}{}", core::printable(*wrong), core::joined(allowed, ", "),
+                       near ? fmt::format("; did you mean '{}'?", *near) : ""));
+  }
+
+  SweepAxis ofWords(const std::vector<std::string>& words) const {
+    SweepAxis axis{found_.key, found_.element, "", {}, true, found_.before, found_.after};
+    const bool needsQuotes = !found_.quoted && findKey(found_.key)->type != ValueType::kBool;
+    for (const std::string& word : words) axis.values.push_back({needsQuotes ? "\"" + word + "\"" : word, word});
+    return axis;
+  }
+
   [[noreturn]] void refuse(const std::string& why) const {
     throw core::usageError(
         fmt::format("-D {}: '{}': {}", core::printable(found_.key), core::printable(found_.range), why));
@@ -175,26 +240,6 @@ class Reader {
   int most_;
 };
 
-/// Returns whether the value of a key consists of numbers. False for an unknown key, which is reported later.
-bool takesNumbers(std::string_view path) {
-  const Key* key = findKey(path);
-  if (!key) return false;
-  switch (key->type) {
-    case ValueType::kNumber:
-    case ValueType::kInteger:
-    case ValueType::kVector:
-    case ValueType::kPerAxis:
-    case ValueType::kExtents:
-    case ValueType::kQuaternion:
-    case ValueType::kNumbers:
-    case ValueType::kPair:
-    case ValueType::kMatrix:
-      return true;
-    default:
-      return false;
-  }
-}
-
 bool isRange(std::string_view text) {
   return text.find("..") != std::string_view::npos || text.find('|') != std::string_view::npos;
 }
@@ -231,16 +276,17 @@ std::string SweepAxis::override(std::size_t value) const { return before + value
 
 bool hasRange(std::string_view override) {
   const auto equals = override.find('=');
-  return equals != std::string_view::npos && takesNumbers(core::trimmed(override.substr(0, equals))) &&
-         isRange(override.substr(equals));
+  if (equals == std::string_view::npos) return false;
+  const std::string_view key = core::trimmed(override.substr(0, equals)), value = override.substr(equals);
+  return takesNumbers(key) ? isRange(value) : takesWords(key) && value.find('|') != std::string_view::npos;
 }
 
 std::optional<SweepAxis> sweepAxis(const std::string& override, int most) {
   const auto equals = override.find('=');
-  if (equals == std::string::npos || !takesNumbers(core::trimmed(std::string_view(override).substr(0, equals))))
-    return std::nullopt;
+  if (equals == std::string::npos) return std::nullopt;
   if (!hasRange(override)) {
-    if (!meansRange(std::string_view(override).substr(equals))) return std::nullopt;
+    const bool numbers = takesNumbers(core::trimmed(std::string_view(override).substr(0, equals)));
+    if (!numbers || !meansRange(std::string_view(override).substr(equals))) return std::nullopt;
     throw core::usageError(fmt::format("-D {}: {}", core::printable(override), kForms));
   }
   const auto place = std::min(override.find("..", equals), override.find('|', equals));

@@ -14,7 +14,7 @@ inline constexpr int kMostCells = 100;
 
 struct SweepValue {
   std::string text;    ///< value as written in a scene, such as "10 rpm"
-  std::string number;  ///< number with as many decimals as its neighbours, such as "10.0"
+  std::string number;  ///< number with as many decimals as its neighbours, such as "10.0"; or a word
 };
 
 /// Key with a range, and the values of the range, one for each scene.
@@ -23,6 +23,7 @@ struct SweepAxis {
   std::optional<int> element;  ///< index of the element with the range in a vector or list, from 0
   std::string unit;            ///< unit as typed, or the SI unit of the key; empty for a plain number
   std::vector<SweepValue> values;
+  bool isWords = false;       ///< the values are words of the key, or true and false
   std::string before, after;  ///< text of the override before and after the range
 
   std::string override(std::size_t value) const;
@@ -35,9 +36,9 @@ bool hasRange(std::string_view override);
 ///
 ///     a..b:n      n equally spaced values from a to b, both included; with a unit, such as 10..50 rpm:5
 ///     a..b:n:log  n values from a to b in equal ratios
-///     a|b|c       the values a, b and c
+///     a|b|c       the values a, b and c: numbers, words of the key such as smallest|largest, or true|false
 ///
-/// Only keys of numbers have ranges, because a title may contain dots. An override has at most one range. In a
+/// Keys of text have no ranges, because a title may contain dots. An override has at most one range. In a
 /// list, one element may be a range.
 /// @param most  largest n
 /// @throws core::Error(kUsage) for a malformed range, naming the valid forms.

@@ -149,19 +149,18 @@ draw::Picture SweepStage::compose(const Moment& moment, glm::ivec2 size_px, cons
   return picture;
 }
 
-// Chooses the number of columns that makes the cells largest, measured by the scale at which the scene's complete
-// picture fits into a cell. Slightly smaller cells are preferred if they leave fewer grid positions empty.
-int SweepStage::columnsFor(glm::ivec2 size_px, glm::ivec2 picture_px) const {
+// Chooses the number of columns that makes the cells largest, measured by the shorter side of a cell: what a view
+// shows is about as wide as high. Slightly smaller cells are preferred if they leave fewer grid positions empty.
+int SweepStage::columnsFor(glm::ivec2 size_px) const {
   const int count = static_cast<int>(cells_.size());
   if (hasRows()) return static_cast<int>(labels_[0].whole.size());
   if (columns_ > 0) return std::min(columns_, count);
-  const glm::dvec2 whole = glm::dvec2(size_px) / glm::dvec2(picture_px);
   int best = 1;
   double most = 0;
   for (int columns = 1; columns <= count; ++columns) {
     const int rows = (count + columns - 1) / columns;
-    const double scale = std::min(whole.x / columns, whole.y / rows);
-    const double worth = scale * std::sqrt(static_cast<double>(count) / (columns * rows));
+    const double side_px = std::min(1.0 * size_px.x / columns, 1.0 * size_px.y / rows);
+    const double worth = side_px * count / (columns * rows);
     if (worth > most * (1 + 1e-6)) most = worth, best = columns;
   }
   return best;
@@ -169,7 +168,7 @@ int SweepStage::columnsFor(glm::ivec2 size_px, glm::ivec2 picture_px) const {
 
 SweepStage::Grid SweepStage::gridIn(const Cell& room, glm::ivec2 picture_px, const Sizing& sizing) const {
   Grid grid;
-  grid.columns = columnsFor(room.size_px, picture_px);
+  grid.columns = columnsFor(room.size_px);
   grid.rows = (static_cast<int>(cells_.size()) + grid.columns - 1) / grid.columns;
   const glm::ivec2 share_px = glm::max(room.size_px / glm::ivec2(grid.columns, grid.rows), glm::ivec2(1));
   const double share = std::pow(area(share_px) / area(picture_px), kShrinks);

@@ -50,7 +50,7 @@ class SweepStage final : public Composer {
   bool hasRows() const { return labels_.size() == 2; }
   double margin_em() const;
   double labelSize_px(const Sizing& type, glm::dvec2 cell_px, glm::dvec2 room_px) const;
-  int columnsFor(glm::ivec2 size_px, glm::ivec2 picture_px) const;
+  int columnsFor(glm::ivec2 size_px) const;
   Grid gridIn(const Cell& room, glm::ivec2 picture_px, const Sizing& sizing) const;
   void addLabels(draw::Picture& picture, const Grid& grid) const;
   std::vector<double> mostMetre_px(const Grid& grid) const;

@@ -72,6 +72,19 @@ TEST(SweepAxis, MayBeLogarithmicOrAList) {
 }
 
 // A third of 1 has infinitely many digits. The rounded value, within a hundredth of a step, is written and drawn.
+TEST(SweepAxis, MayBeWordsOfItsKey) {
+  const auto axis = sweepAxis("motion.spin_axis=smallest|middle | largest").value();
+  EXPECT_TRUE(axis.isWords);
+  ASSERT_EQ(axis.values.size(), 3u);
+  EXPECT_EQ(axis.values[1].number, "middle");
+  EXPECT_EQ(axis.override(1), "motion.spin_axis=\"middle\"");
+  EXPECT_EQ(sweepAxis("motion.spin_axis=\"1|3\"")->override(1), "motion.spin_axis=\"3\"");
+  EXPECT_EQ(sweepAxis("show.cones.visible=true|false")->override(0), "show.cones.visible=true");
+  EXPECT_EQ(sweepAxis("motion.precession=slow|fast")->override(1), "motion.precession=\"fast\"");
+  EXPECT_FALSE(sweepAxis("motion.precession=1|2 rpm")->isWords);
+  EXPECT_FALSE(hasRange("motion.spin_axis=middle"));
+}
+
 TEST(SweepAxis, WritesEnoughDecimalsToDistinguishValues) {
   EXPECT_THAT(numbersOf("time.speed=0..1:4"), ElementsAre("0.000", "0.333", "0.667", "1.000"));
   EXPECT_THAT(numbersOf("time.speed=0.01..0.41:9"),

@@ -29,6 +29,7 @@ constexpr std::array kSymbols{Symbol{"motion.omega_body", "\\omega", true},
                               Symbol{"motion.L", "L"},
                               Symbol{"body.principal_moments", "I", true},
                               Symbol{"body.mass", "m"},
+                              Symbol{"body.catalogue", ""},
                               Symbol{"time.start", "t_0"}};
 
 /// Returns the last words of a key's path: "plane opacity" for "show.plane.opacity". Outside `show`, returns only
@@ -80,12 +81,26 @@ std::string nameOf(const scene::SweepAxis& axis, std::size_t number, const std::
 
 }  // namespace
 
+namespace {
+
+/// Adds the labels of a value that is a word, such as "spin axis: smallest"; the word alone if the key has no
+/// name.
+void addWord(SweepLabels& labels, const std::string& word) {
+  std::string tex;
+  for (const char c : word) tex += c == '_' ? std::string("\\_") : std::string(1, c);
+  labels.values.push_back(tex);
+  labels.whole.push_back(labels.name.empty() ? tex : labels.name + ": " + tex);
+}
+
+}  // namespace
+
 std::string sweptName(const scene::SweepAxis& axis, const scene::Scene& scene) {
   const auto symbol = std::ranges::find(kSymbols, axis.key, &Symbol::key);
   if (symbol == kSymbols.end()) {
     const std::string words = wordsOf(axis.key);
     return axis.element ? fmt::format("$\\text{{{}}}_{}$", words, *axis.element + 1) : words;
   }
+  if (symbol->tex.empty()) return "";
   if (!axis.element) return fmt::format("${}$", symbol->tex);
   const bool numbered = symbol->inAxes && scene.body.axes.aligned();
   return fmt::format("${}_{}$", symbol->tex, indexOf(*axis.element, numbered));
@@ -98,6 +113,10 @@ std::vector<SweepLabels> sweepLabels(const std::vector<scene::SweepAxis>& axes,
     SweepLabels& labels = all.emplace_back();
     labels.name = nameOf(axes[i], i, names, scene);
     for (const scene::SweepValue& value : axes[i].values) {
+      if (axes[i].isWords) {
+        addWord(labels, value.number);
+        continue;
+      }
       const std::string tex = numberInFormula(value.number, scene.style.decimalSign) + gapAndUnit(axes[i].unit);
       labels.values.push_back("$" + tex + "$");
       // If the name is a formula, name and value become one formula, so that TeX spaces them as a formula.
