@@ -33,7 +33,7 @@ def make(portable, build, version):
     subprocess.run(["patchelf", "--force-rpath", "--set-rpath", "$ORIGIN/portable/lib/poinsot", extension], check=True)
     (content / f"poinsot-{version}.dist-info/WHEEL").write_text(
         "Wheel-Version: 1.0\nGenerator: packaging/portable\nRoot-Is-Purelib: false\n"
-        f"Tag: {tag(extension, [extension, *(inside / 'lib/poinsot').iterdir()])}\n")
+        f"Tag: {tag(extension, [extension, *(inside / 'lib/poinsot').glob('*.so*')])}\n")
     command = content / f"poinsot-{version}.data/scripts/poinsot"
     command.parent.mkdir(parents=True)
     shutil.copyfile(COMMAND, command)

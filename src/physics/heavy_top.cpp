@@ -160,6 +160,7 @@ double HeavyTop::spinOfPrecession(double tilt_rad, double precession) const {
 ClosedPrecession HeavyTop::nearestClosedPrecession(double tilt_rad, double precession, double wanted_s) const {
   constexpr double kTurn = 2 * std::numbers::pi, kMostTurns = 1e6, kWithin = 0.25;
   requireFinite(wanted_s, "the time until the motion repeats");
+  POINSOT_EXPECT(wanted_s > 0);
   const double spin = spinOfPrecession(tilt_rad, precession), cosine = sineCosine(tilt_rad).cosine;
   const double turns = wanted_s * std::abs(precession) / kTurn;
   if (turns > kMostTurns)

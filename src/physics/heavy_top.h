@@ -79,7 +79,8 @@ struct HeavyTop {
   /// Returns the kind of nutation of the motion that has the given state at any one time. Angles that differ by
   /// less than 1e-7 rad and rates that are less than 1e-6 of each other count as rounding. Returns nullopt for a
   /// motion through the vertical, or towards it, where no such path exists.
-  /// @pre, @throws as nutation()
+  /// @pre up_P is of unit length.
+  /// @throws core::Error(kPhysics) if omega_P is not finite.
   std::optional<NutationKind> nutationKind(const Eigen::Vector3d& omega_P, const Eigen::Vector3d& up_P) const;
 
   /// Returns the spin omega_3 at which the top precesses steadily at the rate `precession`, rad/s: (M g l + I1 cos

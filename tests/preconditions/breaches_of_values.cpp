@@ -71,6 +71,14 @@ std::vector<Breach> ofPhysics() {
        [] {
          physics::heavyTop(PrincipalMoments(2, 2, 1), {0, 0, 3})->nutation({0, 0, 9}, {0, kNaN, 1});
        }},
+      {"physics/heavy_top.h", "the rate is not 0",
+       [] {
+         physics::heavyTop(PrincipalMoments(2, 2, 1), {0, 0, 3})->spinOfPrecession(1, 0);
+       }},
+      {"physics/heavy_top.h", "the rate is not 0, wanted_s > 0",
+       [] {
+         physics::heavyTop(PrincipalMoments(2, 2, 1), {0, 0, 3})->nearestClosedPrecession(1, 0.5, 0);
+       }},
       {"physics/herpolhode.h", "radius > 0",
        [] {
          physics::Herpolhode(kMoments, {0.05, 2, 0.1}).rate(0);

@@ -27,8 +27,9 @@ std::vector<Key> vectorStartKeys() {
        .dimension = kAngularVelocity,
        .range = kSpins,
        .example = "[0.01, \"3 rpm\", 0]",
-       .help = "Angular velocity at motion time 0, in components along the body's axes. A scene gives the start "
-               "of the motion in one of the [ways to start](#ways-to-start).",
+       .help =
+           "Angular velocity at motion time 0, in components along the body's axes. A scene gives the rotation in "
+           "exactly one way, such as this one.",
        .put = into([](Draft& d) { return &d.start.omega_B; })},
       {.path = "motion.omega_space",
        .type = kVector,
