@@ -4,8 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ranges>
+#include <iterator>
 #include <string>
+#include <vector>
 
 #include "core/expect.h"
 
@@ -65,20 +66,21 @@ bool combine(const StartWay& a, const StartWay& b) {
 }
 
 std::string startWaysMarkdown() {
-  std::string heading = "| |", line = "| --- |", rows;
-  const auto isColumn = [](const StartWay& way) { return way.part != kRotation; };
-  for (const StartWay& column : startWays() | std::views::filter(isColumn)) {
+  std::vector<StartWay> rows, columns;
+  std::ranges::partition_copy(startWays(), std::back_inserter(rows), std::back_inserter(columns),
+                              [](const StartWay& way) { return way.part == kRotation; });
+
+  std::string heading = "| |", line = "| --- |", body;
+  for (const StartWay& column : columns) {
     heading += fmt::format(" {} |", column.name);
     line += " --- |";
   }
-  for (const StartWay& row : startWays()) {
-    if (isColumn(row)) continue;
-    rows += fmt::format("| {} |", row.name);
-    for (const StartWay& column : startWays() | std::views::filter(isColumn))
-      rows += combine(row, column) ? " yes |" : " no |";
-    rows += "\n";
+  for (const StartWay& row : rows) {
+    body += fmt::format("| {} |", row.name);
+    for (const StartWay& column : columns) body += combine(row, column) ? " yes |" : " no |";
+    body += "\n";
   }
-  return fmt::format("{}\n{}\n{}", heading, line, rows);
+  return fmt::format("{}\n{}\n{}", heading, line, body);
 }
 
 }  // namespace poinsot::scene
