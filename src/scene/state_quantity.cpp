@@ -88,6 +88,11 @@ double velocity(const RigidBodyState& s, const Basis& b) {
   return b.thrown() ? b.thrown()->flight.velocityAt(s.t_s)[axis] : kMissing;
 }
 template <int axis>
+double momentum(const RigidBodyState& s, const Basis& b) {
+  return flightOf(s, b).P_W[axis];
+}
+double momentumSize(const RigidBodyState& s, const Basis& b) { return size(flightOf(s, b).P_W); }
+template <int axis>
 double orbitalL(const RigidBodyState& s, const Basis& b) {
   return flightOf(s, b).orbital_W[axis];
 }
@@ -243,6 +248,12 @@ constexpr StateQuantity kQuantities[] = {
      velocity<1>, nullptr, kFlight},
     {"V_z", "V_z", "velocity of the centre of mass of a thrown body along z", kMetrePerSecond, F::kFlight, kSmooth,
      velocity<2>, nullptr, kFlight},
+    {"P_x", "P_x", "momentum M V of a thrown body along x", kMomentum, F::kFlight, kSmooth, momentum<0>,
+     momentumSize, kFlightAndMass},
+    {"P_y", "P_y", "momentum M V of a thrown body along y", kMomentum, F::kFlight, kSmooth, momentum<1>,
+     momentumSize, kFlightAndMass},
+    {"P_z", "P_z", "momentum M V of a thrown body along z", kMomentum, F::kFlight, kSmooth, momentum<2>,
+     momentumSize, kFlightAndMass},
     {"L_orbital_x", "(\\mathbf{R}\\times\\mathbf{P})_x",
      "orbital angular momentum R x P of a thrown body about the origin, along x", kAction, F::kL, kSmooth,
      orbitalL<0>, totalLSize, kFlightAndMass},
@@ -292,6 +303,8 @@ Dimension dimensionOf(QuantityUnit unit) {
       return Dimension::kVelocity;
     case kRadianPerSecond:
       return Dimension::kAngularVelocity;
+    case kMomentum:
+      return Dimension::kMomentum;
     case kAction:
       return Dimension::kAngularMomentum;
     case kJoule:
@@ -314,6 +327,8 @@ std::string_view unitText(QuantityUnit unit) {
       return "in m/s";
     case kRadianPerSecond:
       return "in rad/s";
+    case kMomentum:
+      return "in kg·m/s";
     case kAction:
       return "in kg·m²/s";
     case kJoule:

@@ -58,7 +58,17 @@ enum class QuantityFamily { kTime, kOmega, kL, kEnergy, kBody, kFlight };
 /// Jump of a quantity between neighbouring states: none, 2 pi of an angle, or the sign of a quaternion.
 enum class QuantityBranch { kSmooth, kTurns, kSign };
 
-enum class QuantityUnit { kSecond, kMetre, kMetrePerSecond, kRadianPerSecond, kAction, kJoule, kAngle, kBare };
+enum class QuantityUnit {
+  kSecond,
+  kMetre,
+  kMetrePerSecond,
+  kRadianPerSecond,
+  kMomentum,
+  kAction,
+  kJoule,
+  kAngle,
+  kBare
+};
 
 /// Requirement of a quantity on the scene: none, a flight, or a flight and a mass.
 enum class QuantityNeeds { kNothing, kFlight, kFlightAndMass };

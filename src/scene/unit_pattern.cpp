@@ -92,6 +92,11 @@ std::string momentPattern() {
 }
 
 std::string momentumPattern() {
+  const std::string time = namesPattern(kT), moved = product(namesPattern(kM), namesPattern(kL));
+  return either({quotient(moved, time), product(namesPattern(kForce), time)});
+}
+
+std::string angularMomentumPattern() {
   const std::string time = namesPattern(kT);
   return either({namesPattern(kAction), quotient(massSquarePattern(), time), workPattern() + kTimes + time});
 }
@@ -123,8 +128,10 @@ std::string unitPattern(Dimension dimension) {
     case Dimension::kTorque:
     case Dimension::kEnergy:
       return workPattern();
-    case Dimension::kAngularMomentum:
+    case Dimension::kMomentum:
       return momentumPattern();
+    case Dimension::kAngularMomentum:
+      return angularMomentumPattern();
     case Dimension::kRate:
       return ratePattern();
     case Dimension::kInverseAction:

@@ -43,7 +43,7 @@ struct UnitRow {
 
 inline constexpr Exponents kPlain{0, 0, 0, 0}, kL{1, 0, 0, 0}, kM{0, 1, 0, 0}, kT{0, 0, 1, 0}, kA{0, 0, 0, 1},
     kSpin{0, 0, -1, 1}, kForce{1, 1, -2, 0}, kWork{2, 1, -2, 0}, kMoment{2, 1, 0, 0}, kSpeed{1, 0, -1, 0},
-    kAction{2, 1, -1, 0};
+    kImpulse{1, 1, -1, 0}, kAction{2, 1, -1, 0};
 inline constexpr double kTurn = 2 * std::numbers::pi, kDegree = std::numbers::pi / 180;
 
 // Values of units:
@@ -123,6 +123,7 @@ inline constexpr DimensionText kDimensions[] = {
     {{1, 0, -2, 0}, "an acceleration", "accelerations", "m/s²", "m/s^2, cm/s^2, ft/s^2"},
     {kWork, "a torque", "torques", "N·m", "N m, mN m, N cm, kN m, lbf ft, lbf in, ozf in"},
     {kWork, "an energy", "energies", "J", "J, mJ, kJ, N m, ft lbf"},
+    {kImpulse, "a momentum", "momenta", "kg·m/s", "kg m/s, g cm/s, N s, lb ft/s, lbf s"},
     {kAction, "an angular momentum", "angular momenta", "kg·m²/s",
      "kg m^2/s, g cm^2/s, N m s, J s, slug ft^2/s, lbf ft s"},
     {{0, 0, -1, 0}, "a rate", "rates", "1/s", "1/s, 1/min, 1/h, 1/d, 1/yr"},
@@ -140,6 +141,7 @@ inline constexpr Dimension kAll[] = {Dimension::kLength,
                                      Dimension::kAcceleration,
                                      Dimension::kTorque,
                                      Dimension::kEnergy,
+                                     Dimension::kMomentum,
                                      Dimension::kAngularMomentum,
                                      Dimension::kRate,
                                      Dimension::kInverseAction};

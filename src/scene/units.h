@@ -25,6 +25,7 @@ enum class Dimension {
   kAcceleration,
   kTorque,
   kEnergy,
+  kMomentum,
   kAngularMomentum,
   kRate,           ///< decay rate, 1/s
   kInverseAction,  ///< coefficient of dissipation, s/(kg·m²)

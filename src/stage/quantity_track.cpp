@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 
+#include "scene/motion/quantity_basis.h"
 #include "stage/picture_motion.h"
 
 namespace poinsot::stage {
@@ -44,13 +44,6 @@ void widen(QuantityRange& range, double value, double size) {
   range.size = std::max(range.size, size);
 }
 
-std::optional<scene::ThrownBody> thrownBody(const scene::Scene& scene) {
-  if (!scene.motion.flight) return std::nullopt;
-  scene::ThrownBody thrown{.flight = *scene.motion.flight};
-  if (scene.body.mass) thrown.mass_kg = scene.body.mass->mass_kg();
-  return thrown;
-}
-
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr double kRounding =
@@ -81,8 +74,7 @@ QuantityTrack::QuantityTrack(const scene::Scene& scene, std::shared_ptr<const ph
       quantities_(std::move(quantities)),
       clock_(filmClock(scene)),
       duration_s_(scene.time.duration_s),
-      basis_(motion_->axes(), scene.motion.forcing,
-             motion_->axes().toP(motion_->at(clock_.motionTime_s(0)).omega_B), thrownBody(scene)) {
+      basis_(scene::quantityBasis(scene, *motion_)) {
   chooseTimes(scene);
   sampleAll();
 }

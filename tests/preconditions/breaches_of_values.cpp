@@ -204,6 +204,8 @@ std::vector<Breach> ofScene() {
       {"scene/motion/eased_track.h", "over_s >= 0", [] { EasedTrack(1).turnTo(0, -1, 1); }},
       {"scene/motion/film_clock.h", "a finite time", [] { FilmClock(0, 1, {}).motionTime_s(INFINITY); }},
       {"scene/motion/film_clock.h", "a finite time", [] { FilmClock(0, 0, {}).played_s(kNaN); }},
+      {"scene/motion/film_clock.h", "finite times, duration_s >= 0",
+       [] { FilmClock(0, 1, {}).filmTimesOf(kNaN, 1); }},
       {"scene/motion/film_clock.h", "not NaN", [] { FilmClock(0, 1, {}).pace(kNaN); }},
       {"scene/document/problem.h", "at least one problem", [] { SceneErrors({}); }},
       {"scene/state_quantity.h", "index of a quantity", [] { stateQuantity(-1); }},

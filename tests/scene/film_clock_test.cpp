@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -138,6 +139,45 @@ TEST(FilmClock, GivesFiniteTimesOrAnError) {
         EXPECT_FALSE(std::isfinite(t_s));
       }
     }
+}
+
+/// Returns whether a span is one film time, to rounding.
+void expectOnly(const std::optional<FilmSpan>& found, double film_s) {
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->from_s, film_s, 1e-13);
+  EXPECT_NEAR(found->to_s, film_s, 1e-13);
+}
+
+// Without changes of speed, film time is (motion time - start)/speed.
+TEST(FilmClock, InvertsAConstantSpeedOfEitherSign) {
+  expectOnly(FilmClock(1, 0.25, {}).filmTimesOf(3, 20), 8);
+  expectOnly(FilmClock(1, -0.25, {}).filmTimesOf(-1, 20), 8);
+  expectOnly(FilmClock(1, -0.25, {}).filmTimesOf(1, 20), 0);
+  expectOnly(FilmClock(1, 0.1, {}).filmTimesOf(1 + 0.1 * 7, 7), 7);  // the last frame, though 0.1 * 7 is rounded
+  EXPECT_FALSE(FilmClock(1, 0.25, {}).filmTimesOf(0.99, 20));
+  EXPECT_FALSE(FilmClock(1, -0.25, {}).filmTimesOf(1.01, 20));
+  EXPECT_FALSE(FilmClock(1, 0.25, {}).filmTimesOf(6.01, 20));
+}
+
+// The clock holds the motion from film time 6.5 to 8.5, and again from 18 on.
+TEST(FilmClock, InvertsSlowMotionAndHolds) {
+  const FilmClock clock = variedClock();
+  for (const double film_s : {0.0, 1.0, 2.7, 5.0, 6.2, 9.5, 12.5, 13.5, 17.0})
+    expectOnly(clock.filmTimesOf(clock.motionTime_s(film_s), 20), film_s);
+  const auto held = clock.filmTimesOf(clock.motionTime_s(7), 20);
+  ASSERT_TRUE(held);
+  EXPECT_NEAR(held->from_s, 6.5, 1e-4);  // the motion comes to rest smoothly
+  EXPECT_NEAR(held->to_s, 8.5, 1e-4);
+  EXPECT_EQ(clock.filmTimesOf(clock.motionTime_s(20), 20)->to_s, 20);
+  EXPECT_FALSE(clock.filmTimesOf(clock.motionTime_s(20) - 0.1, 20));
+}
+
+TEST(FilmClock, ShowsOneMotionTimeInAFilmThatStandsStill) {
+  const auto all = FilmClock(2, 0, {}).filmTimesOf(2, 5);
+  ASSERT_TRUE(all);
+  EXPECT_EQ(all->from_s, 0);
+  EXPECT_EQ(all->to_s, 5);
+  EXPECT_FALSE(FilmClock(2, 0, {}).filmTimesOf(2.1, 5));
 }
 
 }  // namespace

@@ -164,6 +164,9 @@ TEST(Quantities, MatchSumsByHandForAThrownBody) {
                                                        {"V_x", 1.2},
                                                        {"V_y", -0.7},
                                                        {"V_z", 0.4 - 4.905},
+                                                       {"P_x", 7.2},
+                                                       {"P_y", -4.2},
+                                                       {"P_z", 6 * (0.4 - 4.905)},
                                                        {"L_orbital_x", 0.3234375 + 2.3911875},
                                                        {"L_orbital_y", -0.65625 + 18.9455625},
                                                        {"L_orbital_z", -2.11875},
@@ -184,7 +187,7 @@ TEST(Quantities, HaveNoMomentumForAThrownBodyWithoutMass) {
       physics::PrincipalMoments(Vector3d(2, 3, 4)), {}, Vector3d(1, 2, 3), scene::ThrownBody{}};
   physics::RigidBodyState s;
   s.kineticEnergy = 2;
-  for (const char* name : {"L_total_x", "L_orbital_y", "T_cm", "T_total"})
+  for (const char* name : {"P_x", "L_total_x", "L_orbital_y", "T_cm", "T_total"})
     EXPECT_TRUE(std::isnan(valueOf(name, s, basis))) << name;
   for (const char* name : {"E", "T"}) EXPECT_EQ(valueOf(name, s, basis), 2) << name;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "core/expect.h"
@@ -39,6 +40,18 @@ EasedTrack paceOf(const Timeline& timeline) {
   return track;
 }
 
+/// Returns the first number from `low` to `high` at which a condition holds, to the last bit. The condition must
+/// hold at `high`, and at every number above one at which it holds.
+template <class Condition>
+double firstWhere(const Condition& holds, double low, double high) {
+  if (holds(low)) return low;
+  for (;;) {
+    const double middle = std::midpoint(low, high);
+    if (middle <= low || middle >= high) return high;
+    (holds(middle) ? high : low) = middle;
+  }
+}
+
 double finite(double t_s) {
   if (!std::isfinite(t_s)) physics::refuseTime(t_s);
   return t_s;
@@ -55,6 +68,21 @@ double FilmClock::played_s(double filmTime_s) const {
 }
 
 double FilmClock::motionTimeOf(double played_s) const { return finite(start_s_ + speed_ * played_s); }
+
+std::optional<FilmSpan> FilmClock::filmTimesOf(double motionTime_s, double duration_s) const {
+  POINSOT_EXPECT(std::isfinite(motionTime_s) && std::isfinite(duration_s) && duration_s >= 0);
+  constexpr double kRounding = 1e-15;  // relative; the end of a film is a rounded product
+  const double end = played_s(duration_s);
+  if (speed_ == 0) return motionTime_s == start_s_ ? std::optional(FilmSpan{0, duration_s}) : std::nullopt;
+  double played = (motionTime_s - start_s_) / speed_;
+  if (played > end && played - end <= kRounding * (end + std::abs(start_s_ / speed_))) played = end;
+  if (!(played >= 0 && played <= end)) return std::nullopt;
+  if (!changes()) return FilmSpan{played, played};
+  const double first = firstWhere([&](double film_s) { return played_s(film_s) >= played; }, 0, duration_s);
+  if (end <= played) return FilmSpan{first, duration_s};
+  const double after = firstWhere([&](double film_s) { return played_s(film_s) > played; }, first, duration_s);
+  return FilmSpan{first, after - first <= kRounding * duration_s ? first : after};
+}
 
 double FilmClock::pace(double filmTime_s) const {
   POINSOT_EXPECT(!std::isnan(filmTime_s));

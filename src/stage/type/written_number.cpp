@@ -81,6 +81,8 @@ WrittenUnit writtenUnit(QuantityUnit unit, double largest) {
       return scaled("\\mathrm{m/s}", 1, largest);
     case QuantityUnit::kRadianPerSecond:
       return scaled("\\mathrm{rad/s}", 1, largest);
+    case QuantityUnit::kMomentum:
+      return scaled("\\mathrm{kg\\,m/s}", 1, largest);
     case QuantityUnit::kAction:
       return scaled("\\mathrm{kg\\,m^2/s}", 1, largest);
     case QuantityUnit::kJoule:

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/motion/quantity_basis.h"
+
+#include <optional>
+
+namespace poinsot::scene {
+namespace {
+
+std::optional<ThrownBody> thrownBody(const Scene& scene) {
+  if (!scene.motion.flight) return std::nullopt;
+  ThrownBody thrown{.flight = *scene.motion.flight};
+  if (scene.body.mass) thrown.mass_kg = scene.body.mass->mass_kg();
+  return thrown;
+}
+
+}  // namespace
+
+QuantityBasis quantityBasis(const Scene& scene, const physics::Motion& motion) {
+  const physics::RigidBodyState start = motion.at(scene.time.start_s);
+  return {motion.axes(), scene.motion.forcing, motion.axes().toP(start.omega_B), thrownBody(scene)};
+}
+
+}  // namespace poinsot::scene
