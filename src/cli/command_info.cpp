@@ -16,7 +16,7 @@ namespace poinsot::cli {
 namespace {
 
 struct InfoOptions : SceneOptions {
-  bool json = false, alt = false;
+  bool json = false, alt = false, all = false;
   int digits = describe::kUsualDigits;
 };
 
@@ -30,7 +30,8 @@ int info(const InfoOptions& options) {
     writeOut(describe::reportJson(report));
   else
     writeOut(describe::reportTable(
-        describe::inUnits(report, request::defaultsOf(request::userDefaultsFile()).units), options.digits));
+        describe::inUnits(report, request::defaultsOf(request::userDefaultsFile()).units), options.digits,
+        options.all ? describe::TableExtent::kAll : describe::TableExtent::kPage));
   return kDone;
 }
 
@@ -43,8 +44,11 @@ void addInfo(const Command& program) {
   addSceneOptions(command, *options);
   const Option json = command.flag(
       "--json", options->json, "print a JSON object, in SI units with full precision; infinite numbers are null");
-  command.flag("--alt", options->alt, "print a paragraph in words, for readers who do not see the picture")
-      .excludes(json);
+  const Option alt =
+      command.flag("--alt", options->alt, "print a paragraph in words, for readers who do not see the picture")
+          .excludes(json);
+  command.flag("--all", options->all, "print all quantities; by default, a page of the most important ones")
+      .excludes(alt);
   command
       .option("--digits", options->digits,
               fmt::format(
@@ -56,6 +60,7 @@ void addInfo(const Command& program) {
   command.footer(
       "Examples:\n"
       "  poinsot info scenes/football.toml\n"
+      "  poinsot info scenes/football.toml --all\n"
       "  poinsot info scenes/football.toml --alt\n"
       "Equation numbers refer to the lecture that docs/physics.md follows.");
   command.does({[options] { return info(*options); }, options.get(),

@@ -12,6 +12,7 @@
 #include "core/expect.h"
 #include "core/text.h"
 #include "describe/report_sections.h"
+#include "scene/motion/make_motion.h"
 #include "stage/picture_motion.h"
 
 namespace poinsot::describe {
@@ -55,11 +56,16 @@ FactValue shownValue(const Fact& fact) {
   return fact.value;
 }
 
+constexpr std::size_t kMostListed = 5;  // numbers of a list in the table; JSON has all
+
 template <typename List>
 std::string listText(const List& values, int digits) {
+  const auto count = static_cast<std::size_t>(values.size());
+  const bool cut = count > kMostListed;
   std::string text;
-  for (const double value : values) text += (text.empty() ? "(" : ", ") + numberText(value, digits);
-  return text + ")";
+  for (std::size_t i = 0; i < (cut ? kMostListed - 1 : count); ++i)
+    text += (text.empty() ? "(" : ", ") + numberText(values.data()[i], digits);
+  return cut ? fmt::format("{}, ..., {})", text, numberText(values.data()[count - 1], digits)) : text + ")";
 }
 
 /// Returns a matrix as three lines with right-aligned columns.
@@ -93,6 +99,12 @@ std::vector<std::string> valueLines(const FactValue& value, int digits) {
           return {core::printable(v)};
       },
       value);
+}
+
+/// Returns the number of values of a list that the table cuts, such as ", 17 in all".
+std::string countOfList(const FactValue& value) {
+  const auto* list = std::get_if<std::vector<double>>(&value);
+  return list && list->size() > kMostListed ? fmt::format(", {} in all", list->size()) : "";
 }
 
 std::string inDegrees(const Fact& fact, int digits) {
@@ -157,16 +169,21 @@ std::vector<std::string> factLines(const Fact& fact, int digits) {
   POINSOT_EXPECT(digits >= 1 && digits <= kAllDigits);
   std::vector<std::string> lines = valueLines(shownValue(fact), digits);
   if (!fact.unit.empty()) lines.back() += ' ' + fact.unit;
-  lines.back() += inDegrees(fact, digits);
+  lines.back() += inDegrees(fact, digits) + countOfList(fact.value);
   return lines;
 }
 
-std::string reportTable(const Report& report, int digits) {
+std::string reportTable(const Report& report, int digits, TableExtent extent) {
   std::vector<std::vector<Row>> sections;
   Widths widths;
+  int omitted = 0;
   for (const Section& section : report.sections) {
     std::vector<Row> rows;
     for (const Fact& fact : section.facts) {
+      if (extent == TableExtent::kPage && fact.detail) {
+        ++omitted;
+        continue;
+      }
       rows.push_back({fact.label, fact.from, factLines(fact, digits)});
       widths.include(rows.back());
     }
@@ -177,6 +194,7 @@ std::string reportTable(const Report& report, int digits) {
     if (!sections[i].empty()) text += fmt::format("\n{}\n", report.sections[i].title);
     for (const Row& row : sections[i]) text += rowText(row, widths);
   }
+  if (omitted > 0) text += fmt::format("\n{} more with --all\n", omitted);
   return text;
 }
 
@@ -196,10 +214,11 @@ std::string reportJson(const Report& report) {
 Report sceneReport(const scene::Scene& scene) {
   const double start_s = scene.time.start_s;
   const ReportSpan span{start_s, stage::filmClock(scene).motionTime_s(scene.time.duration_s)};
+  const auto motion = scene::makeMotion(scene, span.from_s, span.to_s);
   return {scene.name,
           {bodySection(scene), startSection(scene), flightSection(scene), constructionSection(scene),
            symmetricSection(scene), heavyTopSection(scene), lossSection(scene), stabilitySection(scene),
-           loopSection(scene), accuracySection(scene, span)}};
+           loopSection(scene), eventsSection(scene, *motion, span), accuracySection(scene, *motion, span)}};
 }
 
 }  // namespace poinsot::describe

@@ -22,6 +22,7 @@ struct Fact {
   std::string unit;          ///< empty for words and numbers without a unit
   std::string from;          ///< equation of the lecture, or another source
   std::string inWords = {};  ///< text for the table, if the value is only for programs
+  bool detail = false;       ///< whether only the complete table has the fact
 };
 
 struct Section {
@@ -31,6 +32,12 @@ struct Section {
   Fact& add(std::string key, std::string label, FactValue value, std::string unit, std::string from) {
     facts.push_back({std::move(key), std::move(label), std::move(value), std::move(unit), std::move(from)});
     return facts.back();
+  }
+  /// Adds a fact if only the complete table is to have it, such as a value that follows from another one.
+  Fact& addDetail(std::string key, std::string label, FactValue value, std::string unit, std::string from) {
+    Fact& fact = add(std::move(key), std::move(label), std::move(value), std::move(unit), std::move(from));
+    fact.detail = true;
+    return fact;
   }
 };
 
@@ -46,10 +53,14 @@ constexpr int kAllDigits = 17;   ///< significant digits that represent every do
 /// row.
 std::vector<std::string> factLines(const Fact& fact, int digits = kUsualDigits);
 
+/// Facts of a table: one page for a reader, or everything.
+enum class TableExtent { kPage, kAll };
+
 /// Returns a table with three columns: quantity, value with unit, source. Angles are also in degrees. If a
-/// component of a vector is only a rounding error of the largest one, it is printed as 0.
+/// component of a vector is only a rounding error of the largest one, it is printed as 0. A page ends with the
+/// number of the facts that it omits.
 /// @pre digits from 1 to kAllDigits: significant ones, zeros at the end left out
-std::string reportTable(const Report& report, int digits = kUsualDigits);
+std::string reportTable(const Report& report, int digits = kUsualDigits, TableExtent extent = TableExtent::kAll);
 
 /// Returns a JSON object with the scene's name, the values by key, the units by key and the sources by key. Values
 /// have full precision; infinity is null. Words, booleans and numbers without a unit have no entry in the units.

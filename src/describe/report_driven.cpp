@@ -64,14 +64,15 @@ void addFinalState(Section& section, const physics::PrincipalMoments& moments, c
 
 void addIntegration(Section& section, const physics::DrivenMotionReport& report) {
   section.add("method", "method", report.method, "", "");
-  section.add("order", "order of the integration method", report.order, "",
-              report.order == 0 ? "closed form" : "");
+  section.addDetail("order", "order of the integration method", report.order, "",
+                    report.order == 0 ? "closed form" : "");
   section.add("steps", "steps over the run", static_cast<int>(report.steps), "", "");
-  section.add("shortest_step", "shortest step", report.shortestStep_s, "s", "");
-  section.add("tolerance", "largest allowed attitude error", report.tolerance_rad, "rad", "motion.tolerance");
+  section.addDetail("shortest_step", "shortest step", report.shortestStep_s, "s", "");
+  section.addDetail("tolerance", "largest allowed attitude error", report.tolerance_rad, "rad",
+                    "motion.tolerance");
   section.add("estimated_attitude_error", "estimated attitude error", report.estimatedAttitudeError_rad, "rad",
               report.limitedByRounding ? "the best that double allows" : "within the allowed error");
-  section.add("limited_by_rounding", "limited by rounding", report.limitedByRounding, "", "");
+  section.addDetail("limited_by_rounding", "limited by rounding", report.limitedByRounding, "", "");
   if (report.energyDrift)
     section.add("energy_drift", "drift of the total energy", *report.energyDrift, "", "relative, over the run");
 }
@@ -84,9 +85,9 @@ void addCondition(Section& section, const scene::Scene& scene, const ReportSpan&
   const auto condition =
       physics::runCondition(scene.body.axes, scene.motion.omega_B, std::abs(first ? span.from_s : span.to_s));
   section.add("turns", "turns from time 0 to " + end, condition.turns, "", "|omega| t/(2 pi), omega at time 0");
-  section.add("flips", "half periods of the polhode up to " + end, condition.flips, "", "");
-  section.add("end_uncertainty", "attitude uncertainty at " + end, condition.attitude_rad, "rad",
-              "if the input is rounded");
+  section.addDetail("flips", "half periods of the polhode up to " + end, condition.flips, "", "");
+  section.addDetail("end_uncertainty", "attitude uncertainty at " + end, condition.attitude_rad, "rad",
+                    "if the input is rounded");
   section.add("meaningful_digits", "meaningful digits at " + end, condition.digits, "", "");
 }
 
@@ -127,7 +128,7 @@ Section lossSection(const scene::Scene& scene) {
   return section;
 }
 
-Section accuracySection(const scene::Scene& scene, const ReportSpan& span) {
+Section accuracySection(const scene::Scene& scene, const physics::Motion& motion, const ReportSpan& span) {
   Section section{"Run", {}};
   section.add("motion_from", "motion time of the first frame", span.from_s, "s", "");
   section.add("motion_to", "motion time at the end of the film", span.to_s, "s", "");
@@ -142,8 +143,7 @@ Section accuracySection(const scene::Scene& scene, const ReportSpan& span) {
     addCondition(section, scene, span);
     return section;
   }
-  const auto motion = scene::makeMotion(scene, span.from_s, span.to_s);
-  if (const auto* driven = dynamic_cast<const physics::DrivenMotion*>(motion.get()))
+  if (const auto* driven = dynamic_cast<const physics::DrivenMotion*>(&motion))
     addIntegration(section, driven->report());
   return section;
 }

@@ -66,8 +66,8 @@ void addEllipsoids(Section& section, const scene::Scene& scene) {
   section.add("plane_height", "height of the invariable plane 2T/|L|", poinsot.planeHeight(), "rad/s", "eq 40");
   section.add("ellipsoid_semi_axes", "semi-axes sqrt(2T/I_i) of the ellipsoid", poinsot.semiAxes_P(), "rad/s",
               "eq 38");
-  section.add("momentum_ellipsoid_semi_axes", "semi-axes sqrt(2T I_i) in L space", binet.semiAxes_P(), "kg m^2/s",
-              "Binet");
+  section.addDetail("momentum_ellipsoid_semi_axes", "semi-axes sqrt(2T I_i) in L space", binet.semiAxes_P(),
+                    "kg m^2/s", "Binet");
 }
 
 void addMiddleAxis(Section& section, const physics::FlipTimes& flips) {
@@ -89,7 +89,7 @@ void addPolhode(Section& section, const scene::Scene& scene) {
     section.add("polhode_period_days", "  in days", polhode.period() / physics::kSolarDay_s, "d", "86 400 s each");
   const physics::FlipTimes flips = physics::flipTimes(scene.body.axes.moments(), scene::startOmega_P(scene));
   section.add("lambda", "lambda", flips.growthRate, "1/s", "elliptic functions of lambda t");
-  section.add("complementary_parameter", "mc = 1 - k^2", flips.complementary, "", "0 on the separatrix");
+  section.addDetail("complementary_parameter", "mc = 1 - k^2", flips.complementary, "", "0 on the separatrix");
   const bool symmetric = conesOf(scene).has_value();
   section.add("body_flips", "the body flips", flips.turnsOver, "",
               symmetric ? "two moments are equal" : "yes with L within 20 deg of the middle axis");
@@ -98,9 +98,9 @@ void addPolhode(Section& section, const scene::Scene& scene) {
 
 /// Adds a symmetric top's herpolhode, a circle that closes after one turn of omega about L.
 void addCircle(Section& section, const PrecessionCones& cones) {
-  section.add("herpolhode_closes", "the herpolhode closes", true, "", "a circle");
-  section.add("closure_turns", "  in turns about L", 1, "", "");
-  section.add("closure_time", "  that is", 2 * std::numbers::pi / cones.precessionRate, "s", "2 pi I1/L");
+  section.addDetail("herpolhode_closes", "the herpolhode closes", true, "", "a circle");
+  section.addDetail("closure_turns", "  in turns about L", 1, "", "");
+  section.addDetail("closure_time", "  that is", 2 * std::numbers::pi / cones.precessionRate, "s", "2 pi I1/L");
 }
 
 void addHerpolhode(Section& section, const scene::Scene& scene) {
@@ -133,8 +133,8 @@ void addChandler(Section& section, const PrecessionCones& cones) {
   const double period_s = cones.wobblePeriod();
   section.add("chandler_period_solar_days", "Chandler period, if rigid", period_s / physics::kSolarDay_s, "d",
               "eq 29; observed, not rigid: 433 d");
-  section.add("chandler_period_sidereal_days", "  in sidereal days", period_s / physics::kSiderealDay_s,
-              "sidereal d", "86 164.09 s each, the time of one turn of the Earth");
+  section.addDetail("chandler_period_sidereal_days", "  in sidereal days", period_s / physics::kSiderealDay_s,
+                    "sidereal d", "86 164.09 s each, the time of one turn of the Earth");
 }
 
 /// Returns how the body cone rolls, "outside" or "inside"; "none" for a steady spin, in which no cone rolls.
@@ -180,8 +180,10 @@ Section symmetricSection(const scene::Scene& scene) {
   section.add("precession_rate", "precession L/I1 about L", cones->precessionRate, "rad/s", "eq 20, 34");
   section.add("spin_rate", "omega_3", cones->spinRate, "rad/s", "eq 26; k is chosen so that omega_3 >= 0");
   section.add("body_precession_rate", "Omega_p of omega about k", cones->bodyRate, "rad/s", "eq 29, 37");
-  section.add("hand_finch_spin", "Hand & Finch's spin Omega", cones->handFinchSpin(), "rad/s", "eq 21");
-  section.add("wobble_period", "wobble seen from the body 2 pi/|Omega_p|", cones->wobblePeriod(), "s", "eq 29");
+  section.add("hand_finch_spin", "Hand & Finch's spin Omega", cones->handFinchSpin(), "rad/s", "eq 21").detail =
+      cones->steady();
+  section.add("wobble_period", "wobble seen from the body 2 pi/|Omega_p|", cones->wobblePeriod(), "s", "eq 29")
+      .detail = cones->steady();
   if (isEarth(*cones)) addChandler(section, *cones);
   return section;
 }
@@ -196,8 +198,10 @@ Section stabilitySection(const scene::Scene& scene) {
   for (int axis = 0; axis < 3; ++axis) {
     const auto found = physics::spinStability(scene.body.axes.moments(), axis, spin);
     const std::string name = "axis_" + std::to_string(axis + 1), label = "e" + std::to_string(axis + 1);
-    section.add(name + "_stability", "spin about " + label, stabilityWord(found.kind), "", "eq 24 to 26");
-    section.add(name + "_rate", "  rate", found.rate, "1/s", rateMeaning(found.kind));
+    const bool neutral = found.kind == physics::Stability::kNeutral;  // the rate is then 0
+    section.add(name + "_stability", "spin about " + label, stabilityWord(found.kind), "", "eq 24 to 26").detail =
+        neutral;
+    section.add(name + "_rate", "  rate", found.rate, "1/s", rateMeaning(found.kind)).detail = neutral;
   }
   return section;
 }

@@ -27,11 +27,11 @@ Section loopSection(const scene::Scene& scene) {
   section.add("loop_omega_change", "change of omega at the start, relative to |omega|", loop.change, "",
               "at the same |L|");
   section.add("loop_omega_turned", "  change of its direction in the body", loop.turned_rad, "rad", "");
-  section.add("loop_speed_before", "speed before", loop.speedAsked, "", "motion s per film s");
+  section.addDetail("loop_speed_before", "speed before", loop.speedAsked, "", "motion s per film s");
   section.add("loop_speed", "speed of the film that repeats", *scene.time.speed, "", "");
-  section.add("loop_duration_before", "film before", loop.durationAsked_s, "s", "time.duration");
+  section.addDetail("loop_duration_before", "film before", loop.durationAsked_s, "s", "time.duration");
   section.add("loop_duration", "film that repeats", scene.time.duration_s, "s", "whole frames");
-  section.add("loop_mismatch", "attitudes at its two ends differ by", loop.mismatch_rad, "rad", "rounding");
+  section.addDetail("loop_mismatch", "attitudes at its two ends differ by", loop.mismatch_rad, "rad", "rounding");
   return section;
 }
 

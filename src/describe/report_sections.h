@@ -2,6 +2,7 @@
 #pragma once
 
 #include "describe/report.h"
+#include "physics/motion.h"
 #include "scene/scene.h"
 
 namespace poinsot::describe {
@@ -33,8 +34,13 @@ Section heavyTopSection(const scene::Scene& scene);
 Section lossSection(const scene::Scene& scene);
 /// Returns the changes that make the film repeat, with their amounts (film_loop.h).
 Section loopSection(const scene::Scene& scene);
+/// Returns the motion times and film times of the events in the film: flips, crossings of the separatrix, turning
+/// points of the nutation, the highest point of a flight.
+/// @param motion  motion of the scene over the span
+Section eventsSection(const scene::Scene& scene, const physics::Motion& motion, const ReportSpan& span);
 /// Returns motion times and pace of the film, and its accuracy: for a free motion, the meaningful digits at the
 /// end; for a driven motion, the statistics of the integration.
-Section accuracySection(const scene::Scene& scene, const ReportSpan& span);
+/// @param motion  motion of the scene over the span
+Section accuracySection(const scene::Scene& scene, const physics::Motion& motion, const ReportSpan& span);
 
 }  // namespace poinsot::describe

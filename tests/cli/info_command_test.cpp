@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -42,6 +44,26 @@ void expectNear(const nlohmann::json& json, const char* key, double expected, do
 std::string listed(const Eigen::Vector3d& v) {
   nlohmann::json list{v[0], v[1], v[2]};
   return list.dump();
+}
+
+// A page has at most 60 lines. It omits details only, and --all has every quantity of the JSON.
+TEST_F(InfoCommand, PrintsAPageForEverySceneOfTheGallery) {
+  for (const auto& entry : std::filesystem::directory_iterator(POINSOT_SOURCE_DIR "/scenes")) {
+    if (entry.path().extension() != ".toml") continue;
+    SCOPED_TRACE(entry.path());
+    const auto page = run(folder_, {"info", entry.path().string()});
+    const auto all = run(folder_, {"info", entry.path().string(), "--all"});
+    ASSERT_EQ(page.exitCode, 0) << page.err;
+    const auto lines = std::ranges::count(page.out, '\n');
+    EXPECT_LE(lines, 60);
+    const std::size_t end = page.out.find(" more with --all\n");
+    ASSERT_NE(end, std::string::npos);
+    const int omitted = std::stoi(page.out.substr(page.out.rfind('\n', end) + 1));
+    EXPECT_GE(std::ranges::count(all.out, '\n'), lines - 2 + omitted);  // without a blank line and the last line
+    EXPECT_THAT(page.out, HasSubstr("principal moments"));
+    EXPECT_THAT(all.out, HasSubstr("principal axis e2"));
+    EXPECT_THAT(all.out, HasSubstr("orientation q"));
+  }
 }
 
 TEST_F(InfoCommand, MatchesTheDevelopmentExamples) {

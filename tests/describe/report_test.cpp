@@ -39,6 +39,25 @@ Report oneFact(const std::string& key, const FactValue& value, const std::string
   return {"name", {section}};
 }
 
+TEST(Report, OmitsDetailsFromThePage) {
+  Report report = oneFact("key", 2.5, "s");
+  report.sections[0].addDetail("other", "detail", 3.5, "s", "eq 8");
+  report.sections.push_back({"Details", {}});
+  report.sections[1].addDetail("third", "another", 4.5, "s", "");
+  EXPECT_EQ(reportTable(report, kUsualDigits, TableExtent::kPage),
+            "name\n\nTitle\n  label  2.5 s  eq 7\n\n2 more with --all\n");
+  EXPECT_EQ(reportTable(report),
+            "name\n\nTitle\n  label    2.5 s  eq 7\n  detail   3.5 s  eq 8\n\nDetails\n  another  4.5 s\n");
+  EXPECT_EQ(json::parse(reportJson(report)).at("third"), 4.5);
+}
+
+TEST(Report, ShowsFiveNumbersOfAList) {
+  const std::vector<double> five{1, 2, 3, 4, 5}, seven{1, 2, 3, 4, 5, 6, 7};
+  EXPECT_THAT(reportTable(oneFact("key", five, "s")), HasSubstr("(1, 2, 3, 4, 5) s"));
+  EXPECT_THAT(reportTable(oneFact("key", seven, "s")), HasSubstr("(1, 2, 3, 4, ..., 7) s, 7 in all"));
+  EXPECT_EQ(json::parse(reportJson(oneFact("key", seven, "s"))).at("key").size(), 7u);
+}
+
 // Textbooks give products of inertia either sign. A body without products needs no note about the sign.
 TEST(Report, NamesTheSignOfProductsOfInertia) {
   const auto sourceFor = [](const std::string& inertia) {
