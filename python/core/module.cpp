@@ -95,6 +95,7 @@ void declareScene(const py::module_& module) {
                                std::int64_t height) { requireSides(width, height, it.limits()); })
       .def("motion_times", &motionTimes)
       .def("trajectory", &trajectoryOf)
+      .def("events_json", &eventsJson, Interruptible())
       .def("picture", &picture)
       .def("png", &png)
       .def(
@@ -115,6 +116,7 @@ void declareTrajectory(const py::module_& module) {
       .def_readonly("T", &TrajectoryArrays::T)
       .def_readonly("rate_B", &TrajectoryArrays::rate_B)
       .def_readonly("rate_W", &TrajectoryArrays::rate_W)
+      .def_readonly("quantities", &TrajectoryArrays::quantities)
       .def_readonly("note", &TrajectoryArrays::note);
 }
 

@@ -12,7 +12,10 @@
 
 #include "core/error.h"
 #include "physics/motion.h"
+#include "reference/events.h"
+#include "reference/trajectory_columns.h"
 #include "reference/trajectory_times.h"
+#include "scene/motion/scene_events.h"
 #include "signals.h"
 
 namespace poinsot::python {
@@ -74,15 +77,18 @@ std::shared_ptr<const physics::Motion> motionFor(const LoadedScene& loaded, std:
 
 class Table {
  public:
-  explicit Table(const Shape& shape)
-      : q_WB_(shape, {4}),
+  Table(const Shape& shape, const reference::ChosenColumns& chosen)
+      : chosen_(chosen),
+        q_WB_(shape, {4}),
         R_WB_(shape, {3, 3}),
         omega_B_(shape, {3}),
         omega_W_(shape, {3}),
         L_W_(shape, {3}),
         T_(shape, {}),
         rate_B_(shape, {3}),
-        rate_W_(shape, {3}) {}
+        rate_W_(shape, {3}) {
+    for (std::size_t i = 1; i < chosen.columns().size(); ++i) quantities_.emplace_back(shape, Shape{});
+  }
 
   void add(const physics::Motion& motion, const physics::RigidBodyState& state) {
     using RowByRow = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
@@ -94,24 +100,37 @@ class Table {
     T_.add(state.kineticEnergy);
     rate_B_.add(physics::turningRate_B(motion, state));
     rate_W_.add(physics::turningRate_W(motion, state));
+    if (quantities_.empty()) return;
+    chosen_.evaluate(motion, state, row_);
+    for (std::size_t i = 0; i < quantities_.size(); ++i) quantities_[i].add(row_[i + 1]);
   }
 
   TrajectoryArrays take(std::string note) {
-    return {q_WB_.take(), R_WB_.take(),   omega_B_.take(), omega_W_.take(), L_W_.take(),
-            T_.take(),    rate_B_.take(), rate_W_.take(),  std::move(note)};
+    std::vector<Doubles> quantities;
+    for (Rows& rows : quantities_) quantities.push_back(rows.take());
+    return {q_WB_.take(), R_WB_.take(),   omega_B_.take(), omega_W_.take(),       L_W_.take(),
+            T_.take(),    rate_B_.take(), rate_W_.take(),  std::move(quantities), std::move(note)};
   }
 
  private:
+  const reference::ChosenColumns& chosen_;
   Rows q_WB_, R_WB_, omega_B_, omega_W_, L_W_, T_, rate_B_, rate_W_;
+  std::vector<Rows> quantities_;
+  std::vector<double> row_;
 };
 
 }  // namespace
 
 TrajectoryArrays trajectoryOf(const LoadedScene& loaded, const Doubles& times,
-                              const std::optional<std::pair<double, double>>& span_s) {
+                              const std::optional<std::pair<double, double>>& span_s,
+                              const std::vector<std::string>& quantities) {
   const Shape shape(times.shape(), times.shape() + times.ndim());
   const std::span<const double> times_s(times.data(), static_cast<std::size_t>(times.size()));
-  Table table(shape);
+  const reference::ChosenColumns chosen = [&] {
+    const WithoutGil others;
+    return reference::ChosenColumns(loaded.scene(), quantities, "quantities");
+  }();
+  Table table(shape, chosen);
   std::string note;
   if (!times_s.empty()) {
     const WithoutGil others;
@@ -124,6 +143,16 @@ TrajectoryArrays trajectoryOf(const LoadedScene& loaded, const Doubles& times,
     }
   }
   return table.take(note);
+}
+
+std::string eventsJson(const LoadedScene& loaded, const std::optional<std::pair<double, double>>& span_s) {
+  const scene::Scene& scene = loaded.scene();
+  const scene::FilmClock clock = loaded.clock();
+  const std::pair<double, double> film_s{scene.time.start_s, clock.motionTime_s(scene.time.duration_s)};
+  const auto [from_s, to_s] = span_s.value_or(film_s);
+  const auto motion = loaded.motionOver(from_s, to_s);
+  const auto events = scene::sceneEvents(scene, *motion, clock, physics::TimeSpan{from_s, to_s});
+  return reference::eventsText(events, reference::TrajectoryFormat::kJson, scene.name);
 }
 
 }  // namespace poinsot::python

@@ -173,6 +173,13 @@ def paths(argument: str, it: object) -> list[str]:
     return [path(f"{argument}[{i}]", one) for i, one in enumerate(it)]
 
 
+def names(argument: str, it: object, example: str) -> list[str]:
+    """Returns a list of strings. A single string is refused, because it is a sequence of its letters."""
+    if isinstance(it, (str, bytes)) or not isinstance(it, Sequence):
+        refuse(argument, it, f"must be a list of names, such as {example}")
+    return [text(f"{argument}[{i}]", one, "must be a string") for i, one in enumerate(it)]
+
+
 def table(argument: str, it: object, example: str) -> dict[str, Any]:
     """Returns a dictionary with strings as keys; an empty one for None."""
     if it is None:

@@ -55,7 +55,7 @@ def _passes(result: dict[str, Any], limit: float) -> bool:
 def _pairs(table: Any) -> Iterator[tuple[str, Any]]:
     """Yields the name and the values of each column of a table."""
     if isinstance(table, Trajectory):
-        yield from table._flat()
+        yield from table._states()
     elif isinstance(table, Mapping):
         yield from _arguments.table("table", table, '{"t": t, "omega_B": omega}').items()
     elif isinstance(table, np.ndarray) and table.dtype.names:

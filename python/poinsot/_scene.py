@@ -199,20 +199,26 @@ class Scene:
         """Converts film times to motion times, in s, in the shape of `t`. Raises UsageError outside the film."""
         return self._core.motion_times(_times.film_times("t", t, self.duration))
 
-    def trajectory(self, times: Times, *, span: tuple[Time, Time] | None = None) -> Trajectory:
+    def trajectory(
+        self, times: Times, *, span: tuple[Time, Time] | None = None, quantities: Sequence[str] = ()
+    ) -> Trajectory:
         """Returns the motion at motion times of any shape and in any order. If no torque acts, it is exact at any time.
 
         times: motion times in s, or as timedelta or timedelta64.
         span: first and last motion time over which a driven motion is integrated; by default, from the earliest to the
             latest of `times` and 0. The last bits depend on the span. A scene keeps its latest four spans, so more
             times of the same span cost little.
+        quantities: names of quantities that plots can show, such as ["theta", "phi", "E"], or of columns of
+            `poinsot trajectory`. Their arrays are in the dictionary `quantities` of the result, in SI units and rad;
+            to_frame() then has exactly their columns. A value that does not exist is NaN.
 
-        Ctrl-C stops the computation. Raises UsageError for a time that is not finite. Raises LimitError, which is also
+        Ctrl-C stops the computation. Raises UsageError for a time that is not finite, and for an unknown quantity. Raises LimitError, which is also
         a ValueError, for a time outside the span, or so far from 0 that the motion is beyond the range of numbers.
         Raises PhysicsError. A FarTimeWarning reports times so far from 0 that the attitude is not exact to rounding.
         """
         t = _times.times("times", times)
-        rows = self._core.trajectory(t, _times.span(span))
+        names = [name for name in _arguments.names("quantities", quantities, '["theta", "phi", "E"]') if name != "t"]
+        rows = self._core.trajectory(t, _times.span(span), names)
         if rows.note:
             warnings.warn(rows.note, FarTimeWarning, stacklevel=2)
         return Trajectory(
@@ -225,8 +231,23 @@ class Scene:
             T=rows.T,
             rate_B=rows.rate_B,
             rate_W=rows.rate_W,
-            columns=tuple(_core.trajectory_columns(self._core)),
+            quantities=dict(zip(names, rows.quantities)),
+            _state_columns=tuple(_core.trajectory_columns(self._core)),
         )
+
+    def events(self, *, span: tuple[Time, Time] | None = None) -> list[dict[str, Any]]:
+        """Returns the events of the motion, in order, as `poinsot trajectory --events` writes them.
+
+        span: first and last motion time, s; by default, those of the film.
+
+        Each event is a dictionary with these keys. event: "flip", "reversal", "separatrix", "least_tilt",
+        "largest_tilt" or "highest_point". t: motion time, s. film_from and film_to: first and last film time at which
+        the film shows the event, s; None if the film does not show it. They differ only if the motion stands still.
+
+        Ctrl-C stops the computation. Raises LimitError for more than a million events; UsageError, PhysicsError.
+        """
+        events: list[dict[str, Any]] = json.loads(self._core.events_json(_times.span(span)))["events"]
+        return events
 
     def info(self) -> dict[str, Any]:
         """Returns the dictionary of `poinsot info --json`: moments, energies, periods, cones, rates."""

@@ -33,6 +33,7 @@ class Trajectory:
     L_B, L_W: (..., 3) angular momentum, in B and in W, kg m^2/s.
     T: (...) energy of rotation, J.
     rate_B, rate_W: (..., 3) rate at which the attitude turns, rad/s: omega, unless motion.dissipation acts.
+    quantities: the named quantities, (...) each: {"theta": array, ...}; empty unless trajectory() was given names.
     columns: names of the columns of to_frame().
 
     motion[key] selects times as t[key] does: motion[-1], motion[::10], motion[motion.t > 1]. The arrays are copies.
@@ -47,7 +48,13 @@ class Trajectory:
     T: Array  #: (...) energy of rotation, J
     rate_B: Array  #: (..., 3) rate at which the attitude turns in B, rad/s; omega_B unless motion.dissipation acts
     rate_W: Array  #: (..., 3) the same vector in W
-    columns: tuple[str, ...]  #: names of the columns of to_frame(), as in the program's CSV
+    quantities: dict[str, Array]  #: (...) each: arrays of the quantities that trajectory() was asked for, by name
+    _state_columns: tuple[str, ...]  # columns of the program's CSV without a choice of quantities
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Names of the columns of to_frame(), as in the program's CSV."""
+        return ("t", *self.quantities) if self.quantities else self._state_columns
 
     @property
     def L_B(self) -> Array:
@@ -72,28 +79,32 @@ class Trajectory:
     def to_frame(self) -> DataFrame:
         """Returns a DataFrame with the columns of `poinsot trajectory`: t, q_w, q_x, q_y, q_z, omega_B_x, ..., T.
 
-        The pandas.DataFrame has a row for each time, in the order of t flattened in C order. Units are those of the
+        If trajectory() was given names of quantities, the columns are t and these quantities, in their order. The pandas.DataFrame has a row for each time, in the order of t flattened in C order. Units are those of the
         arrays. rate_B and rate_W are columns only if motion.dissipation makes them differ from omega. Raises
         MissingPackageError without pandas.
         """
         pandas = _packages.imported("pandas", "Trajectory.to_frame()")
-        return pandas.DataFrame(dict(self._flat()))
+        named = {"t": self.t.ravel(), **{name: array.ravel() for name, array in self.quantities.items()}}
+        return pandas.DataFrame(named if self.quantities else dict(self._states()))
 
-    def _flat(self) -> Iterator[tuple[str, Array]]:
+    def _states(self) -> Iterator[tuple[str, Array]]:
         for name in ("t", "q_WB", "omega_B", "omega_W", "L_W", "T", "rate_B", "rate_W"):
             for column, values in _columns.split(name, getattr(self, name)):
-                if column in self.columns:
+                if column in self._state_columns:
                     yield column, values
 
     def __getitem__(self, key: Any) -> Trajectory:
         rows = np.arange(self.t.size).reshape(self.t.shape)[key]
-        names = [one.name for one in fields(self) if one.name != "columns"]
-        arrays = {name: getattr(self, name) for name in names}
-        picked = {
-            name: np.array(array.reshape(self.t.size, *array.shape[self.t.ndim :])[rows])
-            for name, array in arrays.items()
-        }
-        return Trajectory(**picked, columns=self.columns)
+
+        def pick(array: Array) -> Array:
+            return np.array(array.reshape(self.t.size, *array.shape[self.t.ndim :])[rows])
+
+        names = [one.name for one in fields(self) if one.name not in ("quantities", "_state_columns")]
+        return Trajectory(
+            **{name: pick(getattr(self, name)) for name in names},
+            quantities={name: pick(array) for name, array in self.quantities.items()},
+            _state_columns=self._state_columns,
+        )
 
     def __repr__(self) -> str:
         if self.t.size == 0:

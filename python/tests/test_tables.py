@@ -38,6 +38,15 @@ def test_a_data_frame_equals_the_programs_table(pandas, program, overrides):
     pandas.testing.assert_frame_equal(frame, expected, check_exact=True)
 
 
+def test_a_data_frame_of_quantities_equals_the_programs_table(pandas, program):
+    names = ["theta", "E", "omega_W_z", "phi"]
+    table = program("trajectory", RACKET, "--at=2.25,0,7.5", "--quantities", ",".join(names))
+    frame = poinsot.load(RACKET).trajectory([2.25, 0, 7.5], quantities=names).to_frame()
+    assert list(frame.columns) == ["t", *names]
+    expected = pandas.read_csv(io.BytesIO(table), float_precision="round_trip")
+    pandas.testing.assert_frame_equal(frame, expected, check_exact=True)
+
+
 def test_a_data_frame_has_a_row_for_each_time_of_any_shape(pandas, racket):
     times = np.linspace(0, 5, 6).reshape(2, 3)
     grid = racket.trajectory(times)

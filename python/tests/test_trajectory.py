@@ -124,7 +124,74 @@ def test_repr_shows_the_number_and_range_of_times():
 
 def test_each_array_of_a_trajectory_is_documented():
     documented = poinsot.Trajectory.__doc__
-    arrays = [*vars(free().trajectory(0)), "L_B", "q_WB_xyzw"]
-    assert len(arrays) == 12
+    fields = [name for name in vars(free().trajectory(0)) if not name.startswith("_")]
+    arrays = [*fields, "columns", "L_B", "q_WB_xyzw"]
+    assert len(arrays) == 13
     for name in arrays:
         assert re.search(rf"(?m)(^|[ ,]) *{name}(:|, )", documented), name
+
+
+def test_quantities_match_the_formulas_of_a_free_symmetric_top():
+    """theta is constant and phi grows by L/I1 a second (eq 19 to 37)."""
+    scene = poinsot.loads({"body": {"principal_moments": [2, 2, 3]}, "motion": {"omega_body": [0.4, 0, 5]}})
+    t = np.array([[0, 0.1, 0.2], [0.3, 0.4, 0.5]])
+    motion = scene.trajectory(t, quantities=["theta", "phi", "E"])
+    assert list(motion.quantities) == ["theta", "phi", "E"]
+    assert motion.columns == ("t", "theta", "phi", "E")
+    assert np.abs(motion.quantities["theta"] - np.arctan2(0.8, 15)).max() < 1e-14
+    phi = np.unwrap(motion.quantities["phi"].ravel()).reshape(t.shape)
+    assert np.abs(phi - phi[0, 0] - np.hypot(0.8, 15) / 2 * t).max() < 1e-13
+    assert np.abs(motion.quantities["E"] - motion.T).max() == 0
+    assert motion[1, 2].quantities["phi"] == motion.quantities["phi"][1, 2]
+    plain = scene.trajectory(t)
+    assert plain.quantities == {} and np.array_equal(plain.q_WB, motion.q_WB)
+    assert scene.grade(motion)["quantities"]["attitude"]["largest"] < 1e-14
+    assert scene.trajectory([], quantities=["theta"]).quantities["theta"].shape == (0,)
+
+
+def test_quantities_of_a_flight_follow_the_parabola():
+    scene = poinsot.loads(
+        {
+            "body": {"principal_moments": [1, 2, 2.5], "mass": 3},
+            "motion": {"omega_body": [0.1, 3, 0.2], "flight": {"position": [1, 2, 3], "velocity": [4, -5, 6]}},
+        }
+    )
+    t = np.linspace(-1, 2, 7)
+    motion = scene.trajectory(t, quantities=["R_z", "V_z", "P_z", "T_total", "T"])
+    speed_z = 6 - 9.80665 * t
+    assert np.abs(motion.quantities["R_z"] - (3 + 6 * t - 9.80665 * t**2 / 2)).max() < 1e-13
+    assert np.abs(motion.quantities["V_z"] - speed_z).max() < 1e-13
+    assert np.abs(motion.quantities["P_z"] - 3 * speed_z).max() < 1e-13
+    total = 1.5 * (4**2 + 5**2 + speed_z**2) + motion.T
+    assert np.abs(motion.quantities["T_total"] - total).max() < 1e-11
+    assert np.array_equal(motion.quantities["T"], motion.T)
+
+
+def test_unknown_quantities_are_refused_with_a_suggestion():
+    with pytest.raises(poinsot.UsageError, match="quantities: no quantity has the name 'tetha'; did you mean theta?"):
+        free().trajectory(0, quantities=["tetha"])
+    with pytest.raises(poinsot.UsageError, match="quantities: R_x exists only for a thrown body"):
+        free().trajectory(0, quantities=["R_x"])
+    for bad in ("theta", [1], None):
+        with pytest.raises(poinsot.UsageError, match="quantities"):
+            free().trajectory(0, quantities=bad)
+
+
+def test_events_are_the_flips_of_the_film():
+    """omega_2 of a free body is 0 at each flip; a film at the speed -2 from t = 1 has the film time (1 - t)/2."""
+    scene = poinsot.loads(
+        {
+            "body": {"principal_moments": [1, 2, 2.5]},
+            "motion": {"omega_body": [0.05, 3, 0.05]},
+            "time": {"start": 1, "speed": -2, "duration": 40},
+        }
+    )
+    events = scene.events()
+    times = np.array([event["t"] for event in events])
+    assert len(times) > 3 and np.all(np.diff(times) < 0)
+    assert {event["event"] for event in events} == {"flip"}
+    assert np.abs(scene.trajectory(times).omega_B[:, 1]).max() < 1e-12
+    film = np.array([event["film_from"] for event in events])
+    assert np.abs(film - (1 - times) / 2).max() < 1e-12
+    assert np.abs(np.diff(times) + scene.info()["flip_interval"]).max() < 1e-12
+    assert all(event["film_to"] is None for event in scene.events(span=(2, 20)))

@@ -2,8 +2,11 @@
 #include "reference/trajectory.h"
 
 #include <fmt/format.h>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <string_view>
+#include <vector>
 
 #include "core/number.h"
 #include "process/interrupt.h"
@@ -12,8 +15,8 @@ namespace poinsot::reference {
 
 namespace {
 
-constexpr std::size_t kPiece = 1 << 16;   // the capacity of a pipe
-constexpr std::size_t kLongestRow = 660;  // bytes of the longest row, 21 numbers
+constexpr std::size_t kPiece = 1 << 16;     // the capacity of a pipe
+constexpr std::size_t kLongestNumber = 32;  // bytes of a number with its comma, rounded up
 
 constexpr const char* kJsonFormat = "poinsot trajectory 1";
 constexpr const char* kAxes =
@@ -23,9 +26,9 @@ std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
-std::string jsonHead(const std::string& sceneName, double alpha) {
+std::string jsonHead(const std::string& sceneName, const ChosenColumns& chosen) {
   std::string columns, units;
-  for (const TrajectoryColumn& column : trajectoryColumns(alpha)) {
+  for (const TrajectoryColumn& column : chosen.columns()) {
     columns += fmt::format("{}\"{}\"", columns.empty() ? "" : ",", column.name);
     units += fmt::format("{}\"{}\":\"{}\"", units.empty() ? "" : ",", column.name, column.unit);
   }
@@ -33,39 +36,33 @@ std::string jsonHead(const std::string& sceneName, double alpha) {
                      trajectoryMark(TrajectoryFormat::kJson), quoted(sceneName), kAxes, units, columns);
 }
 
-void appendNumbers(std::string& text, std::span<const double> row) {
+void appendNumbers(std::string& text, std::span<const double> row, std::string_view missing) {
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (i > 0) text += ',';
-    core::appendNumber(text, row[i]);
+    if (std::isnan(row[i]))
+      text += missing;
+    else
+      core::appendNumber(text, row[i]);
   }
 }
 
 }  // namespace
 
-std::string trajectoryHeader(double alpha) {
-  std::string header;
-  for (const TrajectoryColumn& column : trajectoryColumns(alpha)) {
-    if (!header.empty()) header += ',';
-    header += column.name;
-  }
-  return header;
-}
-
 std::string trajectoryMark(TrajectoryFormat format) {
-  return format == TrajectoryFormat::kCsv ? trajectoryHeader() : fmt::format("{{\"format\":\"{}\"", kJsonFormat);
+  return format == TrajectoryFormat::kCsv ? ChosenColumns(0).header()
+                                          : fmt::format("{{\"format\":\"{}\"", kJsonFormat);
 }
 
-void writeTrajectory(const physics::Motion& motion, const TrajectoryTimes& times, TrajectoryFormat format,
-                     const std::string& sceneName, const TextSink& sink) {
+void writeTrajectory(const physics::Motion& motion, const ChosenColumns& columns, const TrajectoryTimes& times,
+                     TrajectoryFormat format, const std::string& sceneName, const TextSink& sink) {
   const bool json = format == TrajectoryFormat::kJson;
-  const double alpha = motion.dissipation();
-  const std::size_t width = trajectoryColumns(alpha).size();
-  std::string piece = json ? jsonHead(sceneName, alpha) : trajectoryHeader(alpha) + '\n';
-  piece.reserve(kPiece + kLongestRow);
+  std::string piece = json ? jsonHead(sceneName, columns) : columns.header() + '\n';
+  piece.reserve(kPiece + kLongestNumber * columns.columns().size());
+  std::vector<double> row;
   for (std::int64_t k = 0; k < times.count(); ++k) {
     if (json) piece += k == 0 ? "\n[" : ",\n[";
-    const TrajectoryRow row = trajectoryRow(motion, motion.at(times[k]));
-    appendNumbers(piece, std::span(row).first(width));
+    columns.evaluate(motion, motion.at(times[k]), row);
+    appendNumbers(piece, row, json ? "null" : "nan");
     piece += json ? ']' : '\n';
     if (piece.size() < kPiece) continue;
     process::throwIfInterrupted();
@@ -74,14 +71,6 @@ void writeTrajectory(const physics::Motion& motion, const TrajectoryTimes& times
   }
   if (json) piece += "\n]}\n";
   sink(piece);
-}
-
-TrajectoryRow trajectoryRow(const physics::Motion& motion, const physics::RigidBodyState& s) {
-  const Eigen::Vector3d rate_B = physics::turningRate_B(motion, s);
-  const Eigen::Vector3d rate_W = physics::turningRate_W(motion, s);
-  return {s.t_s,           s.q_WB.w(),    s.q_WB.x(),    s.q_WB.y(),    s.q_WB.z(), s.omega_B.x(), s.omega_B.y(),
-          s.omega_B.z(),   s.omega_W.x(), s.omega_W.y(), s.omega_W.z(), s.L_W.x(),  s.L_W.y(),     s.L_W.z(),
-          s.kineticEnergy, rate_B.x(),    rate_B.y(),    rate_B.z(),    rate_W.x(), rate_W.y(),    rate_W.z()};
 }
 
 }  // namespace poinsot::reference

@@ -16,8 +16,12 @@ TrajectoryTarget parseTrajectoryTarget(const std::string& name) {
                                      core::printable(name), core::smallLettersHint(name, {".csv", ".json"})));
 }
 
-output::FileKind trajectoryKind(TrajectoryFormat format) {
-  return output::textKind("a trajectory", trajectoryMark(format));
+output::FileKind trajectoryKind(TrajectoryFormat format, const std::string& header) {
+  output::FileKind usual = output::textKind("a trajectory", trajectoryMark(format));
+  if (format == TrajectoryFormat::kJson) return usual;
+  const output::FileKind same = output::textKind(usual.name, header + '\n');
+  return {usual.name,
+          [usual, same](const std::filesystem::path& file) { return usual.isOwn(file) || same.isOwn(file); }};
 }
 
 }  // namespace poinsot::reference

@@ -20,7 +20,9 @@ struct TrajectoryTarget {
 /// @throws core::Error(kUsage) with the allowed names
 TrajectoryTarget parseTrajectoryTarget(const std::string& name);
 
-/// Returns the file kind by which earlier trajectories of this program are recognised.
-output::FileKind trajectoryKind(TrajectoryFormat format);
+/// Returns the file kind by which earlier trajectories of this program are recognised. A CSV file counts as one if
+/// its header names all columns of a motion, or exactly the columns of `header`.
+/// @param header  ChosenColumns::header() of the new trajectory
+output::FileKind trajectoryKind(TrajectoryFormat format, const std::string& header);
 
 }  // namespace poinsot::reference

@@ -31,7 +31,7 @@ const std::set<std::string> kInputs{"--asset-root", "--images", "--mask", "SCENE
 const std::set<std::string> kNoFiles{"LINE", "WORDS",   "NAME",      "N",   "NAME=VALUE", "KEY=VALUE", "WxH",
                                      "A-B",  "RATE",    "STYLE",     "T",   "LENGTH",     "k/n",       "TEX",
                                      "M",    "S",       "T1,T2,...", "HZ",  "SIZE",       "0-N",       "ANGLE",
-                                     "TEXT", "X,Y,W,H", "COMMAND",   "INT", "Excludes",   "Print"};
+                                     "TEXT", "X,Y,W,H", "NAME1,NAME2,...", "COMMAND",   "INT", "Excludes",   "Print"};
 
 // Scene of two frames; it names a file, because it has its own style.
 const char* const kText =

@@ -5,7 +5,10 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <sstream>
+#include <tuple>
+#include <utility>
 
 #include "support/development_examples.h"
 #include "support/program_run.h"
@@ -203,6 +206,94 @@ TEST(TrajectoryCommand, NotesTurnsTooLargeForAnExactAttitude) {
                                               HasSubstr("beyond 4.5e+15 rad the attitude is meaningless")));
 }
 
+// Free symmetric top with I = (2, 2, 3) and omega = (0.4, 0, 5): tan(theta) = I1 w_perp/(I3 w_3), and
+// E = (I1 w_perp^2 + I3 w_3^2)/2.
+TEST(TrajectoryCommand, WritesTheNamedQuantitiesInTheirOrder) {
+  const ScratchFolder folder;
+  folder.put("top.toml", "[body]\nprincipal_moments = [2, 2, 3]\n[motion]\nomega_body = [0.4, 0, 5]\n");
+  const std::vector<std::string> words{"trajectory",   "top.toml", "--at",         "0,2.5",
+                                       "--quantities", "theta, E", "--quantities", "omega_W_z"};
+  const auto result = run(folder, words);
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  std::istringstream lines(result.out);
+  std::string header, first, second, none;
+  std::getline(lines, header);
+  std::getline(lines, first);
+  std::getline(lines, second);
+  EXPECT_EQ(header, "t,theta,E,omega_W_z");
+  double t = 0, theta = 0, energy = 0;
+  ASSERT_EQ(std::sscanf(second.c_str(), "%lf,%lf,%lf,", &t, &theta, &energy), 3) << second;
+  EXPECT_EQ(t, 2.5);
+  EXPECT_NEAR(theta, std::atan2(0.8, 15.0), 1e-15);
+  EXPECT_NEAR(energy, 0.5 * (2 * 0.16 + 3 * 25), 1e-13);
+  EXPECT_FALSE(std::getline(lines, none));
+  // A second run replaces the file of the first one, because it has the same columns.
+  for (int i = 0; i < 2; ++i)
+    EXPECT_EQ(
+        run(folder, {"trajectory", "top.toml", "--at", "0", "--quantities", "theta", "-o", "a.csv"}).exitCode, 0);
+  EXPECT_EQ(run(folder, {"trajectory", "top.toml", "--at", "0", "--quantities", "phi", "-o", "a.csv"}).exitCode,
+            4);
+  EXPECT_EQ(run(folder, {"trajectory", "top.toml", "--at", "0", "--quantities", "phi", "-o", "a.json"}).exitCode,
+            0);
+  EXPECT_EQ(nlohmann::json::parse(bytesOf(folder / "a.json")).at("units").at("phi"), "rad");
+}
+
+// A body with I = (1, 2, 2.5) and omega_2 = 0 at the start. Half its polhode takes 2K/lambda, with lambda and k^2
+// of Landau & Lifshitz, Mechanics, section 37, for L^2 = 25.04 and 2T = 10.04.
+TEST(TrajectoryCommand, ListsEventsWithTheirFilmTimes) {
+  const double square = 25.04, twoT = 10.04;
+  const double lambda = std::sqrt(0.5 * (square - twoT) / 5), k2 = (twoT * 2.5 - square) / (0.5 * (square - twoT));
+  double a = 1, b = std::sqrt(1 - k2);
+  for (int i = 0; i < 30; ++i) std::tie(a, b) = std::pair((a + b) / 2, std::sqrt(a * b));
+  const double interval = std::numbers::pi / a / lambda;
+  const ScratchFolder folder;
+  folder.put("s.toml",
+             "[body]\nprincipal_moments = [1, 2, 2.5]\n[motion]\nomega_body = [0.2, 0, 2]\n"
+             "[time]\nstart = 1\nspeed = -0.5\nduration = 30\n");
+  const auto result = run(folder, {"trajectory", "s.toml", "--events", "-o", "e.json"});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const auto json = nlohmann::json::parse(bytesOf(folder / "e.json"));
+  EXPECT_EQ(json.at("format"), "poinsot events 1");
+  const auto events = json.at("events");
+  ASSERT_EQ(events.size(), static_cast<std::size_t>(14 / interval) + 1);
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const double t_s = -static_cast<double>(i) * interval;
+    EXPECT_EQ(events[i].at("event"), "reversal");
+    EXPECT_NEAR(events[i].at("t").get<double>(), t_s, 1e-13);
+    EXPECT_NEAR(events[i].at("film_from").get<double>(), (1 - t_s) / 0.5, 1e-12);
+    EXPECT_EQ(events[i].at("film_to"), events[i].at("film_from"));
+  }
+  // With --at, the span is that of the times. The film does not show positive times after 1 s.
+  const auto later = run(folder, {"trajectory", "s.toml", "--events", "--at=8,2"});
+  ASSERT_EQ(later.exitCode, 0) << later.err;
+  std::istringstream lines(later.out);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "t,film_from,film_to,event");
+  int count = 0;
+  for (; std::getline(lines, line); ++count) EXPECT_THAT(line, HasSubstr(",nan,nan,reversal"));
+  EXPECT_EQ(count, static_cast<int>(8 / interval) - static_cast<int>(2 / interval));
+  const auto info = nlohmann::json::parse(run(folder, {"info", "s.toml", "--json"}).out);
+  ASSERT_EQ(info.at("reversal_times").size(), events.size());
+  EXPECT_EQ(info.at("reversal_film_times")[1], events[1].at("film_from"));
+  for (const char* other : {"--rate=10", "--quantities=theta"})
+    EXPECT_EQ(run(folder, {"trajectory", "s.toml", "--events", other}).exitCode, 2) << other;
+}
+
+// The highest point of a flight with V_z = 4.903325 m/s under 9.80665 m/s^2 is at 0.5 s. At the speed 0.1, this is
+// 5 s of film.
+TEST(TrajectoryCommand, ListsTheHighestPointOfAFlight) {
+  const ScratchFolder folder;
+  folder.put("s.toml",
+             "[body]\nprincipal_moments = [2, 2, 3]\n[motion]\nomega_body = [0.2, 0, 2]\n"
+             "[motion.flight]\nvelocity = [1, 0, 4.903325]\n[time]\nspeed = 0.1\nduration = 8\n");
+  const auto shown = run(folder, {"trajectory", "s.toml", "--events"});
+  ASSERT_EQ(shown.exitCode, 0) << shown.err;
+  EXPECT_EQ(shown.out, "t,film_from,film_to,event\n0.5,5,5,highest_point\n");
+  const auto missed = run(folder, {"trajectory", "s.toml", "--events", "-D", "time.duration=4"});
+  EXPECT_EQ(missed.out, "t,film_from,film_to,event\n");
+}
+
 struct BadRequest {
   std::vector<std::string> words;
   int exitCode;
@@ -223,6 +314,10 @@ TEST(TrajectoryCommand, RejectsInvalidTimesRatesAndOutputs) {
       {{"--at", "1e308"}, 2, "t = 1e+308 s: too far from the start"},
       {{"--at", "0,-1e300"}, 2, "t = -1e+300 s: too far from the start"},
       {{"--at", ""}, 2, "--at: is empty"},
+      {{"--at", "1", "--quantities", "tetha"}, 2, "'tetha'; did you mean theta? The names are t, omega_1, "},
+      {{"--at", "1", "--quantities", "theta,,E"}, 2, "no quantity has the name ''"},
+      {{"--at", "1", "--quantities", ""}, 2, "--quantities: is empty"},
+      {{"--at", "1", "--quantities", "R_x"}, 2, "R_x exists only for a thrown body"},
       {{"--rate", "0"}, 2, "--rate '0'"},
       {{"--rate", "-5"}, 2, "--rate '-5'"},
       {{"--at", "1", "-o", "a.txt"}, 2, "output 'a.txt': must be NAME.csv, NAME.json or -"},

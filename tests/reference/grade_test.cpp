@@ -40,7 +40,7 @@ const ErrorSummary& errorsOf(const Grade& grade, std::string_view key) { return 
 
 std::string copy(const TrajectoryTimes& times) {
   std::string csv;
-  writeTrajectory(truth(), times, TrajectoryFormat::kCsv, "s", [&](std::string_view text) { csv += text; });
+  writeTrajectory(truth(), ChosenColumns(0), times, TrajectoryFormat::kCsv, "s", [&](std::string_view text) { csv += text; });
   return csv;
 }
 

@@ -108,7 +108,7 @@ physics::FreeMotion asymmetric() {
 
 std::string csv(const TrajectoryTimes& times, std::size_t* pieces = nullptr, std::size_t* longest = nullptr) {
   std::string text;
-  writeTrajectory(asymmetric(), times, TrajectoryFormat::kCsv, "s", [&](std::string_view piece) {
+  writeTrajectory(asymmetric(), ChosenColumns(0), times, TrajectoryFormat::kCsv, "s", [&](std::string_view piece) {
     text += piece;
     if (pieces) ++*pieces;
     if (longest) *longest = std::max(*longest, piece.size());
@@ -189,9 +189,10 @@ std::vector<std::vector<std::string>> fieldsOf(const std::string& text) {
 TEST(TrajectoryText, AppendsTheRateOfTurningWithDissipation) {
   const Dissipating body;
   std::string text;
-  writeTrajectory(body.motion(5), TrajectoryTimes({5}), TrajectoryFormat::kCsv, "s",
+  writeTrajectory(body.motion(5), ChosenColumns(body.alpha), TrajectoryTimes({5}), TrajectoryFormat::kCsv, "s",
                   [&](std::string_view piece) { text += piece; });
-  EXPECT_THAT(text, StartsWith(trajectoryHeader() + ",rate_B_x,rate_B_y,rate_B_z,rate_W_x,rate_W_y,rate_W_z\n"));
+  EXPECT_THAT(text,
+              StartsWith(ChosenColumns(0).header() + ",rate_B_x,rate_B_y,rate_B_z,rate_W_x,rate_W_y,rate_W_z\n"));
   const auto row = fieldsOf(text).at(1);
   ASSERT_EQ(row.size(), 21u);
   const Dissipating::State end = body.integrated(5, 20000);
@@ -210,8 +211,8 @@ TEST(TrajectoryText, AppendsTheRateOfTurningWithDissipation) {
 
 TEST(TrajectoryText, JsonIncludesTheRateOfTurningWithDissipation) {
   std::string text;
-  writeTrajectory(Dissipating().motion(1), TrajectoryTimes({0, 1}), TrajectoryFormat::kJson, "s",
-                  [&](std::string_view piece) { text += piece; });
+  writeTrajectory(Dissipating().motion(1), ChosenColumns(Dissipating().alpha), TrajectoryTimes({0, 1}),
+                  TrajectoryFormat::kJson, "s", [&](std::string_view piece) { text += piece; });
   const auto json = nlohmann::json::parse(text);
   ASSERT_EQ(json.at("columns").size(), 21u);
   EXPECT_EQ(json.at("columns")[15], "rate_B_x");
@@ -243,15 +244,17 @@ TEST(TrajectoryTarget, TakesItsFormatFromTheFileName) {
 TEST(TrajectoryTarget, ReplacesOnlyTrajectories) {
   const ScratchFolder folder;
   const auto target = [&](const std::string& name) { return parseTrajectoryTarget((folder / name).string()); };
-  folder.put("own.csv", trajectoryHeader() + "\n0\n");
+  folder.put("own.csv", ChosenColumns(0).header() + "\n0\n");
   folder.put("own.json", trajectoryMark(TrajectoryFormat::kJson) + ",}");
   folder.put("empty.csv", "");
   folder.put("data.csv", "t,x\n0,1\n");
+  folder.put("same.csv", "t,theta\n0,1\n");
+  folder.put("more.csv", "t,theta,phi\n0,1,2\n");
   const auto isOwn = [&](const std::string& name) {
-    return trajectoryKind(target(name).format).isOwn(folder / name);
+    return trajectoryKind(target(name).format, "t,theta").isOwn(folder / name);
   };
-  for (const char* name : {"own.csv", "own.json", "empty.csv"}) EXPECT_TRUE(isOwn(name)) << name;
-  for (const char* name : {"data.csv", "missing.csv"}) EXPECT_FALSE(isOwn(name)) << name;
+  for (const char* name : {"own.csv", "own.json", "empty.csv", "same.csv"}) EXPECT_TRUE(isOwn(name)) << name;
+  for (const char* name : {"data.csv", "missing.csv", "more.csv"}) EXPECT_FALSE(isOwn(name)) << name;
 }
 
 }  // namespace
