@@ -15,6 +15,7 @@
 #include "scene/document/document.h"
 #include "scene/document/text_lines.h"
 #include "scene/keys/check.h"
+#include "scene/keys/unknown_names.h"
 #include "scene/motion/film_loop.h"
 #include "scene/motion/film_pace.h"
 #include "scene/sweep.h"
@@ -83,7 +84,7 @@ void askFor(std::string_view path, const Leaves& leaves, Draft& draft) {
 }
 
 /// Checks all values. Stores valid values in the draft and adds the paths of the others to `refused`.
-Draft checkedDraft(const Leaves& leaves, Draft draft, Paths& refused, Problems& problems) {
+Draft checkedDraft(Leaves& leaves, Draft draft, Paths& refused, Problems& problems) {
   for (const auto& [path, node] : leaves.values) {
     const Key& key = *findKey(path);
     if (const auto value = check(key, path, node, problems, leaves.limits)) {
@@ -91,6 +92,9 @@ Draft checkedDraft(const Leaves& leaves, Draft draft, Paths& refused, Problems& 
       key.put(draft, elementOf(path), *value);
     } else {
       refused.insert(path);
+      if (node.as<Node::Array>() && key.type == ValueType::kNumber)
+        problems.addToLast(
+            adviceFor(path, node, leaves));  // three numbers for L are a vector, which has another key
     }
   }
   return draft;
@@ -158,7 +162,9 @@ Scene parseScene(std::string_view text, const std::string& fileName, const std::
   const Source& file = sources.emplace_back(fileName, std::string(text));
   Leaves leaves{.limits = limits};
   Problems problems;
-  addLeaves(parseDocument(file, limits), leaves, problems);
+  PartialDocument document = parseValidParts(file, limits, problems);
+  leaves.broken = std::move(document.broken);
+  addLeaves(document.root, leaves, problems);
   for (const std::string& word : overrides) addOverride(word, sources, leaves, problems);
   const std::filesystem::path path(fileName);
   const SceneFolder folder(path.parent_path(), allowance);
@@ -175,7 +181,7 @@ Scene parseScene(std::string_view text, const std::string& fileName, const std::
   problems.throwIfAny();
   scene.name = path.stem().string();
   scene.inputs = folder.filesRead();
-  doubtValues(leaves, findings);
+  doubtValues(scene, leaves, findings);
   doubtPrecession(scene, findings);
   scene.doubts = findings.doubts();
   scene.motion.mostSteps = static_cast<double>(limits[Limit::kSteps]);

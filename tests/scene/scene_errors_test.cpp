@@ -2,6 +2,7 @@
 // Each file of tests/scene/data is wrong in its own way. Lines and columns were counted by hand.
 #include <gmock/gmock.h>
 
+#include "scene/document/document.h"
 #include "scene/document/problem.h"
 #include "scene_testing.h"
 
@@ -12,7 +13,7 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-struct Place {
+struct Spot {
   int line, column, caretLength;
 };
 
@@ -30,7 +31,7 @@ class BadScene : public testing::Test {
   }
 
   /// Expects that the next problem is at `place` and has exactly this message.
-  void expectNext(const Place& place, const std::string& message) {
+  void expectNext(const Spot& place, const std::string& message) {
     ASSERT_LT(next_, problems_.size());
     const Problem& problem = problems_[next_++];
     EXPECT_EQ(problem.where.line, place.line);
@@ -41,7 +42,7 @@ class BadScene : public testing::Test {
 
   void expectNoMore() { EXPECT_EQ(next_, problems_.size()) << report_; }
 
-  void expectOnly(const std::string& name, const Place& place, const std::string& message) {
+  void expectOnly(const std::string& name, const Spot& place, const std::string& message) {
     load(name);
     expectNext(place, message);
     expectNoMore();
@@ -61,7 +62,10 @@ TEST_F(BadScene, IsRejectedForAnUnknownTable) {
 }
 
 TEST_F(BadScene, IsRejectedForAKeyInTheWrongTable) {
-  expectOnly("misplaced_key.toml", {5, 1, 3}, "motion.fps: unknown key; did you mean time.fps?");
+  expectOnly(
+      "misplaced_key.toml", {5, 1, 3},
+      "motion.fps: unknown key; did you mean time.fps? For example, at the end of the file:\n    [time]\n    "
+      "fps = 25");
 }
 
 TEST_F(BadScene, IsRejectedForAValueOfTheWrongType) {
@@ -317,7 +321,14 @@ TEST(ErrorReport, NamesTheFirstLineOfADuplicateKey) {
 TEST(ErrorReport, IsQuickForALongFile) {
   std::string text = "[a]\n";
   for (int i = 0; i < 30000; ++i) text += "[a" + std::to_string(i) + "]\n";
-  EXPECT_THAT(atMessage(text + "[a]\n"), EndsWith("'a'; first on line 1"));
+  text += "[a]\n";
+  const Source source("test.toml", text);
+  try {
+    parseDocument(source);
+    FAIL();
+  } catch (const SceneErrors& errors) {
+    EXPECT_THAT(errors.problems().front().message, EndsWith("'a'; first on line 1"));
+  }
 }
 
 TEST(ErrorReport, SuggestsTheNearestFigureOrQuantity) {

@@ -12,9 +12,9 @@ namespace poinsot::scene {
 /// the value that causes it. The result is valid only if no problem was found.
 Scene assemble(Draft draft, Findings& findings, const SceneFolder& folder);
 
-/// Adds notes about valid values that are probably mistakes: an angle such as 45, which counts as radians; a
-/// length in metres without a unit, if other lengths of the body have units; a density higher than that of any
-/// metal.
-void doubtValues(const Leaves& leaves, Findings& findings);
+/// Adds notes about valid values that are probably mistakes: an angle such as 45, which counts as radians; an
+/// angular velocity such as 360, which counts as rad/s; a length in metres without a unit, if other lengths of the
+/// body have units; a density that no material has.
+void doubtValues(const Scene& scene, const Leaves& leaves, Findings& findings);
 
 }  // namespace poinsot::scene

@@ -61,6 +61,7 @@ class BodyAssembly {
 
  private:
   void refuseNone() {
+    if (findings_.isMeantBelow("body")) return;
     for (const char* path : {"body", "body.principal_moments", "body.inertia", "body.shape", "body.catalogue",
                              "body.part", "body.point_mass"})
       if (findings_.misspelt(path)) return;

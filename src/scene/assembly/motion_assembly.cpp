@@ -118,11 +118,21 @@ class StartAssembly {
     return core::joined(names, ", ") + " or " + last;
   }
 
+  /// Returns whether an unknown name of the scene stands for a start.
+  bool startIsMisspelt() const {
+    if (findings_.misspelt("motion")) return true;
+    for (const StartWay& way : startWays())
+      for (const std::string_view name : way.keys)
+        if (findings_.misspelt(pathOf(name))) return true;
+    return false;
+  }
+
   bool complete() {
     for (const StartWay* way : given_)
       for (std::size_t i = 0; i < way->required; ++i)
         if (!findings_.has(pathOf(way->keys[i])) && way->required > 1) {
-          refuseIncomplete(*way, *way, way->keys[i]);
+          if (!findings_.failed(firstGiven(*way)) || !startIsMisspelt())
+            refuseIncomplete(*way, *way, way->keys[i]);
           return false;
         }
     for (const StartWay* way : given_)
@@ -144,12 +154,9 @@ class StartAssembly {
     for (const StartWay* way : given_)
       if (way->part == StartPart::kTilt || way->part == StartPart::kTop)
         return refuseIncomplete(*way, startWay("spin and spin_axis"), "spin");
-    if (findings_.misspelt("motion")) return;
-    for (const StartWay& way : startWays())
-      for (const std::string_view name : way.keys)
-        if (findings_.misspelt(pathOf(name))) return;
-    findings_.refuse("motion.omega_body",
-                     "a start is required: give the angular velocity, such as [0.01, 3.0, 0.0]");
+    if (!startIsMisspelt())
+      findings_.refuse("motion.omega_body",
+                       "a start is required: give the angular velocity, such as [0.01, 3.0, 0.0]");
   }
 
   void start() {

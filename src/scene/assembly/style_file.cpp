@@ -53,7 +53,7 @@ void addStyleFile(const SceneFolder& folder, std::deque<Source>& sources, Leaves
   const Source* source = openFile(named->second, folder, sources, problems);
   if (!source) return;
   Leaves file{.limits = leaves.limits};
-  addLeaves(parseDocument(*source, leaves.limits), file, problems);
+  addLeaves(parseValidParts(*source, leaves.limits, problems).root, file, problems);
   take(file, leaves, problems);
 }
 

@@ -77,6 +77,27 @@ std::vector<Caption> captionsOf(const std::vector<TimelineDraft>& byTime, double
   return captions;
 }
 
+/// Adds notes for captions that the next caption hides, in part or completely.
+/// @param byTime  indices of the entries with a time, in the order of time
+void doubtCaptions(const std::vector<TimelineDraft>& entries, const std::vector<std::size_t>& byTime,
+                   Findings& findings) {
+  std::optional<std::size_t> before;
+  for (const std::size_t i : byTime) {
+    if (!entries[i].caption) continue;
+    const TimelineDraft* earlier = before ? &entries[*before] : nullptr;
+    const bool shown = earlier && !earlier->caption->empty();
+    if (shown && *earlier->at == *entries[i].at)
+      findings.doubt(
+          pathOf(*before) + ".caption",
+          fmt::format("is never shown, because {}.caption also begins at {:g} s", pathOf(i), *entries[i].at));
+    else if (shown && earlier->captionFor && *earlier->at + *earlier->captionFor > *entries[i].at)
+      findings.doubt(pathOf(*before) + ".caption_for",
+                     fmt::format("would last until {:g} s, but {}.caption replaces this caption at {:g} s",
+                                 *earlier->at + *earlier->captionFor, pathOf(i), *entries[i].at));
+    before = i;
+  }
+}
+
 }  // namespace
 
 void askForShown(Draft& draft, const Findings& findings) {
@@ -90,15 +111,19 @@ void askForShown(Draft& draft, const Findings& findings) {
 Timeline assembleTimeline(const Draft& draft, double duration_s, Findings& findings) {
   // If the duration is invalid, no entry is reported as beyond the end of the film.
   const double end_s = findings.isUnsure("time.duration") ? HUGE_VAL : duration_s;
-  std::vector<TimelineDraft> entries;
+  std::vector<TimelineDraft> all, entries;
+  std::vector<std::size_t> byTime;
   for (std::size_t i = 0; i < findings.count("timeline"); ++i) {
     const TimelineDraft entry = given(draft, i);
     checkWhen(entry, pathOf(i), end_s, findings);
     checkWhat(entry, pathOf(i), findings);
     doubtHold(entry, pathOf(i), end_s, findings);
-    if (entry.at) entries.push_back(entry);
+    all.push_back(entry);
+    if (entry.at) byTime.push_back(i);
   }
-  std::ranges::stable_sort(entries, {}, [](const TimelineDraft& entry) { return *entry.at; });
+  std::ranges::stable_sort(byTime, {}, [&](std::size_t i) { return *all[i].at; });
+  doubtCaptions(all, byTime, findings);
+  for (const std::size_t i : byTime) entries.push_back(all[i]);
   Timeline timeline{{}, captionsOf(entries, duration_s)};
   for (const TimelineDraft& entry : entries) timeline.entries.push_back(entryOf(entry));
   return timeline;

@@ -6,11 +6,15 @@
 #include <toml++/toml.h>
 
 #include "core/text.h"
+#include "scene/document/broken_lines.h"
 #include "scene/document/syntax_problem.h"
 #include "scene/document/text_limits.h"
 
 namespace poinsot::scene {
 namespace {
+
+// Number of syntax errors after which the rest of a text is not checked.
+constexpr int kMostSyntaxErrors = 10;
 
 class Converter {
  public:
@@ -64,6 +68,12 @@ class Converter {
   throw std::logic_error("unreachable");
 }
 
+SyntaxProblem problemOf(const toml::parse_error& error, const Source& source, const Limits& limits) {
+  const toml::source_position at = error.source().begin;
+  return syntaxProblem(source, static_cast<int>(at.line), static_cast<int>(at.column), error.description(),
+                       limits);
+}
+
 std::string tomlString(std::string_view text) {
   std::string all = "\"";
   for (const char c : text)
@@ -83,11 +93,33 @@ Node parseDocument(const Source& source, const Limits& limits) {
   try {
     return Converter(source).node(toml::parse(std::string_view(source.text())));
   } catch (const toml::parse_error& error) {
-    const toml::source_position at = error.source().begin;
-    const SyntaxProblem problem =
-        syntaxProblem(source, static_cast<int>(at.line), static_cast<int>(at.column), error.description(), limits);
+    const SyntaxProblem problem = problemOf(error, source, limits);
     refuse(problem.place, problem.message);
   }
+}
+
+PartialDocument parseValidParts(const Source& source, const Limits& limits, Problems& problems) {
+  if (const auto limit = exceededLimit(source, limits)) refuse(limit->place, limit->message);
+  PartialDocument partial{{Node::Table(), {&source, 0, 0, 1}}};
+  std::string text = source.text();
+  for (int errors = 0; errors < kMostSyntaxErrors; ++errors) {
+    const Source rest(source.name(), text);
+    if (exceededLimit(rest, limits)) break;  // without some lines, others may change their meaning
+    try {
+      partial.root = Converter(source).node(toml::parse(std::string_view(text)));
+      return partial;
+    } catch (const toml::parse_error& error) {
+      SyntaxProblem problem = problemOf(error, rest, limits);
+      const BrokenLines broken = brokenLines(rest, problem.place.line, limits);
+      problem.place.source = &source;
+      problems.add(problem.place, problem.message);
+      partial.broken.insert(broken.table);
+      text = withoutLines(rest, broken);
+      if (text == rest.text()) break;
+    }
+  }
+  partial.broken.insert("");
+  return partial;
 }
 
 std::string tomlText(const Node& node) {

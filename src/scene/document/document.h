@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -37,6 +39,17 @@ struct Entry {
 /// other part of the program uses the library toml++.
 /// @throws SceneErrors with one problem, at which the parser stops: a syntax error, a repeated key, or a limit.
 Node parseDocument(const Source& source, const Limits& limits = {});
+
+/// Document with all parts of a text that could be read.
+struct PartialDocument {
+  Node root;
+  std::set<std::string, std::less<>> broken{};  ///< top-level tables with lines left out; "" for an unknown table
+};
+
+/// Parses TOML like parseDocument(), but continues after a syntax error without the lines that contain it.
+/// @param problems  receives all syntax errors
+/// @throws SceneErrors if the text exceeds a limit.
+PartialDocument parseValidParts(const Source& source, const Limits& limits, Problems& problems);
 
 /// Writes a value as TOML on one line.
 /// @pre it holds no date or time.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <tuple>
 
 #include "scene/keys/unknown_key.h"
@@ -18,7 +19,14 @@ bool Findings::hasBelow(std::string_view table) const {
 
 bool Findings::hasTable(std::string_view table) const { return given_.tables.contains(table) || hasBelow(table); }
 
+bool Findings::isMeantBelow(std::string_view table) const {
+  const std::string prefix = std::string(table) + ".";
+  const auto next = given_.meant.lower_bound(prefix);
+  return next != given_.meant.end() && next->starts_with(prefix);
+}
+
 bool Findings::misspelt(std::string_view path) const {
+  if (given_.meant.contains(path)) return true;
   const auto names = given_.unknown.find(tableOf(path));
   return names != given_.unknown.end() && std::ranges::any_of(names->second, [&](const std::string& name) {
            return scene::misspelt(tableOf(path), name) == path;
@@ -37,7 +45,21 @@ Place Findings::placeOf(std::string_view path) const {
   return file_;
 }
 
+bool Findings::isBroken(std::string_view path) const {
+  const std::string_view top = path.substr(0, path.find_first_of(".["));
+  const auto& broken = given_.broken;
+  const auto any = [&](std::initializer_list<std::string_view> tables) {
+    return std::ranges::any_of(tables, [&](std::string_view table) { return broken.contains(table); });
+  };
+  if (broken.empty() || broken.contains("")) return !broken.empty();
+  if (top == "body") return any({"body"});
+  if (top == "motion") return any({"body", "motion", "show", "view", "camera", "timeline"});
+  return true;
+}
+
 void Findings::refuse(std::string_view path, std::string_view message) {
+  if (isBroken(path)) return;
+  if (!given_.broken.empty() && placeOf(path).line == 0) return;  // what is missing may be in the broken lines
   problems_.add(placeOf(path), fmt::format("{}: {}", path, message));
 }
 
@@ -46,7 +68,7 @@ void Findings::refuseMissing(std::string_view missing, std::string_view path, st
 }
 
 void Findings::refuseEmpty(std::string message) {
-  if (given_.unknown.empty()) refuseFile(std::move(message));
+  if (given_.unknown.empty() && given_.broken.empty()) refuseFile(std::move(message));
 }
 
 void Findings::refuseFile(std::string message) { problems_.add(file_, std::move(message)); }

@@ -27,15 +27,18 @@ class Findings {
   bool hasBelow(std::string_view table) const;
   /// Returns whether the file contains the table, even without keys.
   bool hasTable(std::string_view table) const;
-  /// Returns whether the table of the path contains an unknown name that is probably a misspelling of this path.
-  /// Unknown names are already reported.
+  /// Returns whether an unknown name of the scene stands for a key of the table, such as "m" for body.mass.
+  bool isMeantBelow(std::string_view table) const;
+  /// Returns whether an unknown name stands for this path: a name of a textbook, or a misspelling in the path's
+  /// table. Unknown names are already reported.
   bool misspelt(std::string_view path) const;
   /// Returns whether a value is unreliable, because the value was rejected or because its key or its table is
   /// probably misspelt. The mistake is already reported.
   bool isUnsure(std::string_view path) const;
   std::size_t count(std::string_view array) const { return given_.count(array); }
 
-  /// Reports the problem "path: message" at the position of the path.
+  /// Reports the problem "path: message" at the position of the path. Reports nothing if a syntax error left out
+  /// lines on which the problem may depend.
   void refuse(std::string_view path, std::string_view message);
   /// Reports the problem "path: message" because the key `missing` is not given. Reports nothing if the file
   /// contains a probable misspelling of `missing`.
@@ -50,6 +53,9 @@ class Findings {
 
  private:
   Place placeOf(std::string_view path) const;
+  /// Returns whether a check of several keys at a path may depend on lines with a syntax error. The body depends
+  /// on [body], its motion also on [motion] and on what is shown, everything else on the whole scene.
+  bool isBroken(std::string_view path) const;
 
   const Leaves& given_;
   const std::set<std::string, std::less<>>& refused_;

@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "core/text.h"
 #include "scene/keys/unknown_key.h"
+#include "scene/keys/unknown_names.h"
 #include "scene/limits.h"
 
 namespace poinsot::scene {
@@ -31,6 +34,15 @@ class Walk {
     }
   }
 
+  /// Reports the unknown names and the values that stand in place of tables, after all others are known.
+  void finish() {
+    for (const auto& [path, value] : wrongTables_)
+      problems_.add(value->place, fmt::format("{}: expected a table [{}]{}, got {}{}", path, path,
+                                              hasVisible(path) ? ", true or false" : "", describe(*value),
+                                              adviceFor(path, *value, leaves_)));
+    reportUnknown(std::move(unknown_), leaves_, problems_);
+  }
+
   void value(const std::string& path, const Place& keyPlace, const Node& node) {
     if (path.find('[') != std::string::npos && !exists(path))
       problems_.addLater(keyPlace,
@@ -40,25 +52,29 @@ class Walk {
     else if (isTableArray(path))
       array(path, node);
     else if (!isTable(path))
-      unknown(path, keyPlace);
+      unknown(path, keyPlace, node);
     else if (const auto* entries = node.as<Node::Table>())
       opened(path, keyPlace, *entries);
     else if (node.as<bool>() && hasVisible(path))
       leaves_.values[path + ".visible"] = node;
     else
-      wrongForm(path, node.place,
-                fmt::format("{}: expected a table [{}]{}, got {}", path, path,
-                            hasVisible(path) ? ", true or false" : "", describe(node)));
+      noTable(path, node);
   }
 
  private:
-  void unknown(const std::string& path, const Place& place) {
+  void unknown(const std::string& path, const Place& place, const Node& node) {
     remember(path);
-    problems_.addLater(place, [path] { return unknownKey(path); });
+    unknown_.push_back({path, place, &node});
+  }
+
+  void noTable(const std::string& path, const Node& node) {
+    remember(path);
+    wrongTables_.emplace_back(path, &node);
   }
 
   void wrongForm(const std::string& path, const Place& place, std::string message) {
     remember(path);
+    if (leaves_.broken.contains(path)) return;  // a syntax error of this table is already reported
     problems_.add(place, std::move(message));
   }
 
@@ -115,17 +131,25 @@ class Walk {
 
   Leaves& leaves_;
   Problems& problems_;
+  std::vector<UnknownName> unknown_;
+  std::vector<std::pair<std::string, const Node*>> wrongTables_;  ///< values in place of tables
 };
 
 }  // namespace
 
 void addLeaves(const Node& document, Leaves& leaves, Problems& problems) {
-  if (const auto* entries = document.as<Node::Table>()) Walk(leaves, problems).table("", *entries);
+  const auto* entries = document.as<Node::Table>();
+  if (!entries) return;
+  Walk walk(leaves, problems);
+  walk.table("", *entries);
+  walk.finish();
 }
 
 void addLeaf(const std::string& path, const Place& keyPlace, const Node& value, Leaves& leaves,
              Problems& problems) {
-  Walk(leaves, problems).value(path, keyPlace, value);
+  Walk walk(leaves, problems);
+  walk.value(path, keyPlace, value);
+  walk.finish();
 }
 
 }  // namespace poinsot::scene

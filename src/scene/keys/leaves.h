@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct Leaves {
   std::map<std::string, std::size_t, std::less<>> counts{};  ///< number of elements of each array of tables
   /// Unknown or malformed names, by the path of their table. For each table, only the first names are stored.
   std::map<std::string, std::vector<std::string>, std::less<>> unknown{};
+  std::set<std::string, std::less<>>
+      meant{};  ///< keys for which unknown names stand, such as motion.omega_body for w
+  std::set<std::string, std::less<>> broken{};  ///< tables with broken lines, as in PartialDocument
 
   std::size_t count(std::string_view array) const {
     const auto found = counts.find(array);

@@ -33,7 +33,10 @@ omega_body = [0.01, 3.0, 0.0]
 command also prints a note for each likely mistake:
 
 - an angle that is a whole number without a unit, because such an angle is in radians
+- an angular velocity such as 90 or 360 without a unit, because such a number is in rad/s
+- lengths in metres, or a mass in kilograms, that give a density that no material has
 - a `hold` (a standstill) that would last beyond the film's end
+- a caption that a later caption hides
 - a film that shows less than a tenth of a turn of a heavy top's precession
 
 To override a key of a scene, add the option `-D key.path=value` to any command that takes a scene. For example,

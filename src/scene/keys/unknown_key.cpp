@@ -3,51 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <utility>
 #include <vector>
 
 #include "core/text.h"
+#include "scene/keys/foreign_names.h"
 #include "scene/keys/key_text.h"
 #include "scene/keys/keys.h"
 
 namespace poinsot::scene {
 namespace {
-
-// Far longer than any name. The edit distance of a long name from an untrusted scene takes too long.
-constexpr std::size_t kLongestName = 64;
-
-/// Names in other programs, and the corresponding keys of this program.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 28> kKnownElsewhere = {{
-    {"background", "style.colors.paper"},
-    {"background_color", "style.colors.paper"},
-    {"font_size", "style.text_size"},
-    {"resolution", "output.size"},
-    {"width", "output.size"},
-    {"height", "output.size"},
-    {"bitrate", "output.crf"},
-    {"framerate", "time.fps"},
-    {"frame_rate", "time.fps"},
-    {"slow_motion", "time.speed"},
-    {"angular_velocity", "motion.omega_body"},
-    {"angular_momentum", "motion.L_body"},
-    {"moments_of_inertia", "body.principal_moments"},
-    {"inertia_tensor", "body.inertia"},
-    {"fullinertia", "body.inertia"},
-    {"diaginertia", "body.principal_moments"},
-    {"products_of_inertia", "body.inertia"},
-    {"ixx", "body.inertia"},
-    {"ixy", "body.inertia"},
-    {"ixz", "body.inertia"},
-    {"iyy", "body.inertia"},
-    {"iyz", "body.inertia"},
-    {"izz", "body.inertia"},
-    {"center_of_mass", "body.centre_of_mass"},
-    {"centre_of_gravity", "body.centre_of_mass"},
-    {"center_of_gravity", "body.centre_of_mass"},
-    {"com", "body.centre_of_mass"},
-    {"cog", "body.centre_of_mass"},
-}};
 
 /// Returns the singular of a name: "quantity" for "quantities", "label" for "labels".
 std::string singular(std::string_view name) {
@@ -61,7 +25,7 @@ bool isColor(std::string_view name) {
 
 /// Returns the key that sets the colour of a thing, such as style.colors.body for show.body.
 std::string colorOf(std::string_view table) {
-  const std::string key = fmt::format("style.colors.{}", nameOf(table));
+  const std::string key = fmt::format("style.colors.{}", table.empty() ? "body" : nameOf(table));
   return findKey(key) ? key : tableText("style.colors");
 }
 
@@ -72,27 +36,6 @@ std::optional<std::string> deeper(std::string_view table, std::string_view name)
     if (findKey(path) || isTable(path)) return path;
   }
   return std::nullopt;
-}
-
-/// Returns the path of a key with the same name in any table. Prefers keys outside arrays of tables.
-std::optional<std::string> sameName(std::string_view name) {
-  std::optional<std::string> found;
-  for (const Key& key : keys())
-    if (nameOf(key.path) == name && !repeatsInView(key)) {
-      if (key.path.find('[') == std::string::npos) return key.path;
-      if (!found) found = key.path;
-    }
-  return found;
-}
-
-std::optional<std::string> elsewhere(std::string_view path) {
-  const std::string_view name = nameOf(path);
-  if (isColor(name)) return colorOf(tableOf(path));
-  for (const auto& [known, key] : kKnownElsewhere)
-    if (name == known) return std::string(key);
-  if (auto found = deeper(tableOf(path), name)) return found;
-  if (const std::string thing = pathBelow("show", name); isTable(thing)) return thing;
-  return sameName(name);
 }
 
 bool holdsKeys(std::string_view path) { return isTable(path) || isTableArray(path); }
@@ -120,7 +63,7 @@ std::string insteadOf(std::string_view table, std::string_view path) {
   if (table.size() <= kLongestName)
     if (const auto near = core::closest(nameOf(table), tables))
       return fmt::format("did you mean {}?", tableText(pathBelow(parent, *near)));
-  if (const auto key = elsewhere(path)) return fmt::format("did you mean {}?", *key);
+  if (const auto key = otherKey(path)) return fmt::format("did you mean {}?", *key);
   return fmt::format("{} has the tables {}", whole(parent), core::joined(tables, ", "));
 }
 
@@ -133,8 +76,9 @@ std::string unknownTable(std::string_view path, std::string_view table) {
 
 std::optional<std::string> meant(std::string_view path) {
   if (nameOf(path).size() > kLongestName) return std::nullopt;
+  if (const auto rows = plausibleRows(path); !rows.empty()) return keyFor(*rows[0], path);
   if (auto near = misspelt(tableOf(path), nameOf(path))) return near;
-  return elsewhere(path);
+  return otherKey(path);
 }
 
 /// Returns the key to which a path to a single element belongs, such as "motion.omega_body[1]"; otherwise null.
@@ -156,6 +100,24 @@ std::string unknownKey(std::string_view path) {
   const std::string message = fmt::format("{}: unknown key", core::printable(path));
   if (const auto key = meant(path)) return message + fmt::format("; did you mean {}?", *key);
   return message + fmt::format("; {} has {}", whole(table), core::joined(namesBelow(table), ", "));
+}
+
+std::optional<std::string> sameName(std::string_view name) {
+  std::optional<std::string> found;
+  for (const Key& key : keys())
+    if (nameOf(key.path) == name && !repeatsInView(key)) {
+      if (key.path.find('[') == std::string::npos) return key.path;
+      if (!found) found = key.path;
+    }
+  return found;
+}
+
+std::optional<std::string> otherKey(std::string_view path) {
+  const std::string_view name = nameOf(path);
+  if (isColor(name)) return colorOf(tableOf(path));
+  if (auto found = deeper(tableOf(path), name)) return found;
+  if (const std::string thing = pathBelow("show", name); isTable(thing)) return thing;
+  return sameName(name);
 }
 
 std::string withoutIndex(std::string_view path, std::string_view array) {

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/abi.h"
+
+namespace poinsot::scene {
+
+/// How the values of foreign names become the value of a key.
+enum class Carry {
+  kValue,     ///< the value of one name, as it is or in the form that the key needs
+  kNothing,   ///< the value has another meaning or another scale; an example replaces it
+  kList,      ///< one value for each name, in the order of the names
+  kTensor,    ///< Ixx, Ixy, Ixz, Iyy, Iyz, Izz, in this order; missing products are 0
+  kXyzw,      ///< quaternion with the scalar last
+  kPosition,  ///< position of a camera, which becomes the key and camera.elevation
+};
+
+/// Names in textbooks or in other programs, and the corresponding key of this program.
+struct ForeignNames {
+  std::string_view names;   ///< separated by blanks; "camera.eye" is the name "eye" in the table [camera] only
+  std::string_view key;     ///< path of the key
+  std::string_view with{};  ///< other keys of the same table that the key needs, "name = value", separated by ";"
+  std::string_view note{};  ///< sentence for the message
+  Carry carry = Carry::kValue;
+  std::string_view unit{};  ///< unit that the names imply for a bare number, such as "rpm"
+};
+
+/// Returns the table of all foreign names. A name may be in several rows: the first row whose key accepts the
+/// value counts, otherwise the first row.
+std::span<const ForeignNames> foreignNames();
+
+/// Returns the rows for an unknown name, in the order of foreignNames(). Also finds the name in small letters with
+/// underscores, and without "initial". Leaves out rows that are implausible in this table: a name of physics
+/// belongs to the top, to [body] or to [motion].
+/// @param path  path of the unknown name, such as "motion.w0"
+std::vector<const ForeignNames*> plausibleRows(std::string_view path);
+
+/// Returns whether a name of this path may stand for the key of a row. Names of physics belong to the top, to
+/// [body] or to [motion], and to tables that have a key of the same name.
+bool isPlausible(const ForeignNames& row, std::string_view path);
+
+/// Returns the key of a row. If the table of the name has a key of this name, returns that key:
+/// "body.part[0].mass" for the name "body.part[0].m".
+std::string keyFor(const ForeignNames& row, std::string_view path);
+
+/// Returns the single names of a row.
+std::vector<std::string_view> namesIn(const ForeignNames& row);
+
+/// Returns the word of a key that a word of other programs stands for, such as "box" for "cuboid"; otherwise
+/// empty.
+std::string_view wordElsewhere(std::string_view word);
+
+/// Returns a colour such as "#ffffff" for a name such as "white"; empty for an unknown name.
+std::string_view namedColor(std::string_view name);
+
+}  // namespace poinsot::scene

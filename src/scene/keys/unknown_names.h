@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/keys/leaves.h"
+
+namespace poinsot::scene {
+
+/// Name in a document that is not a key, a table or an array of tables.
+struct UnknownName {
+  std::string path;
+  Place place;
+  const Node* value = nullptr;
+};
+
+/// Reports unknown names of a document, in its order. A name of a textbook or of another program, and a key of
+/// another table, get an example of the right key with the given value. Names that belong together, such as I1, I2
+/// and I3, become one problem. Adds the keys for which such names stand to Leaves::meant.
+/// @param leaves  all other values of the document
+void reportUnknown(std::vector<UnknownName> names, Leaves& leaves, Problems& problems);
+
+/// Returns advice for a value that suits another key, such as "; did you mean motion.gravity.g? ..." for the
+/// number 9.81 in place of the table [motion.gravity]. Empty if no key is known for the value.
+std::string adviceFor(const std::string& path, const Node& value, Leaves& leaves);
+
+}  // namespace poinsot::scene
