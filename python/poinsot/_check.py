@@ -4,15 +4,18 @@
 import math
 from typing import Any
 
-from . import _core
+from . import _core, _places
 from ._errors import Problem
 
 
-def check(core: _core.Scene) -> dict[str, Any]:
-    """Returns the dictionary of Scene.check()."""
+def check(core: _core.Scene, file: str, places: _places.Places) -> dict[str, Any]:
+    """Returns the dictionary of Scene.check().
+
+    places: keys of the lines of the file, if the scene is given as a dictionary; otherwise empty.
+    """
     found = _core.checkup(core)
     problems, notes = (
-        [Problem(one.file, one.line, one.column, one.message) for one in remarks]
+        [_places.placed(Problem(one.file, one.line, one.column, one.message), file, places) for one in remarks]
         for remarks in (found.problems, found.notes)
     )
     estimates = {

@@ -20,13 +20,16 @@ class UsageError(Error, ValueError):
 
 
 class Problem(NamedTuple):
-    """One mistake in a scene. Line and column count from 1. For an override, both are 0 and `file` is empty."""
+    """One mistake in a scene. Line and column count from 1. For an override, and for a scene that is given as a
+    dictionary, both are 0 and `file` is empty.
+    """
 
     file: str
     line: int
     column: int
     message: str
     override: str = ""  #: key of the override, such as "style.theme"; empty for a problem in a file
+    place: str = ""  #: place in the dictionary of the scene, such as scene["motion"]["omega_body"]; empty for a text
 
 
 class SceneError(Error, ValueError):

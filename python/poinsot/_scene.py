@@ -8,7 +8,7 @@ import os
 import tempfile
 import warnings
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Any, Literal, overload
@@ -16,9 +16,9 @@ from typing import Any, Literal, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _arguments, _check, _core, _grade, _program, _sweep, _times, _toml
+from . import _arguments, _check, _core, _grade, _places, _program, _sweep, _times, _toml
 from ._core import Scene as _CoreScene
-from ._errors import FarTimeWarning
+from ._errors import FarTimeWarning, SceneError
 from ._film import Film
 from ._times import Time, Times
 from ._trajectory import Trajectory
@@ -38,9 +38,18 @@ class _Source:
     limits: tuple[str, ...]
     asset_roots: tuple[str, ...]
     text: str | None = None  # by default, the text of the file
+    places: _places.Places = field(default=(), compare=False)  # of the lines, if the scene is a dictionary
 
     def scene(self) -> Scene:
         """Reads and checks the scene. Raises SceneError, LimitError, FileError."""
+        try:
+            return self._loaded()
+        except SceneError as error:
+            if not self.places:
+                raise
+            raise _places.in_dictionary(error, self.file_name, self.places) from None
+
+    def _loaded(self) -> Scene:
         words = list(self.overrides), list(self.limits), [os.fsencode(root) for root in self.asset_roots]
         file = os.fsencode(self.file_name)
         if self.text is not None:
@@ -58,10 +67,15 @@ class _Source:
 
 
 def _source(
-    file_name: str, overrides: object, limits: object, asset_roots: object, text: str | None = None
+    file_name: str,
+    overrides: object,
+    limits: object,
+    asset_roots: object,
+    text: str | None = None,
+    places: _places.Places = (),
 ) -> _Source:
     roots = _arguments.paths("asset_roots", asset_roots)
-    return _Source(file_name, _words(overrides), tuple(_arguments.limits(limits)), tuple(roots), text)
+    return _Source(file_name, _words(overrides), tuple(_arguments.limits(limits)), tuple(roots), text, places)
 
 
 def _words(overrides: object) -> tuple[str, ...]:
@@ -104,11 +118,16 @@ def loads(
     name: name of the scene, like a file name without ".toml".
     folder: folder of the files that the scene names.
 
+    A mistake in a dictionary has a place such as scene["motion"]["omega_body"], in the text of the error and in its
+    `problems`.
+
     Values are plain numbers and strings, times (timedelta, timedelta64), paths, and arrays and pandas Series without
     masked values. Other arguments and errors are those of load().
     """
     file_name = Path(_arguments.path("folder", folder)) / f"{_arguments.stem('name', name)}.toml"
-    return _source(str(file_name), overrides, limits, asset_roots, _toml.scene_text(source)).scene()
+    text = _toml.scene_text(source)
+    places = () if isinstance(source, str) else _toml.places(source)
+    return _source(str(file_name), overrides, limits, asset_roots, text, places).scene()
 
 
 class Scene:
@@ -262,7 +281,7 @@ class Scene:
         column and message. estimates: frames, film_memory_bytes of a worker that makes the film as an MP4, and
         picture_memory_bytes of render(), all integers. load() raises mistakes in the text itself as SceneError.
         """
-        return _check.check(self._core)
+        return _check.check(self._core, self._source.file_name, self._source.places)
 
     def grade(self, table: Any, *, max_attitude_error: float | str | None = None) -> dict[str, Any]:
         """Measures how far another engine's trajectory is off the motion of this scene, and since when.

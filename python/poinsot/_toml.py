@@ -6,7 +6,7 @@ import math
 import numbers
 import os
 import tomllib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -59,15 +59,24 @@ def scene_text(source: object) -> str:
 
 def document(tables: Mapping[str, Any]) -> str:
     """Returns a dictionary of tables as a scene file, with one line for each key."""
-    lines = []
+    return "\n".join(line for line, _ in _lines(tables)) + "\n"
+
+
+def places(tables: Mapping[str, Any]) -> tuple[tuple[str, ...], ...]:
+    """Returns the keys by which each line of document() is found in the dictionary, such as ("motion", "spin")."""
+    return tuple(keys for _, keys in _lines(tables))
+
+
+def _lines(tables: Mapping[str, Any]) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """Yields the lines of a document, each with its keys in the dictionary."""
     plain = {name: it for name, it in tables.items() if not isinstance(it, Mapping)}
     for name, it in plain.items():
-        lines.append(_line("", name, it))
+        yield _line("", name, it), (name,)
     for name, table in tables.items():
         if name not in plain:
-            lines.append(f"[{_key('source', name)}]")
-            lines += [_line(f"{name}.", key, it) for key, it in table.items()]
-    return "\n".join(lines) + "\n"
+            yield f"[{_key('source', name)}]", (name,)
+            for key, it in table.items():
+                yield _line(f"{name}.", key, it), (name, key)
 
 
 def override(key: str, it: Any) -> str:

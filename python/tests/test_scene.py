@@ -51,6 +51,65 @@ def test_a_mistake_has_file_line_and_column(tmp_path):
     assert places == [(str(file), 4, 1)]
 
 
+def mistakes(tables, **more):
+    with pytest.raises(poinsot.SceneError) as caught:
+        poinsot.loads(tables, **more)
+    return caught.value
+
+
+def test_a_mistake_in_a_dictionary_has_a_place_in_the_dictionary():
+    error = mistakes({"body": OWN["body"], "motion": {"omega_bdoy": [1, 2, 3]}})
+    message = "motion.omega_bdoy: unknown key; did you mean motion.omega_body?"
+    assert error.problems == (poinsot.Problem("", 0, 0, message, place='scene["motion"]["omega_bdoy"]'),)
+    assert str(error) == f'scene["motion"]["omega_bdoy"]: error: {message}'
+    assert str(pickle.loads(pickle.dumps(error))) == str(error)
+
+
+@pytest.mark.parametrize(
+    ("tables", "place"),
+    [
+        ({"body": {"mass": -1}, "motion": OWN["motion"]}, 'scene["body"]["mass"]'),
+        ({"body": {"part": [{"shape": "cube", "edge": 1, "mass": 2}, {"shpe": 3}]}}, 'scene["body"]["part"][1]["shpe"]'),
+        ({"body": OWN["body"]}, "scene"),
+        ({"body": OWN["body"], "motion": {}}, 'scene["motion"]["omega_body"]'),
+        ({"schema": 2, **OWN}, 'scene["schema"]'),
+        ({"sceem": 1, **OWN}, 'scene["sceem"]'),
+        ({**OWN, "tíme": {}}, 'scene["tíme"]'),
+    ],
+)
+def test_places_in_a_dictionary_lead_to_the_value(tables, place):
+    assert place in [one.place for one in mistakes(tables).problems]
+
+
+@pytest.mark.parametrize(
+    ("motion", "line"),
+    [
+        ({"w": [0, 0, 3]}, 'scene["motion"]["omega_body"] = [0, 0, 3]'),
+        ({**OWN["motion"], "gravity": 9.81}, 'scene["motion"]["gravity"] = {"g": 9.81}'),
+        ({**OWN["motion"], "t_end": 5}, 'scene["time"] = {"duration": 5}'),
+    ],
+)
+def test_examples_are_lines_of_python(motion, line):
+    tables = {"body": {"shape": "box", "size": [3, 2, 1], "mass": 1, "pivot": [0, 0, -1]}, "motion": motion}
+    message = mistakes(tables).problems[0].message
+    assert message.endswith(f"For example:\n    {line}")
+    scene = copy.deepcopy(tables)
+    scene["motion"] = {name: it for name, it in motion.items() if name not in ("w", "t_end")}
+    exec(message.rpartition("\n    ")[2])  # the example, as a user pastes it
+    assert poinsot.loads(scene).frame_count > 0
+
+
+def test_notes_on_a_dictionary_have_places_too():
+    notes = poinsot.loads({**OWN, "camera": {"azimuth": 2}}).check()["notes"]
+    assert [(one.place, one.file) for one in notes] == [('scene["camera"]["azimuth"]', "")]
+
+
+def test_overrides_of_a_dictionary_keep_their_names():
+    error = mistakes({"body": {**OWN["body"], "mas": 1}, "motion": OWN["motion"]}, overrides={"camera.zoom": 0})
+    assert [(one.place, one.override) for one in error.problems] == [('scene["body"]["mas"]', ""), ("", "camera.zoom")]
+    assert str(error).splitlines()[1].startswith("camera.zoom=0: error: ")
+
+
 def test_overrides_win_over_the_file_and_replace_over_both(racket):
     assert racket.size == (160, 90)
     dark = racket.replace({"style.theme": "dark", "output.size": [64, 48]})
