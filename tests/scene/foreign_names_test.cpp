@@ -92,6 +92,14 @@ const std::map<std::string_view, Lines>& values() {
       {"motion.spin", {"3"}},
       {"motion.L_body", {"0", "0.5", "2"}},
       {"motion.L_space", {"0", "0.5", "2"}},
+      {"motion.euler.precession", {"0.5"}},
+      {"motion.euler.nutation", {"0.3"}},
+      {"motion.euler.spin", {"0.2"}},
+      {"motion.euler_rates.precession", {"0.5"}},
+      {"motion.euler_rates.nutation", {"0.3"}},
+      {"motion.euler_rates.spin", {"0.2"}},
+      {"motion.lean", {"0.4"}},
+      {"motion.roll_pitch_yaw", {"0.1", "0.2", "0.3"}},
       {"motion.orientation", {"0.5", "0.5", "0.5", "0.5"}},
       {"motion.tolerance", {"\"rk4\""}},
       {"motion.torque.body", {"0", "0", "0.1"}},
@@ -148,8 +156,8 @@ std::string linesFor(const ForeignNames& row, std::string_view name) {
 
 /// Returns a scene that is complete except for the foreign lines, which are at the top or in a table.
 std::string sceneWith(const std::string& table, const std::string& lines, std::string_view key) {
-  const bool start =
-      key.starts_with("motion.omega") || key.starts_with("motion.spin") || key.starts_with("motion.L_");
+  const bool start = key.starts_with("motion.omega") || key.starts_with("motion.spin") ||
+                     key.starts_with("motion.L_") || key.starts_with("motion.euler_rates");
   const bool moments = key == "body.mass" || key == "body.pivot" || key == "body.centre_of_mass";
   std::map<std::string, std::string> tables;
   if (!key.starts_with("body.") || moments) tables["body"] = "principal_moments = [1.0, 2.0, 2.5]\n";
@@ -256,10 +264,17 @@ TEST(ForeignNames, BringTheKeysOfEachShape) {
   }
 }
 
-TEST(ForeignNames, LeadAngleNamesToTheOrientation) {
-  EXPECT_EQ(messagesOf(kMoments + kStart + "theta = 0.3\nphi = 0\npsi = 0\n"),
-            "motion.theta, phi, psi: unknown keys; did you mean motion.orientation? It takes the attitude as a "
-            "quaternion w, x, y, z. For example:\n    orientation = [1, 0, 0, 0]\n");
+TEST(ForeignNames, LeadAnglesToEulerAnglesWithTheirValues) {
+  const std::string text = kMoments + kStart + "theta = \"20 deg\"\nphi = 0.1\nrpy = [0.1, 0.2, 0.3]\n";
+  EXPECT_EQ(
+      messagesOf(text),
+      "motion.theta: unknown key; did you mean motion.euler.nutation? The Euler angles follow the order z, x, "
+      "z, where the z axis of the body leans by the nutation. For example:\n    euler.nutation = \"20 "
+      "deg\"\n"
+      "motion.phi: unknown key; did you mean motion.euler.precession? The Euler angles follow the order z, x, "
+      "z, where the z axis of the body leans by the nutation. For example:\n    euler.precession = 0.1\n"
+      "motion.rpy: unknown key; did you mean motion.roll_pitch_yaw? For example:\n    roll_pitch_yaw = [0.1, "
+      "0.2, 0.3]\n");
 }
 
 TEST(ForeignNames, IncludeKeysOfOtherTables) {

@@ -22,18 +22,23 @@ constexpr std::string_view kMomentum =
 constexpr std::string_view kScalarFirst = "The order is w, x, y, z.";
 constexpr std::string_view kNoSteps = "The motion is computed exactly at any time and has no time step.";
 
-// Angles and their rates. The owner of other keys for angles changes these three values and nothing else.
-constexpr std::string_view kAngles = "motion.orientation", kAngleRates = "motion.omega_body",
-                           kAnglesNote = "It takes the attitude as a quaternion w, x, y, z.";
+constexpr std::string_view kEuler =
+    "The Euler angles follow the order z, x, z, where the z axis of the body leans by the nutation.";
 
 constexpr auto kRows = std::to_array<ForeignNames>({
     // Angles of a textbook (nutation, precession, spin) and of an aircraft
-    {"theta theta0 theta_0 phi phi0 phi_0 psi psi0 psi_0 nutation precession euler euler_angles", kAngles, "",
-     kAnglesNote, Carry::kNothing},
-    {"lean lean_angle inclination tilt_angle", kAngles, "", kAnglesNote, Carry::kNothing},
-    {"roll pitch yaw heading rpy roll_pitch_yaw", kAngles, "", kAnglesNote, Carry::kNothing},
-    {"theta_dot thetadot dtheta phi_dot phidot dphi psi_dot psidot dpsi nutation_rate precession_rate euler_rates",
-     kAngleRates, "", kInBodyAxes, Carry::kNothing},
+    {"theta theta0 theta_0 nutation nutation_angle", "motion.euler.nutation", "", kEuler},
+    {"phi phi0 phi_0 precession precession_angle", "motion.euler.precession", "", kEuler},
+    {"psi psi0 psi_0 spin_angle", "motion.euler.spin", "", kEuler},
+    {"euler euler_angles eul", "motion.euler.nutation", "", kEuler, Carry::kNothing},
+    {"theta_dot thetadot dtheta dtheta_dt nutation_rate", "motion.euler_rates.nutation", "", kEuler},
+    {"phi_dot phidot dphi dphi_dt precession_rate", "motion.euler_rates.precession", "", kEuler},
+    {"psi_dot psidot dpsi dpsi_dt", "motion.euler_rates.spin", "", kEuler},
+    {"euler_rates", "motion.euler_rates.precession", "", kEuler, Carry::kNothing},
+    {"lean lean_angle inclination tilt_angle", "motion.lean", "spin_axis = \"largest\""},
+    {"roll pitch yaw", "motion.roll_pitch_yaw", "", "", Carry::kList},
+    {"rpy roll_pitch_yaw", "motion.roll_pitch_yaw"},
+    {"heading ypr yaw_pitch_roll", "motion.roll_pitch_yaw", "", "", Carry::kNothing},
     {"roll_rate pitch_rate yaw_rate roll_dot pitch_dot yaw_dot", kAngleRates, "", kInBodyAxes, Carry::kNothing},
 
     // Moments of inertia
