@@ -70,7 +70,7 @@ Scene assemble(Draft draft, Findings& findings, const SceneFolder& folder) {
   assemblePlots(draft, findings, grid, scene);
   assembleNotes(draft, findings, scene);
   assembleNamed(draft, findings, scene);
-  scene.timeline = assembleTimeline(draft, scene.time.duration_s, findings);
+  assembleTimeline(draft, findings, scene);
   finishStyle(scene.style);
   checkFrames(scene.time, findings);
   if (draft.loop) scene.time.loop.emplace();

@@ -67,7 +67,9 @@ void finishStyle(Style& style);
 /// this before the views are made, because each view starts as a copy of [show].
 void askForShown(Draft& draft, const Findings& findings);
 
-Timeline assembleTimeline(const Draft& draft, double duration_s, Findings& findings);
+/// Sets the timeline of the scene. Reports problems to `findings`.
+/// @pre body, motion and time of the scene are set, unless `findings` has problems
+void assembleTimeline(const Draft& draft, Findings& findings, Scene& scene);
 
 /// Makes the views of the picture: one for each [[view]], else one for each of camera.frames, else a single view.
 /// Reports problems to `findings`.

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/motion/place_timeline.h"
+
 namespace poinsot::scene {
 namespace {
 
@@ -16,22 +18,34 @@ TimelineDraft given(const Draft& draft, std::size_t i) {
   return i < draft.timeline.size() ? draft.timeline[i] : TimelineDraft();
 }
 
-void checkWhen(const TimelineDraft& entry, const std::string& path, double duration_s, Findings& findings) {
-  if (!entry.at && !findings.has(path + ".at"))
-    findings.refuseMissing(path + ".at", path, "at is required: the film time of this entry");
-  if (entry.at && *entry.at > duration_s)
-    findings.refuse(path + ".at", fmt::format("must lie within the film, which ends at {:g} s, got {:g} s",
-                                              duration_s, *entry.at));
+constexpr double kSpeedAround_s = 2;  // default of speed_for with `around`
+
+/// Checks the moment of an entry and returns it. If there is none, reports this and returns nullopt.
+std::optional<Moment> momentOf(const TimelineDraft& entry, const std::string& path, double duration_s,
+                               Findings& findings) {
+  const std::string at = path + ".at", motion = path + ".at_motion", around = path + ".around";
+  std::string_view first;
+  for (const std::string& one : {at, motion, around}) {
+    if (!findings.has(one)) continue;
+    if (!first.empty()) findings.refuse(one, fmt::format("{} is given too; an entry has one moment", first));
+    if (first.empty()) first = one == at ? at : one == motion ? motion : around;
+  }
+  if (first.empty()) findings.refuseMissing(at, path, "at is required: the film time of this entry");
+  if (entry.atMotion) return Moment{Moment::Kind::kMotion, *entry.atMotion};
+  const std::optional<Moment>& moment = entry.at ? entry.at : entry.around;
+  if (moment && moment->kind == Moment::Kind::kFilm && moment->t_s > duration_s)
+    findings.refuse(
+        first, fmt::format("must lie within the film, which ends at {:g} s, got {:g} s", duration_s, moment->t_s));
+  return moment;
 }
 
-/// Adds a note if a pause of the motion lasts longer than the film, which cuts the pause off.
-void doubtHold(const TimelineDraft& entry, const std::string& path, double duration_s, Findings& findings) {
-  if (!entry.hold || !entry.at || *entry.at > duration_s) return;
-  const double end_s = *entry.at + entry.over.value_or(TimelineEntry().over_s) + *entry.hold;
-  if (end_s > duration_s)
-    findings.doubt(
-        path + ".hold",
-        fmt::format("would last until {:g} s, but the film ends at {:g} s (time.duration)", end_s, duration_s));
+/// Adds a note if a slow motion or a pause lasts longer than the film, which cuts it off.
+void doubtLasting(const TimelineEntry& entry, double duration_s, Findings& findings) {
+  const double end_s = entry.at_s + entry.over_s + entry.lasting_s();
+  if (entry.lasting_s() == 0 || entry.at_s > duration_s || end_s <= duration_s) return;
+  findings.doubt(
+      pathOf(entry.place) + (entry.hold_s > 0 ? ".hold" : ".speed_for"),
+      fmt::format("would last until {:g} s, but the film ends at {:g} s (time.duration)", end_s, duration_s));
 }
 
 void checkWhat(const TimelineDraft& entry, const std::string& path, Findings& findings) {
@@ -42,60 +56,65 @@ void checkWhat(const TimelineDraft& entry, const std::string& path, Findings& fi
                                   timelineThings()[static_cast<std::size_t>(thing)]));
   if (entry.captionFor && !findings.has(path + ".caption"))
     findings.refuse(path + ".caption_for", "has no effect without a caption; give caption too");
+  if (entry.speedFor && !findings.has(path + ".speed"))
+    findings.refuse(path + ".speed_for", "has no effect without a speed; give speed too");
+  if (entry.speedFor && entry.hold)
+    findings.refuse(path + ".hold", "cannot be combined with speed_for; give one of the two");
+  if (entry.around && !findings.has(path + ".speed") && !findings.has(path + ".hold"))
+    findings.refuse(path + ".around", "needs a slow motion or a pause to be in its middle; give speed or hold");
   if (entry.azimuth && entry.turn)
     findings.refuse(path + ".camera.turn",
                     "cannot be combined with camera.azimuth; give the new azimuth, or the angle to turn by");
 }
 
-TimelineEntry entryOf(const TimelineDraft& given) {
+TimelineEntry entryOf(const TimelineDraft& given, std::size_t place, const Moment& moment) {
   TimelineEntry entry;
-  entry.at_s = *given.at;
+  entry.place = place;
+  entry.moment = moment;
+  entry.at_s = moment.t_s;
   entry.over_s = given.over.value_or(entry.over_s);
   entry.shown = given.shown;
   entry.hidden = given.hidden;
   entry.speed = given.speed;
+  entry.speedFor_s = given.speedFor;
   entry.hold_s = given.hold.value_or(0);
+  if (moment.isMiddle && entry.speed && !entry.speedFor_s && entry.hold_s == 0) entry.speedFor_s = kSpeedAround_s;
   entry.azimuth_rad = given.azimuth;
   entry.elevation_rad = given.elevation;
   entry.zoom = given.zoom;
   entry.turn_rad = given.turn.value_or(0);
+  entry.caption = given.caption;
+  entry.captionFor_s = given.captionFor;
   return entry;
 }
 
-/// Returns the captions of the film. Each lasts until the next caption begins, or for the time that the scene
-/// gives. A caption without text only ends the previous caption.
-std::vector<Caption> captionsOf(const std::vector<TimelineDraft>& byTime, double duration_s) {
-  std::vector<Caption> captions;
-  for (const TimelineDraft& entry : byTime) {
+/// Adds notes for captions that the next caption hides, in part or completely.
+void doubtCaptions(const std::vector<TimelineEntry>& byTime, Findings& findings) {
+  const TimelineEntry* before = nullptr;
+  for (const TimelineEntry& entry : byTime) {
     if (!entry.caption) continue;
-    if (!captions.empty()) captions.back().to_s = std::min(captions.back().to_s, *entry.at);
-    const double end_s = entry.captionFor ? std::min(duration_s, *entry.at + *entry.captionFor) : duration_s;
-    captions.push_back({*entry.at, end_s, *entry.caption});
+    const bool shown = before && !before->caption->empty();
+    if (shown && before->at_s == entry.at_s)
+      findings.doubt(pathOf(before->place) + ".caption",
+                     fmt::format("is never shown, because {}.caption also begins at {:g} s", pathOf(entry.place),
+                                 entry.at_s));
+    else if (shown && before->captionFor_s && before->at_s + *before->captionFor_s > entry.at_s)
+      findings.doubt(pathOf(before->place) + ".caption_for",
+                     fmt::format("would last until {:g} s, but {}.caption replaces this caption at {:g} s",
+                                 before->at_s + *before->captionFor_s, pathOf(entry.place), entry.at_s));
+    before = &entry;
   }
-  std::erase_if(captions,
-                [](const Caption& caption) { return caption.text.empty() || !(caption.to_s > caption.from_s); });
-  return captions;
 }
 
-/// Adds notes for captions that the next caption hides, in part or completely.
-/// @param byTime  indices of the entries with a time, in the order of time
-void doubtCaptions(const std::vector<TimelineDraft>& entries, const std::vector<std::size_t>& byTime,
-                   Findings& findings) {
-  std::optional<std::size_t> before;
-  for (const std::size_t i : byTime) {
-    if (!entries[i].caption) continue;
-    const TimelineDraft* earlier = before ? &entries[*before] : nullptr;
-    const bool shown = earlier && !earlier->caption->empty();
-    if (shown && *earlier->at == *entries[i].at)
-      findings.doubt(
-          pathOf(*before) + ".caption",
-          fmt::format("is never shown, because {}.caption also begins at {:g} s", pathOf(i), *entries[i].at));
-    else if (shown && earlier->captionFor && *earlier->at + *earlier->captionFor > *entries[i].at)
-      findings.doubt(pathOf(*before) + ".caption_for",
-                     fmt::format("would last until {:g} s, but {}.caption replaces this caption at {:g} s",
-                                 *earlier->at + *earlier->captionFor, pathOf(i), *entries[i].at));
-    before = i;
+/// Places the entries in the film. Reports entries without a place, and doubtful ones.
+void place(Scene& scene, double duration_s, Findings& findings) {
+  for (const MomentProblem& problem : placeTimeline(scene)) {
+    const std::string path = pathOf(problem.place);
+    const bool isMotion = findings.has(path + ".at_motion"), isAround = findings.has(path + ".around");
+    findings.refuse(path + (isMotion ? ".at_motion" : isAround ? ".around" : ".at"), problem.message);
   }
+  for (const TimelineEntry& entry : scene.timeline.entries) doubtLasting(entry, duration_s, findings);
+  doubtCaptions(scene.timeline.entries, findings);
 }
 
 }  // namespace
@@ -108,25 +127,19 @@ void askForShown(Draft& draft, const Findings& findings) {
     }
 }
 
-Timeline assembleTimeline(const Draft& draft, double duration_s, Findings& findings) {
+void assembleTimeline(const Draft& draft, Findings& findings, Scene& scene) {
   // If the duration is invalid, no entry is reported as beyond the end of the film.
-  const double end_s = findings.isUnsure("time.duration") ? HUGE_VAL : duration_s;
-  std::vector<TimelineDraft> all, entries;
-  std::vector<std::size_t> byTime;
+  const double end_s = findings.isUnsure("time.duration") ? HUGE_VAL : scene.time.duration_s;
+  bool refersToMotion = false;
   for (std::size_t i = 0; i < findings.count("timeline"); ++i) {
     const TimelineDraft entry = given(draft, i);
-    checkWhen(entry, pathOf(i), end_s, findings);
+    const auto moment = momentOf(entry, pathOf(i), end_s, findings);
     checkWhat(entry, pathOf(i), findings);
-    doubtHold(entry, pathOf(i), end_s, findings);
-    all.push_back(entry);
-    if (entry.at) byTime.push_back(i);
+    if (!moment) continue;
+    scene.timeline.entries.push_back(entryOf(entry, i, *moment));
+    refersToMotion = refersToMotion || moment->kind != Moment::Kind::kFilm;
   }
-  std::ranges::stable_sort(byTime, {}, [&](std::size_t i) { return *all[i].at; });
-  doubtCaptions(all, byTime, findings);
-  for (const std::size_t i : byTime) entries.push_back(all[i]);
-  Timeline timeline{{}, captionsOf(entries, duration_s)};
-  for (const TimelineDraft& entry : entries) timeline.entries.push_back(entryOf(entry));
-  return timeline;
+  if (!refersToMotion || findings.none()) place(scene, end_s, findings);
 }
 
 }  // namespace poinsot::scene

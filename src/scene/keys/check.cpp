@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/number.h"
 #include "core/rational.h"
 #include "core/text.h"
 #include "scene/document/text_lines.h"
@@ -77,6 +78,8 @@ class Checker {
         return someNumbers(node);
       case ValueType::kPair:
         return wrapped(numbers(node, 2));
+      case ValueType::kMoment:
+        return moment(node);
       case ValueType::kLines:
         return lines(node);
     }
@@ -159,6 +162,23 @@ class Checker {
     if (text && !key_.words.empty() && !parseQuantity(*text, key_.dimension).ok()) return refuseType(node);
     const auto value = number(node);
     return value ? std::optional<Checked>(*value) : std::nullopt;
+  }
+
+  std::optional<Checked> moment(const Node& node) {
+    if (const auto* text = node.as<std::string>(); text && !parseQuantity(*text, key_.dimension).ok()) {
+      const auto event = numberedWord(*text);
+      return event ? std::optional<Checked>(*event) : refuseType(node);
+    }
+    const auto value = number(node);
+    return value ? std::optional<Checked>(*value) : std::nullopt;
+  }
+
+  std::optional<NumberedWord> numberedWord(std::string_view text) const {
+    const std::size_t blank = text.find(' ');
+    const auto word = std::ranges::find(key_.words, text.substr(0, blank));
+    const auto number = blank == text.npos ? 1 : core::parseInteger<int>(core::trimmed(text.substr(blank)));
+    if (word == key_.words.end() || !number || *number < 1) return std::nullopt;
+    return NumberedWord{static_cast<int>(word - key_.words.begin()), *number};
   }
 
   std::optional<Checked> integer(const Node& node) {

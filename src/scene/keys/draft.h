@@ -111,7 +111,8 @@ struct AngleDraft {
 
 /// Values of the keys of one timeline entry. `shown` and `hidden` are indices into timelineThings().
 struct TimelineDraft {
-  std::optional<double> at, over, captionFor, speed, hold, azimuth, turn, elevation, zoom;
+  std::optional<Moment> at, around;
+  std::optional<double> atMotion, over, captionFor, speed, speedFor, hold, azimuth, turn, elevation, zoom;
   std::vector<int> shown, hidden;
   std::optional<std::string> caption;
 };

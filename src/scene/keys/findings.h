@@ -20,6 +20,8 @@ class Findings {
            Problems& problems)
       : given_(given), refused_(refused), file_(file), problems_(problems) {}
 
+  /// Returns whether no problem is reported so far.
+  bool none() const { return problems_.empty(); }
   const Limits& limits() const { return given_.limits; }
   bool has(std::string_view path) const { return given_.values.contains(path); }
   /// Returns whether the value is given and failed its own check. The failure is already reported.

@@ -39,7 +39,8 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"roll pitch yaw", "motion.roll_pitch_yaw", "", "", Carry::kList},
     {"rpy roll_pitch_yaw", "motion.roll_pitch_yaw"},
     {"heading ypr yaw_pitch_roll", "motion.roll_pitch_yaw", "", "", Carry::kNothing},
-    {"roll_rate pitch_rate yaw_rate roll_dot pitch_dot yaw_dot", kAngleRates, "", kInBodyAxes, Carry::kNothing},
+    {"roll_rate pitch_rate yaw_rate roll_dot pitch_dot yaw_dot", "motion.omega_body", "", kInBodyAxes,
+     Carry::kNothing},
 
     // Moments of inertia
     {"Ixx Ixy Ixz Iyy Iyz Izz", kTensor, "", "", Carry::kTensor},

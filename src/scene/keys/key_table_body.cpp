@@ -12,7 +12,6 @@ using enum Dimension;
 
 constexpr Range kProducts{.least = kLeastMoment, .most = kMostMoment, .ofSize = true};  // for products of inertia
 constexpr Range kDensities{.least = 1e-30, .most = 1e30};
-constexpr Range kTurns{.least = -360, .most = 360, .unit = "deg"};
 
 template <class F>
 Put intoPart(F place) {
@@ -171,7 +170,7 @@ std::vector<Key> partPlaceKeys() {
        .put = intoPart([](PieceDraft& p) { return &p.axis; })},
       {.path = "body.part[].angle",
        .dimension = kAngle,
-       .range = kTurns,
+       .range = kFullTurns,
        .example = "\"30 deg\"",
        .help = "Angle by which the part is turned about `axis`, by the right-hand rule.",
        .put = intoPart([](PieceDraft& p) { return &p.angle; })},

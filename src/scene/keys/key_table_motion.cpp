@@ -15,7 +15,6 @@ constexpr Range kEnergies{.least = 1e-140, .most = 1e140};
 constexpr Range kTilts{.least = 0, .most = 89.999, .unit = "deg"};  // at 90 deg, the spin about the axis is 0
 constexpr Range kPeriods{.least = 1e-20, .most = 1e20};
 constexpr Range kLeans{.least = 0, .most = 180, .unit = "deg"};
-constexpr Range kTurns{.least = -360, .most = 360, .unit = "deg"};
 constexpr Range kTiltSides{.least = -360, .most = 360, .unit = "deg"};
 constexpr Range kPhases{.least = 0, .most = 0.999999999};   // 1 is the same phase as 0
 constexpr Range kTolerances{.least = 1e-14, .most = 1e-3};  // between rounding errors and visible errors
@@ -218,10 +217,10 @@ std::vector<Key> eulerKeys() {
           "Angle phi of the Euler angles in the order z, x, z, at motion time 0. The body is turned by `spin` "
           "about the world's z, then by `nutation` about the world's x, then by `precession` about the world's "
           "z.",
-          kTurns, &E::precession),
+          kFullTurns, &E::precession),
       eulerKey("nutation", "\"60 deg\"", "Angle theta between the body's z axis and the world's z axis.", kLeans,
                &E::nutation),
-      eulerKey("spin", "\"45 deg\"", "Angle psi by which the body is turned about its own z axis.", kTurns,
+      eulerKey("spin", "\"45 deg\"", "Angle psi by which the body is turned about its own z axis.", kFullTurns,
                &E::spin),
       eulerRateKey("precession", "Rate of the Euler angle phi: the body turns about the world's z.",
                    &E::precession),
@@ -247,7 +246,7 @@ std::vector<Key> attitudeKeys() {
       {.path = "motion.roll_pitch_yaw",
        .type = kVector,
        .dimension = kAngle,
-       .range = kTurns,
+       .range = kFullTurns,
        .example = "[\"10 deg\", 0, \"90 deg\"]",
        .help =
            "Roll, pitch and yaw of the body at motion time 0, as for aircraft and robots. From the world's axes, "

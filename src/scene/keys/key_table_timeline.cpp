@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "scene/event_kinds.h"
 #include "scene/keys/key_tables.h"
 #include "scene/keys/put.h"
 
@@ -21,15 +22,49 @@ Put intoEntry(F place) {
 
 std::vector<std::string_view> things() { return {timelineThings().begin(), timelineThings().end()}; }
 
+std::vector<std::string_view> events() {
+  std::vector<std::string_view> words;
+  for (const EventKind& kind : eventKinds()) words.push_back(kind.word);
+  return words;
+}
+
+Moment momentOf(const Checked& value, bool isMiddle) {
+  if (const auto* event = std::get_if<NumberedWord>(&value))
+    return {Moment::Kind::kEvent, 0, event->index, event->number, isMiddle};
+  return {Moment::Kind::kFilm, std::get<double>(value), 0, 1, isMiddle};
+}
+
+Key momentKey(std::string path, std::string_view example, std::string_view help,
+              std::optional<Moment> TimelineDraft::*moment, bool isMiddle) {
+  return {.path = "timeline[]." + path,
+          .type = kMoment,
+          .dimension = kTime,
+          .range = kFilmTime,
+          .words = events(),
+          .example = example,
+          .help = help,
+          .put = [moment, isMiddle](Draft& d, std::size_t i, const Checked& value) {
+            elementAt(d.timeline, i).*moment = momentOf(value, isMiddle);
+          }};
+}
+
 std::vector<Key> whenKeys() {
   return {
-      {.path = "timeline[].at",
+      momentKey("at", "\"4 s\"",
+                "Film time at which the changes of this timeline entry begin, or an event of the motion, such as "
+                "\"flip 2\". Events are counted from the begin of the film, in the order in which the film shows "
+                "them; `info` lists them. The entries of a timeline may be in any order.",
+                &TimelineDraft::at, false),
+      {.path = "timeline[].at_motion",
        .dimension = kTime,
-       .range = kFilmTime,
-       .example = "\"4 s\"",
-       .help = "Film time at which the changes of this timeline entry begin. The entries of a timeline may be in "
-               "any order.",
-       .put = intoEntry([](TimelineDraft& e) { return &e.at; })},
+       .range = kInstants,
+       .example = "\"12 s\"",
+       .help = "Motion time at which the changes of this timeline entry begin, instead of `at`.",
+       .put = intoEntry([](TimelineDraft& e) { return &e.atMotion; })},
+      momentKey("around", "\"flip 1\"",
+                "Film time or event in the middle of a slow motion or a pause, instead of `at`. The entry begins "
+                "so early that the film shows this moment half-way through `speed_for`, or during `hold`.",
+                &TimelineDraft::around, true),
       {.path = "timeline[].over",
        .dimension = kTime,
        .range = kFilmTime,
@@ -81,6 +116,13 @@ std::vector<Key> paceKeys() {
        .help =
            "Factor on time.speed from this entry on: 0.2 is slow motion, 1 is normal speed, 0 is a standstill.",
        .put = intoEntry([](TimelineDraft& e) { return &e.speed; })},
+      {.path = "timeline[].speed_for",
+       .dimension = kTime,
+       .range = {.least = 0, .most = usual(Limit::kDuration), .limit = Limit::kDuration},
+       .example = "\"4 s\"",
+       .help = "Duration of `speed`, after which the speed from before this entry returns. By default, the speed "
+               "stays until a later entry changes it; with `around`, the default is 2 s.",
+       .put = intoEntry([](TimelineDraft& e) { return &e.speedFor; })},
       {.path = "timeline[].hold",
        .dimension = kTime,
        .range = kFilmTime,

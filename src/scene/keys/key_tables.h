@@ -19,6 +19,7 @@ constexpr Range kMoments{.least = kLeastMoment, .most = kMostMoment};
 constexpr Range kMasses{.least = kLeastMoment, .most = kMostMoment};
 constexpr Range kSpins{.least = kLeastSpin, .most = kMostSpin, .ofSize = true};  // a component may also be 0
 constexpr double kLongestUnit = 40;                                              // characters; no unit needs more
+constexpr Range kFullTurns{.least = -360, .most = 360, .unit = "deg"};
 constexpr Range kInstants{.least = -kMostInstant_s, .most = kMostInstant_s};  // time times spin does not overflow
 constexpr Range kExtent{.least = 1e-12, .most = 1e12};                        // the renderer uses floats
 constexpr Range kPositions{.least = 1e-12, .most = 1e12, .ofSize = true};

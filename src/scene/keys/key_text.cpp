@@ -57,6 +57,8 @@ std::string rangeText(const Key& key) {
       return "norm " + numbersText(key);
     case ValueType::kPixels:
       return numbersText(key) + ", even";
+    case ValueType::kMoment:
+      return fmt::format("{}, or one of \"{}\" and a number", numbersText(key), core::joined(key.words, "\", \""));
     case ValueType::kWords:
       return fmt::format("{}, each once", key.wordList.empty()
                                               ? fmt::format("\"{}\"", core::joined(key.words, "\", \""))
@@ -105,6 +107,9 @@ std::string typeText(const Key& key) {
       return fmt::format("an array of words of \"{}\"", core::joined(key.words, "\", \""));
     case ValueType::kPair:
       return "an array of " + several(key, "two");
+    case ValueType::kMoment:
+      return fmt::format("{}, or an event and its number, such as \"{} 1\" (events are {})",
+                         quantityName(key.dimension), key.words[0], core::joined(key.words, ", "));
     case ValueType::kLines:
       return "text, or an array of lines";
   }

@@ -37,6 +37,7 @@ enum class ValueType {
   kWords,       ///< array of some of `words`, none repeated
   kNumbers,     ///< array of 1 to kMostNumbers numbers
   kPair,        ///< two numbers
+  kMoment,      ///< number, or one of `words`, which may be followed by a number from 1: "flip 2"
   kLines,       ///< array of lines, or text with line ends; `range` limits the characters of a line
 };
 
@@ -56,9 +57,15 @@ struct Word {
   int index = 0;
 };
 
+/// One of the words in Key::words and a number, such as "flip 2".
+struct NumberedWord {
+  int index = 0;
+  int number = 1;
+};
+
 /// Value that passed the check of its key, in SI units.
 using Checked = std::variant<bool, std::int64_t, double, std::string, std::vector<double>, core::Rational, Word,
-                             std::vector<Word>, std::vector<std::string>>;
+                             NumberedWord, std::vector<Word>, std::vector<std::string>>;
 
 struct Key {
   std::string path;  ///< path such as "camera.fov"; "body.part[].mass" for a key of all elements of [[body.part]]

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/number.h"
+#include "core/text.h"
 #include "scene/document/document.h"
 #include "scene/keys/key_text.h"
 #include "scene/keys/keys.h"
@@ -90,6 +91,13 @@ Json number(const Key& key) {
   return {{"anyOf", any}};
 }
 
+/// Returns the schema of a number, or of a word that may be followed by a number.
+Json moment(const Key& key) {
+  const std::string pattern = fmt::format("^({})( +[1-9][0-9]{{0,8}} *)?$", core::joined(key.words, "|"));
+  return {{"anyOf",
+           Json::array({bareNumber(key, "number"), quantity(key), {{"type", "string"}, {"pattern", pattern}}})}};
+}
+
 Json arrayOf(Json items, int least, int most) {
   return {{"type", "array"}, {"items", std::move(items)}, {"minItems", least}, {"maxItems", most}};
 }
@@ -165,6 +173,8 @@ Json typeSchema(const Key& key) {
       return arrayOf(number(key), 1, static_cast<int>(kMostNumbers));
     case ValueType::kPair:
       return arrayOf(number(key), 2);
+    case ValueType::kMoment:
+      return moment(key);
     case ValueType::kLines:
       return lines(key);
   }
@@ -195,7 +205,7 @@ void addRequired(Json& json, const std::string& table) {
   if (table == "vector[]")
     json["oneOf"] = {required({"components"}), required({"position_of"}), required({"velocity_of"})};
   if (table == "angle[]") json["required"] = {"between"};
-  if (table == "timeline[]") json["required"] = {"at"};
+  if (table == "timeline[]") json["oneOf"] = {required({"at"}), required({"at_motion"}), required({"around"})};
   if (table == "plot[]") json["required"] = {"quantities"};
   if (table == "readout[]") json["required"] = {"quantity"};
   if (table == "note[]") json["required"] = {"text"};

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 #include "core/expect.h"
 #include "physics/motion.h"
+#include "scene/motion/first_where.h"
 
 namespace poinsot::scene {
 namespace {
@@ -17,17 +17,21 @@ struct Change {
 };
 
 /// Returns the changes of speed in the timeline, sorted by time. An entry with a speed makes one change. A hold
-/// makes two changes, to 0 and back.
+/// makes two changes, to 0 and back, and so does a speed with a duration.
 std::vector<Change> changesOf(const Timeline& timeline) {
   std::vector<Change> changes;
   double pace = 1;
   for (const TimelineEntry& entry : timeline.entries) {
+    const double before = pace;
     if (entry.speed) pace = *entry.speed;
     if (entry.hold_s > 0) {
       changes.push_back({entry.at_s, entry.over_s, 0});
       changes.push_back({entry.at_s + entry.over_s + entry.hold_s, entry.over_s, pace});
     } else if (entry.speed) {
       changes.push_back({entry.at_s, entry.over_s, pace});
+      if (!entry.speedFor_s) continue;
+      pace = before;
+      changes.push_back({entry.at_s + entry.over_s + *entry.speedFor_s, entry.over_s, pace});
     }
   }
   std::ranges::stable_sort(changes, {}, &Change::at_s);
@@ -38,18 +42,6 @@ EasedTrack paceOf(const Timeline& timeline) {
   EasedTrack track(1);
   for (const Change& change : changesOf(timeline)) track.turnTo(change.at_s, change.over_s, change.pace);
   return track;
-}
-
-/// Returns the first number from `low` to `high` at which a condition holds, to the last bit. The condition must
-/// hold at `high`, and at every number above one at which it holds.
-template <class Condition>
-double firstWhere(const Condition& holds, double low, double high) {
-  if (holds(low)) return low;
-  for (;;) {
-    const double middle = std::midpoint(low, high);
-    if (middle <= low || middle >= high) return high;
-    (holds(middle) ? high : low) = middle;
-  }
 }
 
 double finite(double t_s) {

@@ -13,6 +13,7 @@
 #include "scene/motion/film_clock.h"
 #include "scene/motion/heavy_top_start.h"
 #include "scene/motion/make_motion.h"
+#include "scene/motion/place_timeline.h"
 
 namespace poinsot::scene {
 namespace {
@@ -100,6 +101,19 @@ void fitFilm(Scene& scene, const FilmClock& clock, double period_s, const Limits
   time.speed = std::copysign(period_s / played_s, clock.speed());
 }
 
+/// Places the timeline in the fitted film. Entries at events move with the speed, and the speed follows from the
+/// timeline, so both are repeated until nothing changes.
+void fitEvents(Scene& scene, double period_s, const Limits& limits) {
+  constexpr int kMostRounds = 50;
+  for (int round = 0; round < kMostRounds; ++round) {
+    for (const MomentProblem& problem : placeTimeline(scene))
+      throw core::sceneError(fmt::format("timeline[{}]: {}", problem.place, problem.message));
+    const std::optional<double> before = scene.time.speed;
+    fitFilm(scene, FilmClock(0, *before, scene.timeline), period_s, limits);
+    if (scene.time.speed == before) return;
+  }
+}
+
 }  // namespace
 
 void closeLoop(Scene& scene, const Limits& limits) {
@@ -121,8 +135,9 @@ void closeLoop(Scene& scene, const Limits& limits) {
   loop.turned_rad = closed.turned_rad;
   loop.change = drawn_P.isZero(0) ? 0 : closed.change / drawn_P.norm();
   loop.mismatch_rad = closed.mismatch_rad;
-  fitFilm(scene, clock, closed.period_s, limits);
   scene.motion.omega_B = scene.body.axes.toB(undrawnOmega_P(scene, closed.omega0_P));
+  fitFilm(scene, clock, closed.period_s, limits);
+  fitEvents(scene, closed.period_s, limits);
   scene.time.loop = loop;
 }
 

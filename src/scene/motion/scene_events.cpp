@@ -8,33 +8,22 @@
 namespace poinsot::scene {
 namespace {
 
-// The index is a physics::MotionEventKind, except for the last kind.
-constexpr EventKind kKinds[] = {
-    {"flip", "flips", "omega_mid changes sign"},
-    {"reversal", "reversals along the middle axis", "omega_mid changes sign, without a flip"},
-    {"separatrix", "crossings of the separatrix", "L^2 - 2 T I_mid changes sign"},
-    {"least_tilt", "nutation: least tilt", "turning point"},
-    {"largest_tilt", "nutation: largest tilt", "turning point"},
-    {"highest_point", "highest point of the flight", "V_z = 0"},
-};
-constexpr int kHighestPoint = 5;
-
 bool within(double t_s, const physics::TimeSpan& span) {
   return std::min(span.from_s, span.to_s) <= t_s && t_s <= std::max(span.from_s, span.to_s);
 }
 
 }  // namespace
 
-std::span<const EventKind> eventKinds() { return kKinds; }
-
 std::vector<SceneEvent> sceneEvents(const Scene& scene, const physics::Motion& motion, const FilmClock& clock,
                                     const physics::TimeSpan& span) {
   std::vector<SceneEvent> events;
   for (const physics::MotionEvent& event : physics::motionEvents(motion, scene.motion.forcing, span))
     events.push_back({static_cast<int>(event.kind), event.t_s, {}});
-  if (scene.motion.flight && !scene.motion.flight->gravity_W.isZero(0))
-    if (const double top_s = scene.motion.flight->top().t_s; within(top_s, span))
-      events.push_back({kHighestPoint, top_s, {}});
+  if (scene.motion.flight && !scene.motion.flight->gravity_W.isZero(0)) {
+    const double top_s = scene.motion.flight->top().t_s;
+    if (within(top_s, span)) events.push_back({kHighestPoint, top_s, {}});
+    if (top_s > 0 && within(2 * top_s, span)) events.push_back({kCatch, 2 * top_s, {}});
+  }
   const bool backwards = span.to_s < span.from_s;
   std::ranges::stable_sort(
       events, [&](const SceneEvent& a, const SceneEvent& b) { return backwards ? a.t_s > b.t_s : a.t_s < b.t_s; });

@@ -2,26 +2,15 @@
 #pragma once
 
 #include <optional>
-#include <span>
-#include <string_view>
 #include <vector>
 
 #include "physics/driven_motion.h"
 #include "physics/motion.h"
+#include "scene/event_kinds.h"
 #include "scene/motion/film_clock.h"
 #include "scene/scene.h"
 
 namespace poinsot::scene {
-
-/// Kind of an event of a scene: the kinds of physics::MotionEventKind, and the highest point of a flight.
-struct EventKind {
-  std::string_view word;     ///< word in files, such as "flip"
-  std::string_view plural;   ///< name in a table, such as "flips"
-  std::string_view meaning;  ///< condition of the event, such as "omega_mid changes sign"
-};
-
-/// Returns all kinds, in the order of the reference. Events store indices into this list.
-std::span<const EventKind> eventKinds();
 
 /// Instant at which something happens in a scene.
 struct SceneEvent {
