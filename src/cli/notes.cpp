@@ -15,6 +15,7 @@
 #include "scene/motion/make_motion.h"
 #include "stage/palette.h"
 #include "stage/stage.h"
+#include "stage/type/lettering.h"
 
 namespace poinsot::cli {
 
@@ -81,6 +82,41 @@ float smallestType_px(const draw::Picture& picture) {
   return smallest;
 }
 
+bool isHall(const scene::Style& style) { return style.preset == scene::StylePreset::kHall; }
+
+/// Returns whether a camera of the scene may leave out a part of the motion.
+bool isAimed(const scene::Scene& scene) {
+  const auto aims = [](const scene::View& view) { return view.camera.zoom > 1 || !view.camera.shift.isZero(0); };
+  const auto zooms = [](const scene::TimelineEntry& entry) { return entry.zoom.value_or(1) > 1; };
+  return std::ranges::any_of(scene.views, aims) || std::ranges::any_of(scene.timeline.entries, zooms);
+}
+
+std::string smallTypeNote(const job::RenderRequest& render, const draw::Picture& picture) {
+  constexpr double kLegible_px = 7;  // text size at which the letter x is 3 pixels high
+  constexpr double kLegible_pt = 5;  // minimum text size that publishers accept
+  const auto& [sweep, print] = std::tie(render.scene.request.sweep, render.form.print);
+  const bool hall = !print && isHall(render.scene.scene.style);
+  const double smallest_px = smallestType_px(picture), share = smallest_px / picture.size_px.y;
+  if (hall && share < stage::kHallType * (1 - 1e-6))
+    return line(
+        fmt::format("the smallest text is {:.2g} % of the picture's height, less than the {:.2g} % of style "
+                    "\"hall\"; fewer {} make it larger",
+                    100 * share, 100 * stage::kHallType, sweep ? "cells" : "panels or words"));
+  if (!sweep && !print) return "";
+  const double smallest = print ? smallest_px * kPointsPerInch / print->dpi : smallest_px;
+  if (smallest >= (print ? kLegible_pt : kLegible_px)) return "";
+  return line(
+      fmt::format("the smallest text is {:.2g} {}; a larger {} or fewer {} make it larger", smallest,
+                  print ? "pt high, which is hard to read on paper" : "px high, which is too small to read",
+                  print ? "--width" : "--size", sweep ? "cells" : "panels"));
+}
+
+std::string cutOffNote(const draw::Picture& picture) {
+  if (std::ranges::none_of(picture.panels, [](const draw::Panel& panel) { return panel.list.isCutOff; }))
+    return "";
+  return line("the zoom or the shift of the camera leaves a part of the motion outside the picture");
+}
+
 }  // namespace
 
 std::string doubtNotes(const scene::Scene& scene) {
@@ -96,22 +132,16 @@ std::string choiceNotes(const scene::Scene& scene, bool film) {
   return notes + flightNote(scene) + torqueNote(scene) + faintTypeNote(scene);
 }
 
-std::string smallTypeNote(const job::RenderRequest& render) {
-  constexpr double kLegible_px = 7;  // text size at which the letter x is 3 pixels high
-  constexpr double kLegible_pt = 5;  // minimum text size that publishers accept
-  const auto& [sweep, print] = std::tie(render.scene.request.sweep, render.form.print);
-  if (!sweep && !print) return "";
+std::string pictureNotes(const job::RenderRequest& render) {
   const scene::Scene& scene = render.scene.scene;
+  const bool isSmall = render.scene.request.sweep || render.form.print || isHall(scene.style);
+  if (!isSmall && !isAimed(scene)) return "";  // to compose a picture, the motion must be computed
   const glm::ivec2 size_px(scene.output.width, scene.output.height);
   const stage::Moment moment(render.time_s.value_or(scene.time.stillTime_s()), true);
-  const double smallest_px = smallestType_px(
-      request::composerOf(render.scene)->compose(moment, size_px, request::sizingOf(render.form, size_px)));
-  const double smallest = print ? smallest_px * kPointsPerInch / print->dpi : smallest_px;
-  if (smallest >= (print ? kLegible_pt : kLegible_px)) return "";
-  return line(
-      fmt::format("the smallest text is {:.2g} {}; a larger {} or fewer {} make it larger", smallest,
-                  print ? "pt high, which is hard to read on paper" : "px high, which is too small to read",
-                  print ? "--width" : "--size", sweep ? "cells" : "panels"));
+  const draw::Picture picture =
+      request::composerOf(render.scene)
+          ->compose(moment, size_px, request::sizingOf(render.form, scene.style, size_px));
+  return smallTypeNote(render, picture) + cutOffNote(picture);
 }
 
 std::string rendererNotes(const std::set<std::string>& renderers) {

@@ -16,8 +16,9 @@ std::string doubtNotes(const scene::Scene& scene);
 /// @param film  whether the output has more than one frame
 std::string choiceNotes(const scene::Scene& scene, bool film);
 
-/// Returns a note if text is too small to read, in a sweep or on paper. Otherwise, the text is empty.
-std::string smallTypeNote(const job::RenderRequest& render);
+/// Returns notes on a picture of the request: text that is too small to read, in a sweep, on paper or in a lecture
+/// hall, and a camera that cuts off a part of the motion.
+std::string pictureNotes(const job::RenderRequest& render);
 
 /// Returns a note for each slow renderer whose pictures differ from those of other machines.
 /// @param renderers  GL_RENDERER of the processes that drew; empty texts are ignored

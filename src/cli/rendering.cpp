@@ -248,7 +248,7 @@ int renderTo(const RenderOptions& options, RequestedFilm film, job::RenderChoice
     render.workers = workersOf(options, render);
     const scene::Scene& scene = render.scene.scene;
     if (!options.quiet && options.progress != "json")
-      writeErr(choiceNotes(scene, render.frames.count() > 1) + smallTypeNote(render) +
+      writeErr(choiceNotes(scene, render.frames.count() > 1) + pictureNotes(render) +
                sharedSubtitlesNote(render.target, scene, render.frames) + shaderCacheNote(render));
     return options.dryRun ? describe(render) : make(options, std::move(render), parts);
   });

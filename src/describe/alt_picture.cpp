@@ -6,6 +6,7 @@
 
 #include "core/text.h"
 #include "describe/alt_sections.h"
+#include "describe/language.h"
 #include "draw/color.h"
 #include "scene/state_quantity.h"
 #include "stage/palette.h"
@@ -95,7 +96,10 @@ const std::vector<Thing>& thingsOfBody() {
   static const std::vector<Thing> things{
       {"the body", [](const scene::Show& s) { return s.body.visible; }},
       {"paler poses of it at other times", [](const scene::Show& s) { return s.figures.ghosts.visible; }},
-      {"its principal axes e1, e2 and e3", [](const scene::Show& s) { return s.principalAxes.visible; }},
+      {"its principal axes e1, e2 and e3",
+       [](const scene::Show& s) { return s.principalAxes.visible && s.principalAxes.axes.size() == 3; }},
+      {"some of its principal axes",
+       [](const scene::Show& s) { return s.principalAxes.visible && s.principalAxes.axes.size() < 3; }},
       {"the main axis k", [](const scene::Show& s) { return s.figures.mainAxis.visible; }},
       {"the body cone about it", [](const scene::Show& s) { return s.figures.cones.visible; }},
       {"the path of a point of the body", [](const scene::Show& s) { return s.figures.trace.visible; }}};
@@ -106,7 +110,7 @@ std::vector<std::string> shown(const std::vector<Thing>& things, const std::vect
   std::vector<std::string> words;
   for (const Thing& thing : things)
     if (std::ranges::any_of(views, [&](const scene::View& view) { return thing.seen(view.show); }))
-      words.emplace_back(thing.words);
+      words.push_back(say(thing.words));
   return words;
 }
 
@@ -123,7 +127,7 @@ Sentences colorSentences(const scene::Scene& scene) {
   Sentences sentences;
   for (const Family& family : families)
     if (!family.things.empty())
-      sentences.push_back(fmt::format("In {}: {}.", colorName(family.color), family.things));
+      sentences.push_back(say("In {}: {}.", say(colorName(family.color)), family.things));
   return sentences;
 }
 
@@ -139,7 +143,7 @@ std::string otherWords(const scene::Scene& scene) {
   for (const std::string& angle : shown({theta}, scene.views)) words.push_back(angle);
   const auto add = [&](const char* what, const std::string& tex) {
     const std::string name = text::setTex(tex).plainText;
-    words.push_back(name.empty() ? what : fmt::format("{} “{}”", what, name));
+    words.push_back(name.empty() ? say(what) : say("{} “{}”", say(what), name));
   };
   for (const scene::NamedVector& vector : scene.vectors) add("an arrow", vector.name);
   for (const scene::NamedAngle& angle : scene.angles) add("an angle", angle.name);
@@ -168,25 +172,24 @@ std::string headingWords(const scene::View& view) {
 /// string if the view moves with the body.
 std::string flightWords(const scene::Scene& scene, const scene::View& view) {
   if (!scene::movesAlong(scene.motion, view.camera, view.show)) return "";
-  std::vector<std::string> things{"the path of its centre of mass"};
+  std::vector<std::string> things{say("the path of its centre of mass")};
   const auto& flight = view.show.figures.flight;
-  if (flight.position) things.emplace_back("an arrow from the origin to where it is");
-  if (flight.velocity) things.emplace_back("an arrow for its velocity");
-  if (flight.weight) things.emplace_back("an arrow for its weight");
-  return ", with " + listWords(things);
+  if (flight.position) things.push_back(say("an arrow from the origin to where it is"));
+  if (flight.velocity) things.push_back(say("an arrow for its velocity"));
+  if (flight.weight) things.push_back(say("an arrow for its weight"));
+  return say(", with {}", listWords(things));
 }
 
 Sentences viewSentences(const scene::Scene& scene) {
   const auto words = [&](const scene::View& view) {
-    return observerWords(view.camera.frame) + flightWords(scene, view);
+    return say(observerWords(view.camera.frame)) + flightWords(scene, view);
   };
-  if (scene.views.size() == 1)
-    return {fmt::format("The picture shows the motion {}.", words(scene.views.front()))};
-  Sentences sentences{fmt::format("The picture has {} panels, all at the same instant.", scene.views.size())};
+  if (scene.views.size() == 1) return {say("The picture shows the motion {}.", words(scene.views.front()))};
+  Sentences sentences{say("The picture has {} panels, all at the same instant.", scene.views.size())};
   for (std::size_t i = 0; i < scene.views.size(); ++i) {
     const std::string heading = headingWords(scene.views[i]);
-    sentences.push_back(fmt::format("Panel {}{}: {}.", i + 1, heading.empty() ? "" : ", “" + heading + "”",
-                                    words(scene.views[i])));
+    sentences.push_back(
+        say("Panel {}{}: {}.", i + 1, heading.empty() ? "" : say(", “{}”", heading), words(scene.views[i])));
   }
   return sentences;
 }
@@ -194,7 +197,7 @@ Sentences viewSentences(const scene::Scene& scene) {
 std::string quantityWords(const scene::Scene& scene, const std::vector<int>& quantities) {
   std::string words;
   for (std::size_t i = 0; i < quantities.size(); ++i) {
-    const char* between = i == 0 ? "" : i + 1 == quantities.size() ? " and " : ", ";
+    const std::string between = i == 0 ? "" : i + 1 == quantities.size() ? say(" and ") : ", ";
     words += between + text::setTex("$" + scene::quantityTex(quantities[i], scene.motion.forcing) + "$").plainText;
   }
   return words;
@@ -202,38 +205,38 @@ std::string quantityWords(const scene::Scene& scene, const std::vector<int>& qua
 
 std::string plotSentence(const scene::Scene& scene, const scene::Plot& plot) {
   const std::string across = plot.x                                ? quantityWords(scene, {*plot.x})
-                             : plot.time == scene::PlotTime::kFilm ? "the time of the film"
-                                                                   : "time";
+                             : plot.time == scene::PlotTime::kFilm ? say("the time of the film")
+                                                                   : say("time");
   const std::string title = text::setTex(plot.title).plainText;
-  return fmt::format("A plot{} shows {} against {}, with a cursor at the instant of the picture.",
-                     title.empty() ? "" : ", “" + title + "”,", quantityWords(scene, plot.quantities), across);
+  return say("A plot{} shows {} against {}, with a cursor at the instant of the picture.",
+             title.empty() ? "" : say(", “{}”,", title), quantityWords(scene, plot.quantities), across);
 }
 
 std::string readoutSentence(const scene::Scene& scene) {
   std::vector<int> quantities;
   for (const scene::Readout& readout : scene.readouts) quantities.push_back(readout.quantity);
-  return fmt::format("At the edge of the picture, {} written in numbers.",
-                     quantityWords(scene, quantities) + (quantities.size() == 1 ? " is" : " are"));
+  return say("At the edge of the picture, {} written in numbers.",
+             quantityWords(scene, quantities) + say(quantities.size() == 1 ? " is" : " are"));
 }
 
 std::string noteSentence(const scene::Note& note) {
   std::vector<std::string> lines;
   for (const std::string& line : note.lines) lines.push_back(text::setTex(line).plainText);
-  return fmt::format("Written in the picture: “{}”.", core::joined(lines, " "));
+  return say("Written in the picture: “{}”.", core::joined(lines, " "));
 }
 
 std::string exaggerationSentence(double factor) {
-  return fmt::format(
+  return say(
       "The angles between ω, L and the axis are drawn as if the part of ω across the axis were {} times larger.",
       numberWords(factor));
 }
 
 /// Returns words for the ratio of motion time to film time, such as "at 0.7 of the true pace".
 std::string paceWords(double pace) {
-  if (pace == 1) return "at the true pace";
-  if (pace > 1) return fmt::format("{} times faster than in reality", numberWords(pace));
-  return pace < 0.5 ? fmt::format("{} times slower than in reality", numberWords(1 / pace))
-                    : fmt::format("at {} of the true pace", numberWords(pace));
+  if (pace == 1) return say("at the true pace");
+  if (pace > 1) return say("{} times faster than in reality", numberWords(pace));
+  return pace < 0.5 ? say("{} times slower than in reality", numberWords(1 / pace))
+                    : say("at {} of the true pace", numberWords(pace));
 }
 
 std::string filmSentence(const scene::Scene& scene) {
@@ -241,11 +244,11 @@ std::string filmSentence(const scene::Scene& scene) {
   const double speed = clock.speed(), length_s = scene.time.duration_s;
   const double shown_s = std::abs(speed) * clock.played_s(length_s);
   const std::string length = timeWords(length_s);
-  if (speed == 0) return fmt::format("The film lasts {}; the motion stands still.", length);
-  return fmt::format("The film lasts {} and shows {} of motion{}, {}{}.", length, timeWords(shown_s),
-                     speed < 0 ? " backwards" : "",
-                     clock.changes() ? "at a pace that changes" : paceWords(std::abs(speed)),
-                     scene.time.loop ? "; then it repeats without a jump" : "");
+  if (speed == 0) return say("The film lasts {}; the motion stands still.", length);
+  return say("The film lasts {} and shows {} of motion{}, {}{}.", length, timeWords(shown_s),
+             speed < 0 ? say(" backwards") : "",
+             clock.changes() ? say("at a pace that changes") : paceWords(std::abs(speed)),
+             scene.time.loop ? say("; then it repeats without a jump") : "");
 }
 
 }  // namespace
@@ -254,7 +257,7 @@ Sentences pictureSentences(const scene::Scene& scene) {
   Sentences sentences = viewSentences(scene);
   for (const std::string& sentence : colorSentences(scene)) sentences.push_back(sentence);
   if (const std::string others = otherWords(scene); !others.empty())
-    sentences.push_back(fmt::format("Also shown: {}.", others));
+    sentences.push_back(say("Also shown: {}.", others));
   for (const scene::Plot& plot : scene.plots) sentences.push_back(plotSentence(scene, plot));
   if (!scene.readouts.empty()) sentences.push_back(readoutSentence(scene));
   for (const scene::Note& note : scene.notes) sentences.push_back(noteSentence(note));

@@ -189,6 +189,7 @@ struct DrawList {
   std::vector<GlassPolygon> glassPolygons;
   std::vector<GridPlane> planes;
   std::vector<Text> texts;
+  bool isCutOff = false;  ///< whether the camera's zoom or shift leaves out a part of the motion; not drawn
 };
 
 static_assert(core::laidOut<Material, 16, 4>() && core::laidOut<Graticule, 24, 4>() &&

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "job/scene_frames.h"
 
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
 #include "core/frame_clock.h"
+#include "draw/crop.h"
 #include "figure/alpha.h"
+#include "image/ink.h"
 #include "request/requested_scene.h"
 
 namespace poinsot::job {
@@ -14,6 +20,7 @@ SceneFrames::SceneFrames(const request::RequestedScene& requested, const RenderC
       fps_(requested.scene.time.fps),
       time_s_(choices.time_s),
       form_(choices.form),
+      style_(requested.scene.style),
       medium_(medium),
       composer_(request::composerOf(requested, steps)),
       renderer_(context, steps),
@@ -51,8 +58,23 @@ void SceneFrames::compose(std::int64_t k) {
   const core::StepScope timing(steps_, core::Step::kCompose);
   const stage::Moment moment(time_s_.value_or(core::filmTime_s(k, fps_)), time_s_.has_value());
   const glm::ivec2 size_px(size_.width, size_.height);
-  picture_ = composer_->compose(moment, size_px, request::sizingOf(form_, size_px));
+  picture_ = composer_->compose(moment, size_px, request::sizingOf(form_, style_, size_px));
+  if (form_.crop) crop();
   composed_ = k;
+}
+
+// Leaves out the empty borders of the picture, except a narrow margin.
+void SceneFrames::crop() {
+  constexpr double kMargin = 0.012;  // fraction of the picture's longer side
+  render::RenderOptions options;
+  options.transparent = true;
+  const image::Frame drawn = renderer_.frame(picture_, 8, options);
+  const image::PixelRect ink = image::inkOf(std::get<image::Image>(drawn.picture));
+  if (ink.empty()) return;
+  const int margin = static_cast<int>(std::ceil(kMargin * std::max(size_.width, size_.height)));
+  const glm::ivec2 low = glm::max(glm::ivec2(ink.left, ink.top) - margin, glm::ivec2(0));
+  const glm::ivec2 high = glm::min(glm::ivec2(ink.right, ink.bottom) + margin, picture_.size_px);
+  picture_ = draw::cropped(picture_, low, high - low);
 }
 
 }  // namespace poinsot::job

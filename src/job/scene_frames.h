@@ -38,6 +38,8 @@ class SceneFrames : public FrameSource {
   core::Digest digest(std::int64_t k) override;
   /// Returns the picture of the last frame, including the parts that a figure draws as vector graphics.
   const draw::Picture& picture() const { return picture_; }
+  /// Returns the size of the frames before they are cropped.
+  image::PixelSize size() const { return size_; }
   const std::string& renderer() const { return rendererName_; }
 
  private:
@@ -46,11 +48,13 @@ class SceneFrames : public FrameSource {
               gl::OffscreenContext& context, core::StepLedger* steps);
 
   void compose(std::int64_t k);
+  void crop();
 
   image::PixelSize size_;
   core::Rational fps_;
   std::optional<double> time_s_;
   request::PictureOptions form_;
+  scene::Style style_;
   std::optional<figure::FigureMedium> medium_;
   draw::Picture picture_;
   std::optional<std::int64_t> composed_;  // frame number of picture_

@@ -18,6 +18,10 @@ SolidPart whole(const Solid& solid, double mass_kg, const Vector3d& offset_B = V
   return part;
 }
 
+SolidMark mark(const Solid& solid, const Vector3d& offset_B, MarkTone tone = MarkTone::kDark) {
+  return {whole(solid, 0, offset_B), tone};
+}
+
 CatalogueBody tHandle() {
   const THandle solid{.090, .006, .045, .006};
   const double mass_kg = volume(solid) * kAluminium;
@@ -36,11 +40,12 @@ CatalogueBody racket() {
       "racket",
       "Tennis racket",
       0.33,
-      partsOf(Racket{.68, .26}, 0.33),
+      {whole(Racket{.68, .26}, 0.33)},
       {},
       "Assumed: a hoop of 0.26 m with 0.17 kg and a thin handle of 0.42 m with 0.16 kg. The overall length is "
       "0.68 m. These sizes are within the limits of the ITF Rules of Tennis, appendix II (0.737 m by 0.317 m). "
-      "Computed: moments. Strings are left out, and the balance is further from the butt than on most rackets."};
+      "Computed: moments. Strings are left out, and the balance is further from the butt than on most rackets.",
+      {mark(Cylinder{.05, .003}, {0, 0, .003}), mark(Cylinder{.05, .003}, {0, 0, -.003}, MarkTone::kLight)}};
 }
 
 CatalogueBody book() {
@@ -53,7 +58,11 @@ CatalogueBody book() {
       {whole(solid, mass_kg)},
       {},
       "Published: ISO 216, sheets of A5, 210 mm by 148 mm. Assumed: 200 sheets of 80 g/m² and 0.1 mm, without a "
-      "cover. Computed: 20 mm thick, 0.497 kg, moments of a uniform box."};
+      "cover. Computed: 20 mm thick, 0.497 kg, moments of a uniform box.",
+      // a dark front cover with a title, and pages that show beyond the cover everywhere but at the spine
+      {mark(Box{{.207, .145, .001}}, {0, 0, .010}),
+       mark(Box{{.040, .100, .001}}, {.055, 0, .0108}, MarkTone::kLight),
+       mark(Box{{.211, .1485, .015}}, {0, .0005, 0}, MarkTone::kLight)}};
 }
 
 CatalogueBody phone() {
@@ -64,7 +73,11 @@ CatalogueBody phone() {
       {whole(Box{{.0716, .1476, .0078}}, 0.171)},
       {},
       "Published by the maker: iPhone 15, 147.6 mm by 71.6 mm by 7.8 mm, 171 g. Assumed: a uniform box. Computed: "
-      "moments. Its long axis is y."};
+      "moments. Its long axis is y.",
+      // a dark screen in front, and a dark camera with two lenses on the back
+      {mark(Box{{.0656, .1416, .0008}}, {0, 0, .0039}), mark(Box{{.030, .030, .003}}, {.016, .052, -.0039}),
+       mark(Cylinder{.006, .002}, {.0095, .0585, -.0054}, MarkTone::kLight),
+       mark(Cylinder{.006, .002}, {.0225, .0455, -.0054}, MarkTone::kLight)}};
 }
 
 CatalogueBody football() {

@@ -11,6 +11,15 @@
 
 namespace poinsot::physics {
 
+/// Tone of a mark on a body: darker or lighter than the body.
+enum class MarkTone { kDark, kLight };
+
+/// Coloured shape on a body, such as the camera of a phone. It has no mass and is only drawn.
+struct SolidMark {
+  SolidPart part;
+  MarkTone tone = MarkTone::kDark;
+};
+
 /// Real body, such as a football or an asteroid, with its mass properties and their sources.
 struct CatalogueBody {
   std::string name;  ///< identifier of the body in scene files
@@ -21,6 +30,7 @@ struct CatalogueBody {
   /// about the body's own axes, whose origin is the centre of mass.
   std::optional<PrincipalMoments> moments;
   std::string source;  ///< which numbers are published, computed or assumed, and where they come from
+  std::vector<SolidMark> marks = {};  ///< marks that show how the body has turned
 };
 
 /// Returns all bodies in the order of the lecture, from hand-held objects to celestial bodies.

@@ -42,8 +42,9 @@ std::unique_ptr<const stage::Composer> composerOf(const RequestedScene& requeste
                                              request.sweep->columns, steps);
 }
 
-stage::Sizing sizingOf(const PictureOptions& form, glm::ivec2 size_px) {
-  return form.print ? stage::printSizing(form.print->dpi) : stage::screenSizing(size_px);
+stage::Sizing sizingOf(const PictureOptions& form, const scene::Style& style, glm::ivec2 size_px) {
+  return stage::styled(form.print ? stage::printSizing(form.print->dpi) : stage::screenSizing(size_px), style,
+                       size_px);
 }
 
 }  // namespace poinsot::request

@@ -36,6 +36,7 @@ RequestedScene requestedScene(SceneRequest request);
 std::unique_ptr<const stage::Composer> composerOf(const RequestedScene& requested,
                                                   core::StepLedger* steps = nullptr);
 
-stage::Sizing sizingOf(const PictureOptions& form, glm::ivec2 size_px);
+/// Returns the sizes of text and lines in the picture of a request.
+stage::Sizing sizingOf(const PictureOptions& form, const scene::Style& style, glm::ivec2 size_px);
 
 }  // namespace poinsot::request

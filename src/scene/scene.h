@@ -14,6 +14,7 @@
 #include "core/rational.h"
 #include "core/sha256.h"
 #include "geometry/mesh.h"
+#include "physics/catalogue.h"
 #include "physics/flight.h"
 #include "physics/forcing.h"
 #include "physics/mass_properties.h"
@@ -43,12 +44,20 @@ struct Part {
   Eigen::Vector3d offset_B = Eigen::Vector3d::Zero();  ///< position of the origin of S, m
 };
 
+/// Coloured shape on a body, such as the camera of a phone. It has no mass and is only drawn.
+struct BodyMark {
+  Part part;  ///< its mass has no meaning
+  physics::MarkTone tone = physics::MarkTone::kDark;
+  std::optional<std::uint32_t> color;  ///< 0xRRGGBB in sRGB; nullopt for the colour of the tone
+};
+
 /// Rigid body. B denotes the axes and the origin that the scene file uses to describe the body.
 struct Body {
   physics::PrincipalAxes axes{physics::PrincipalMoments(Eigen::Vector3d::Ones())};  ///< about the fixed point
   std::optional<physics::MassProperties> mass;  ///< nullopt if only moments or a tensor are given
   std::optional<Eigen::Vector3d> pivot_B;       ///< fixed point of the body; nullopt for the centre of mass
   std::vector<Part> parts;                      ///< empty if only moments or a tensor are given
+  std::vector<BodyMark> marks;                  ///< marks that fit the drawn parts
 
   /// Returns the point about which the body turns, in m.
   Eigen::Vector3d fixedPoint_B() const {
@@ -108,7 +117,9 @@ struct Camera {
   double elevation_rad = 0;  ///< angle above the horizontal plane
   double fov_rad = 0;        ///< vertical field of view of a perspective
   double zoom = 1;           ///< 1 fits the complete motion into the view; 2 is twice as large
-  double orbit_rad = 0;      ///< angle that is added to the azimuth over the film, at a constant rate
+  Eigen::Vector2d shift = Eigen::Vector2d::Zero();  ///< shift of the picture to the right and up, as fractions
+                                                    ///< of the panel's width and height
+  double orbit_rad = 0;  ///< angle that is added to the azimuth over the film, at a constant rate
   CameraFrame frame = CameraFrame::kSpace;  ///< axes that are fixed in the picture
   bool follow = false;                      ///< whether the camera moves with a thrown body
 };
@@ -117,10 +128,14 @@ struct Show {
   std::string title, subtitle;  ///< text in the TeX subset of the text library
   double exaggerateAngles = 1;  ///< factor on transverse omega; if above 1, the picture states it
   bool labels = true;
+  std::optional<bool> captions;  ///< whether captions are drawn; nullopt: in films and stills, not in figures
   struct : Drawn {
     std::vector<Part> parts;  ///< parts to draw instead of those of Body; only their proportions matter
   } body;
-  Drawn principalAxes, L, omega;
+  struct : Drawn {
+    std::vector<int> axes{0, 1, 2};  ///< indices of the axes that are drawn
+  } principalAxes;
+  Drawn L, omega;
   struct : Drawn {
     double opacity = 0;
     bool graticule = true;
@@ -153,13 +168,22 @@ enum class Theme { kLight, kDark, kPrint };
 
 enum class DecimalSign { kPoint, kComma };
 
+enum class StylePreset {
+  kScreen,
+  kHall,  ///< large type and thick lines, for the last row of a lecture hall
+};
+
 struct Style {
   Theme theme = Theme::kLight;
+  StylePreset preset = StylePreset::kScreen;
   GivenColors colors;
   double lineWidth = 1;  ///< factor on the widths of all lines
   double textSize = 1;   ///< factor on the sizes of all letters
   DecimalSign decimalSign = DecimalSign::kPoint;
 };
+
+/// Language of the description of a picture. The order is the order of the key's words.
+enum class Language { kEnglish, kGerman };
 
 struct Output {
   int width = 1920;
@@ -168,6 +192,7 @@ struct Output {
   std::string codec;  ///< codec of a film; empty for the default of the film's container
   std::string chroma = "4:2:0";
   std::string effort = "medium";
+  Language language = Language::kEnglish;
 };
 
 struct InputFile {

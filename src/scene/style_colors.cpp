@@ -20,6 +20,8 @@ const std::array<ColorKey, kColorMeanings>& colorKeys() {
        "Colour of the components of omega, along the principal axes or as precession and spin."},
       {"separatrix", "\"#7D3C98\"", "The polhode between the two kinds of motion."},
       {"body", "\"#76B7A0\"", "The body itself. Its edges are a shade of this colour."},
+      {"mark", "\"#145A32\"",
+       "Marks on the body, such as the camera of a phone. By default, a dark shade of `body`."},
       {"axis", "\"#145A32\"", "Principal axes and paths of points of the body."},
       {"space_cone", "\"#004C8C\"", "The cone fixed in space. By default, the colour `L`."},
       {"body_cone", "\"#145A32\"", "The cone fixed in the body. By default, the colour `axis`."},

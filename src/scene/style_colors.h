@@ -24,6 +24,7 @@ enum class ColorMeaning {
   kOmegaParts,
   kSeparatrix,
   kBody,
+  kMark,
   kAxis,
   kSpaceCone,
   kBodyCone,
@@ -31,7 +32,7 @@ enum class ColorMeaning {
   kVector,
   kSupport,
 };
-constexpr std::size_t kColorMeanings = 19;
+constexpr std::size_t kColorMeanings = 20;
 
 /// Key of a colour in [style.colors], with the example and the help text of the reference.
 struct ColorKey {

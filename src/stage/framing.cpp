@@ -176,9 +176,23 @@ draw::Camera frameAll(const scene::Camera& camera, const Extent& extent, const M
   result.halfHeight_V = static_cast<float>(needed * fit.tanY / camera.zoom);
   const double aside_px = focal_px(fit, size_px) * Width(seen, needed).middle() * camera.zoom;
   result.centre_px.x = static_cast<float>(fit.freeMiddle_px - aside_px);
+  result.centre_px += glm::vec2(camera.shift.x(), -camera.shift.y()) * size_px;
   result.near = static_cast<float>(std::max(eye - depths.towards - slack, 0.02 * needed));
   result.far = static_cast<float>(eye + depths.away + slack);
   return result;
+}
+
+bool cutsOff(const draw::Camera& camera, const Extent& extent) {
+  constexpr float kRounding_px = 1;
+  const auto isOutside = [&](const glm::vec2& at_px, float reach_px) {
+    const glm::vec2 low = at_px - reach_px, high = at_px + reach_px - camera.size_px;
+    return std::min(low.x, low.y) < -kRounding_px || std::max(high.x, high.y) > kRounding_px;
+  };
+  const glm::vec3 origin_V(0);
+  const float ball_px = static_cast<float>(extent.ballRadius) * camera.scale_px(depthOf(camera, origin_V));
+  if (extent.ballRadius > 0 && isOutside(draw::project(camera, origin_V), ball_px)) return true;
+  return std::ranges::any_of(extent.points_V,
+                             [&](const Vector3d& p) { return isOutside(draw::project(camera, toPicture(p)), 0); });
 }
 
 }  // namespace poinsot::stage

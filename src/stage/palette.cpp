@@ -121,6 +121,8 @@ Palette palette(const scene::Style& style) {
           .separatrix = fromSrgb(given(ColorMeaning::kSeparatrix, theme.separatrix)),
           .body = fromSrgb(body),
           .bodyEdge = fromSrgb(blend(body, 0x000000, 0.45)),
+          .mark = fromSrgb(given(ColorMeaning::kMark, blend(body, 0x000000, 0.3))),
+          .lightMark = fromSrgb(blend(body, 0xFFFFFF, 0.25)),
           .axis = fromSrgb(axis),
           .spaceCone = fromSrgb(given(ColorMeaning::kSpaceCone, L)),
           .bodyCone = fromSrgb(given(ColorMeaning::kBodyCone, axis)),

@@ -17,7 +17,7 @@ struct Palette {
   draw::Color ellipsoid, graticule;
   draw::Color omegaParts;
   draw::Color separatrix;
-  draw::Color body, bodyEdge, axis;
+  draw::Color body, bodyEdge, mark, lightMark, axis;
   draw::Color spaceCone, bodyCone;
   draw::Color torque, vector;
   draw::Color rod;  ///< colour of space axes, supports, and massless rods between masses

@@ -121,7 +121,7 @@ Stage::Stage(scene::Scene scene, const std::shared_ptr<const physics::Motion>& m
       layout_(placesOf(scene_)),
       readouts_(scene_, motion, colors_, least.readouts),
       presence_(scene_.timeline),
-      captions_(scene_.timeline.captions, scene_.time.duration_s) {
+      captions_(scene_) {
   for (const scene::View& view : scene_.views) views_.emplace_back(viewOf(scene_, view), motion);
   POINSOT_EXPECT(least.plots.empty() || least.plots.size() == scene_.plots.size());
   for (std::size_t i = 0; i < scene_.plots.size(); ++i)
@@ -196,7 +196,7 @@ void Stage::addPlots(draw::Picture& picture, std::span<const Cell> cells, const 
                      double filmTime_s) const {
   double share = 1;
   for (std::size_t i = 0; i < plots_.size(); ++i) share = std::min(share, plots_[i].typeShare(cells[i], own));
-  const Sizing sizing{share * own.type_px, own.line_px, own.least_px};
+  const Sizing sizing{share * own.type_px, own.line_px, own.least_px, own.floor_px, own.isPrint};
   const auto inLine = [](const Cell& a, const Cell& b) {
     return a.origin_px.x == b.origin_px.x && a.size_px.x == b.size_px.x;
   };
@@ -222,7 +222,8 @@ std::vector<PanelFrame> Stage::framesOf(draw::Picture& picture, const std::vecto
     frame.line_px = share * sizing.line_px;
     frame.least_px = sizing.least_px;
     if (writesOverView()) makeRoomFor(writing, frame);
-    const Sizing type = typeScaled({frame.type_px, frame.line_px, frame.least_px}, scene_.style.textSize);
+    const Sizing type =
+        typeScaled({frame.type_px, frame.line_px, frame.least_px, sizing.floor_px}, scene_.style.textSize);
     const double heading_px = addHeading(picture, cells[i], scene_.views[i], type, colors_);
     if (heading_px == 0) continue;
     frame.heading_px = heading_px;

@@ -115,7 +115,7 @@ SweepStage::SweepStage(std::vector<scene::Scene> cells, std::vector<SweepLabels>
       columns_(columns),
       colors_(palette(written_.style)),
       presence_(written_.timeline),
-      captions_(written_.timeline.captions, written_.time.duration_s) {
+      captions_(written_) {
   POINSOT_EXPECT(labels_.size() == 1 || labels_.size() == 2);
   POINSOT_EXPECT(cells.size() == labels_[0].whole.size() * (labels_.size() == 2 ? labels_[1].whole.size() : 1));
   std::vector<std::shared_ptr<const physics::Motion>> motions;
@@ -172,7 +172,7 @@ SweepStage::Grid SweepStage::gridIn(const Cell& room, glm::ivec2 picture_px, con
   grid.rows = (static_cast<int>(cells_.size()) + grid.columns - 1) / grid.columns;
   const glm::ivec2 share_px = glm::max(room.size_px / glm::ivec2(grid.columns, grid.rows), glm::ivec2(1));
   const double share = std::pow(area(share_px) / area(picture_px), kShrinks);
-  grid.sizing = {share * sizing.type_px, share * sizing.line_px, sizing.least_px};
+  grid.sizing = {share * sizing.type_px, share * sizing.line_px, sizing.least_px, sizing.floor_px, sizing.isPrint};
   grid.label_px = labelSize_px(typeScaled(grid.sizing, written_.style.textSize), share_px, room.size_px);
   const int band_px = static_cast<int>(std::ceil((kOver + kUnder) * grid.label_px));
   const int margin_px = static_cast<int>(std::ceil(margin_em() * grid.label_px));

@@ -115,9 +115,18 @@ struct ViewStage::Plan {
     refuseTooFar(extent);
   }
 
+  /// Returns a camera that frames the whole extent, whose middle is at the origin.
+  draw::Camera framedCamera(double filmTime_s, const PanelFrame& frame) const {
+    return framing.camera(path.at(filmTime_s), extent, frame.margins, frame.size_px, frame.mostUnit_px);
+  }
   draw::Camera cameraAt(double filmTime_s, const PanelFrame& frame, const PictureState& state) const;
   void addActors(const Canvas& canvas, double filmTime_s, const PictureState& state) const;
   double presenceOf(std::string_view thing, double filmTime_s) const;
+  /// Returns whether the user enlarges or shifts the picture, which otherwise contains the whole motion.
+  bool isAimed(double filmTime_s) const {
+    const scene::Camera camera = path.at(filmTime_s);
+    return camera.zoom > 1 || !camera.shift.isZero(0);
+  }
 };
 
 // Returns the presence of an object, from 0 (absent) to 1 (fully shown). The height line fades with the plane.
@@ -128,9 +137,7 @@ double ViewStage::Plan::presenceOf(std::string_view thing, double filmTime_s) co
 
 draw::Camera ViewStage::Plan::cameraAt(double filmTime_s, const PanelFrame& frame,
                                        const PictureState& state) const {
-  const draw::Camera camera =
-      framing.camera(path.at(filmTime_s), extent, frame.margins, frame.size_px, frame.mostUnit_px);
-  return draw::moved(camera, toPicture(Vector3d(middle_V - heldFlight * state.centre_V)));
+  return draw::moved(framedCamera(filmTime_s, frame), toPicture(Vector3d(middle_V - heldFlight * state.centre_V)));
 }
 
 void ViewStage::Plan::addActors(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
@@ -157,6 +164,8 @@ draw::DrawList ViewStage::compose(const Moment& moment, const PanelFrame& frame)
   draw::DrawList list;
   const PictureState state = plan.motion.at(moment.filmTime_s);
   list.camera = plan.cameraAt(moment.filmTime_s, frame, state);
+  list.isCutOff =
+      plan.isAimed(moment.filmTime_s) && cutsOff(plan.framedCamera(moment.filmTime_s, frame), plan.extent);
   list.background = plan.colors.paper;
   const double line_px = frame.line_px * style.lineWidth;
   const double label_px = plan.scene.show.labels ? kLabelSize * frame.type_px * style.textSize : 0;

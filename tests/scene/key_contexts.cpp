@@ -109,6 +109,8 @@ std::string sceneFor(const Key& key) {
   if (ofAThrownBody(key))
     return kOmega + kBox + "body.mass = 1\nmotion.flight.velocity = [1, 0, 2]\n" +
            (key.path.starts_with("view") ? "[[view]]\n" : "");
+  if (key.path == "timeline[].around")
+    return kOmega + "body.principal_moments = [1, 2, 3]\n[[timeline]]\nspeed = 0.5\n";
   if (key.path.find("show.cones") != std::string::npos || key.path.find("show.decomposition") != std::string::npos)
     return kOmega + "body.principal_moments = [1, 1, 2]\n" + (key.path.starts_with("view") ? "[[view]]\n" : "");
   if (const auto found = contexts().find(key.path); found != contexts().end()) return found->second;
@@ -117,6 +119,11 @@ std::string sceneFor(const Key& key) {
   if (ofShape && tableOf(key.path) == "body") return kOmega + "[body]\nmass = 1\n" + shapeWith("body", name);
   if (ofShape && tableOf(key.path) == "body.part[]")
     return kOmega + "[[body.part]]\nmass = 1\n" + shapeWith("body.part[]", name);
+  if (ofShape && tableOf(key.path) == "mark[]")
+    return kMoments + kOmega + "[[mark]]\n" + shapeWith("mark[]", name);
+  if (key.path.starts_with("mark[]"))
+    return kMoments + kOmega + "[[mark]]\nshape = \"cube\"\nedge = 1\n" + (name == "axis" ? "angle = 1\n" : "") +
+           (name == "angle" ? "axis = [0, 1, 0]\n" : "");
   if (ofShape && tableOf(key.path) == "show.body")
     return kMoments + kOmega + "[show.body]\n" + shapeWith("show.body", name);
   if (key.path == "plot[].quantities") return kMoments + kOmega + "[[plot]]\n";
@@ -134,8 +141,9 @@ std::string sceneFor(const Key& key) {
   if (key.path.starts_with("angle[]")) return kMoments + kOmega + "[[angle]]\nbetween = [\"L\", \"omega\"]\n";
   if (key.path == "show.views") return kMoments + kOmega + "[[plot]]\nquantities = [\"omega_1\"]\n";
   if (key.path.starts_with("timeline[]"))
-    return kMoments + kOmega + "[[timeline]]\n" + (name == "at" ? "" : "at = 1\n") +
-           (name == "caption_for" ? "caption = \"A\"\n" : "");
+    return kMoments + kOmega + "[[timeline]]\n" +
+           (name == "at" || name == "at_motion" || name == "around" ? "" : "at = 1\n") +
+           (name == "speed_for" ? "speed = 0.5\n" : "") + (name == "caption_for" ? "caption = \"A\"\n" : "");
   if (key.path.starts_with("view[]")) return kMoments + kOmega + "[[view]]\n";
   return kMoments + (key.path == "motion.omega_body" ? "" : kOmega);
 }

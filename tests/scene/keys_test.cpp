@@ -200,7 +200,7 @@ TEST(Keys, AreFoundByPath) {
   EXPECT_FALSE(isTable("show.pla") || isTable("camera.fov"));
   EXPECT_THAT(namesBelow("show.plane"), testing::ElementsAre("visible", "opacity", "grid"));
   EXPECT_THAT(namesBelow(""),
-              testing::ElementsAre("schema", "body", "motion", "time", "camera", "show", "view", "label", "vector",
+              testing::ElementsAre("schema", "body", "motion", "time", "camera", "show", "mark", "view", "label", "vector",
                                    "angle", "plot", "readout", "note", "timeline", "style", "output"));
   EXPECT_EQ(findKey("body.part[12].mass")->path, "body.part[].mass");
   EXPECT_EQ(findKey("body.part.mass"), nullptr);

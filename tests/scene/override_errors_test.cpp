@@ -44,7 +44,7 @@ TEST(Overrides, SuggestTheNearestTableForAnUnknownOne) {
             "qqqqqqqqqqqq.fps: unknown table [qqqqqqqqqqqq]; did you mean time.fps?\n");
   EXPECT_EQ(messagesOf(kMinimal, {"qqqqqqqqqqqq.q=3"}),
             "qqqqqqqqqqqq.q: unknown table [qqqqqqqqqqqq]; a scene has the tables body, motion, time, camera, "
-            "show, view, label, vector, angle, plot, readout, note, timeline, style, output\n");
+            "show, mark, view, label, vector, angle, plot, readout, note, timeline, style, output\n");
   EXPECT_EQ(messagesOf(kMinimal, {"motion.omega_body.x=3"}),
             "motion.omega_body.x: unknown key; motion.omega_body is an array of three angular velocities, and has "
             "no keys below it\n");

@@ -13,8 +13,8 @@ namespace poinsot {
 
 inline std::filesystem::path galleryFolder() { return std::filesystem::path(POINSOT_SOURCE_DIR) / "scenes"; }
 
-inline scene::Scene galleryScene(const std::string& name) {
-  return scene::loadScene(galleryFolder() / (name + ".toml"));
+inline scene::Scene galleryScene(const std::string& name, const std::vector<std::string>& overrides = {}) {
+  return scene::loadScene(galleryFolder() / (name + ".toml"), overrides);
 }
 
 inline std::vector<std::string> galleryNames() {

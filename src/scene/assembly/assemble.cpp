@@ -50,7 +50,8 @@ Output assembleOutput(const Draft& draft) {
           draft.crf.value_or(preset.crf),
           draft.codec ? word(codecWords(), *draft.codec) : "",
           word(chromaWords(), draft.chroma),
-          word(effortWords(), draft.effort)};
+          word(effortWords(), draft.effort),
+          draft.scene.output.language};
 }
 
 }  // namespace
@@ -65,6 +66,7 @@ Scene assemble(Draft draft, Findings& findings, const SceneFolder& folder) {
   else
     rest = bodyAndMotion(draft, findings, folder, scene);
   assembleDrawnShape(draft, findings, folder, scene.show);
+  assembleMarks(draft, findings, folder, scene);
   PanelGrid grid(findings);
   assembleViews(draft, rest, findings, grid, scene);
   assemblePlots(draft, findings, grid, scene);

@@ -169,6 +169,8 @@ class BodyAssembly {
     const auto& entry = physics::catalogue()[static_cast<std::size_t>(*draft_.catalogue)];
     for (const physics::SolidPart& part : entry.parts)
       body_.parts.push_back({part.solid, part.mass_kg, part.q_BS, part.offset_B});
+    for (const physics::SolidMark& mark : entry.marks)
+      body_.marks.push_back({{mark.part.solid, 0, mark.part.q_BS, mark.part.offset_B}, mark.tone, {}});
     setMass(physics::massProperties(entry), "body.catalogue");
   }
 
@@ -236,6 +238,16 @@ class BodyAssembly {
 };
 
 }  // namespace
+
+void assembleMarks(const Draft& draft, Findings& findings, const SceneFolder& folder, Scene& scene) {
+  static const MarkDraft nothing;
+  if (!scene.show.body.parts.empty()) scene.body.marks.clear();  // the marks of a catalogue fit its own parts only
+  for (std::size_t i = 0; i < findings.count("mark"); ++i) {
+    const MarkDraft& mark = i < draft.marks.size() ? draft.marks[i] : nothing;
+    if (auto part = PieceReader(mark.piece, fmt::format("mark[{}]", i), findings, folder).massless())
+      scene.body.marks.push_back({std::move(*part), physics::MarkTone::kDark, mark.color});
+  }
+}
 
 std::optional<Body> assembleBody(const Draft& draft, Findings& findings, const SceneFolder& folder) {
   return BodyAssembly(draft, findings, folder).run();

@@ -99,7 +99,7 @@ bool isUsual(double density) { return density >= kLightest_kg_m3 && density <= k
 /// Doubts metres that should be centimetres or millimetres: a phone 14 m long, if its mass is that of a phone.
 void doubtLightness(const std::string& table, double density, const Leaves& leaves, Findings& findings) {
   const std::string path = firstLengthOf(table, leaves);
-  if (path.empty() || density >= kAir_kg_m3 || haveUnits(leaves)) return;
+  if (path.empty() || density >= kAir_kg_m3) return;
   for (const char* unit : {"cm", "mm"}) {
     const double factor = unitFactor(unit, Dimension::kLength);
     if (isUsual(density / (factor * factor * factor)))
@@ -124,14 +124,14 @@ void doubtHeaviness(const std::string& path, double density, const Leaves& leave
 
 /// Doubts sizes and masses that do not fit each other, for all solid pieces of the body.
 void doubtPieces(const Body& body, const Leaves& leaves, Findings& findings) {
-  const bool whole = findings.has("body.shape");
+  const bool whole = findings.has("body.shape"), bare = !haveUnits(leaves);
   for (std::size_t i = 0; i < body.parts.size(); ++i) {
     const auto* solid = std::get_if<physics::Solid>(&body.parts[i].figure);
     const double volume_m3 = solid ? physics::volume(*solid) : 0;
     if (!(volume_m3 > 0)) continue;
     const std::string table = whole ? "body" : fmt::format("body.part[{}]", i);
     const double density = body.parts[i].mass_kg / volume_m3;
-    if (findings.has(table + ".mass")) doubtLightness(table, density, leaves, findings);
+    if (bare && findings.has(table + ".mass")) doubtLightness(table, density, leaves, findings);
     doubtHeaviness(table + ".mass", density, leaves, findings);
   }
 }

@@ -123,7 +123,8 @@ class StartAssembly {
     if (findings_.misspelt("motion")) return true;
     for (const StartWay& way : startWays())
       for (const std::string_view name : way.keys)
-        if (findings_.misspelt(pathOf(name))) return true;
+        if (name.ends_with('.') ? findings_.isMeantBelow(tableOrKey(name)) : findings_.misspelt(pathOf(name)))
+          return true;
     return false;
   }
 

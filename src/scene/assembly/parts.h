@@ -53,6 +53,9 @@ void assembleNotes(const Draft& draft, Findings& findings, Scene& scene);
 /// Call this before askForShown().
 void leaveOutOfFlight(const Findings& findings, Show& show);
 
+/// Adds the marks of the scene to the body. @pre the drawn shape is set.
+void assembleMarks(const Draft& draft, Findings& findings, const SceneFolder& folder, Scene& scene);
+
 void assembleDrawnShape(const Draft& draft, Findings& findings, const SceneFolder& folder, Show& show);
 
 /// Hides things in `show` that do not exist for this motion. Reports a problem if the user requests such a thing.

@@ -37,6 +37,8 @@ Matter matterOf(const physics::Solid& solid) {
   return {[&solid](double mass_kg) { return physics::massProperties(solid, mass_kg); }, physics::volume(solid)};
 }
 
+Matter matterOf(const PointMass&) { return {}; }  // a piece with keys is never a point
+
 void expectClosed(const geometry::Mesh& mesh) {
   try {
     geometry::checkClosed(mesh);
@@ -115,28 +117,34 @@ std::optional<Quaternion> PieceReader::rotation() {
   return Quaternion::Identity();
 }
 
-std::optional<Piece> PieceReader::placed(const Figure& figure, const Quaternion& q_BS) {
-  const Matter matter = std::visit([](const auto& kind) { return matterOf(kind); }, figure);
-  const auto mass_kg = mass(matter.volume_m3);
-  if (!mass_kg) return std::nullopt;
-  Part part = asPart(figure);
-  part.mass_kg = *mass_kg;
-  part.q_BS = q_BS;
-  part.offset_B = piece_.offset.value_or(Vector3d::Zero());
-  return Piece{part, matter.massProperties(*mass_kg).moved(q_BS, part.offset_B)};
-}
-
-std::optional<Piece> PieceReader::piece() {
+std::optional<Part> PieceReader::massless() {
   if (!shape_.given()) {
     findings_.refuseMissing(path("shape"), table_, fmt::format("{} is missing", path("shape")));
     return std::nullopt;
   }
   const auto figure = shape_.figure();
-  const bool massGiven = massFits();
   const auto q_BS = rotation();
-  if (!figure || !massGiven || !q_BS || (has("offset") && !piece_.offset)) return std::nullopt;
+  if (!figure || !q_BS || (has("offset") && !piece_.offset)) return std::nullopt;
+  Part part = asPart(*figure);
+  part.q_BS = *q_BS;
+  part.offset_B = piece_.offset.value_or(Vector3d::Zero());
+  return part;
+}
+
+std::optional<Piece> PieceReader::withMass(Part part) {
+  const Matter matter = std::visit([](const auto& kind) { return matterOf(kind); }, part.figure);
+  const auto mass_kg = mass(matter.volume_m3);
+  if (!mass_kg) return std::nullopt;
+  part.mass_kg = *mass_kg;
+  return Piece{part, matter.massProperties(*mass_kg).moved(part.q_BS, part.offset_B)};
+}
+
+std::optional<Piece> PieceReader::piece() {
+  auto part = massless();
+  if (!shape_.given()) return std::nullopt;
+  if (!massFits() || !part) return std::nullopt;
   try {
-    return placed(*figure, *q_BS);
+    return withMass(std::move(*part));
   } catch (const core::Error& error) {
     findings_.refuse(lengthPath(), error.message());
     return std::nullopt;

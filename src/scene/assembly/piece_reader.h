@@ -23,6 +23,8 @@ class PieceReader {
         shape_(piece.shape, std::move(table), findings, folder) {}
 
   std::optional<Piece> piece();
+  /// Returns the shape in its place, without mass; for a table that has no keys for a mass.
+  std::optional<Part> massless();
 
   std::string lengthPath() const { return shape_.lengthPath(); }
 
@@ -31,7 +33,7 @@ class PieceReader {
   bool has(std::string_view name) const { return findings_.has(path(name)); }
   bool massFits();
   std::optional<double> mass(double volume_m3);
-  std::optional<Piece> placed(const Figure& figure, const physics::Quaternion& q_BS);
+  std::optional<Piece> withMass(Part part);
   std::optional<physics::Quaternion> rotation();
   std::optional<physics::Quaternion> turnAboutAxis();
 

@@ -6,10 +6,16 @@ namespace {
 
 // Factor on the line width of the print theme. Printers reproduce thinner lines than projectors do.
 constexpr double kPrintLineWidth = 0.65;
+// Factors for a lecture hall, whose last row sees the picture small.
+constexpr double kHallLineWidth = 1.6, kHallTextSize = 1.2;
 
 }  // namespace
 
 void finishStyle(Style& style) {
+  if (style.preset == StylePreset::kHall) {
+    style.lineWidth *= kHallLineWidth;
+    style.textSize *= kHallTextSize;
+  }
   if (style.theme == Theme::kPrint) style.lineWidth *= kPrintLineWidth;
 }
 

@@ -289,7 +289,8 @@ class Checker {
     if (!array || array->empty()) return refuseType(node);
     std::vector<Word> all;
     for (const Node& element : *array) {
-      const auto one = element.as<std::string>() ? word(element) : refuseType(element);
+      const bool isWord = element.as<std::string>() || element.as<std::int64_t>();
+      const auto one = isWord ? word(element) : refuseType(element);
       if (!one) return std::nullopt;
       const Word given = std::get<Word>(*one);
       if (std::ranges::find(all, given.index, &Word::index) != all.end())

@@ -38,6 +38,11 @@ struct PieceDraft {
   std::optional<double> angle;
 };
 
+struct MarkDraft {
+  PieceDraft piece;
+  std::optional<std::uint32_t> color;
+};
+
 struct PointDraft {
   std::optional<double> mass;
   std::optional<Eigen::Vector3d> position;
@@ -145,6 +150,7 @@ struct Draft {
   std::optional<std::vector<CameraFrame>> frames;
   bool noViews = false;
   std::vector<ViewDraft> views;
+  std::vector<MarkDraft> marks;
   std::vector<VectorDraft> vectors;
   std::vector<AngleDraft> angles;
   std::vector<PlotDraft> plots;

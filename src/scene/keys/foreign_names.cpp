@@ -154,7 +154,7 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"azim", "camera.azimuth", "", "", Carry::kValue, "deg"},
     {"elev", "camera.elevation", "", "", Carry::kValue, "deg"},
     {"field_of_view", "camera.fov"},
-    {"camera camera_preset viewpoint", "camera.preset"},
+    {"camera_preset viewpoint", "camera.preset"},
     {"camera_distance camera.distance", "camera.zoom", "",
      "The distance is automatic, so that the motion fits into the picture.", Carry::kNothing},
     {"background background_color background_colour bg bg_color bgcolor facecolor clear_color",
@@ -162,7 +162,7 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"body_color body_colour", "style.colors.body"},
     {"font_size fontsize", "style.text_size", "", "", Carry::kNothing},
     {"dark_mode dark", "style.theme", "", "", Carry::kNothing},
-    {"style theme", "style.theme"},
+    {"theme style.preset", "style.theme"},
     {"title name scene_name", "show.title"},
 });
 
@@ -244,8 +244,10 @@ bool isPlausible(const ForeignNames& row, std::string_view path) {
 }
 
 std::string keyFor(const ForeignNames& row, std::string_view path) {
-  std::string own = pathBelow(tableOf(path), nameOf(row.key));
-  return findKey(own) ? own : std::string(row.key);
+  const std::string_view table = tableOf(path);
+  std::string own = pathBelow(table, nameOf(row.key));
+  const bool isBelow = tableOf(row.key).starts_with(std::string(table) + ".");  // motion.nutation is another key
+  return findKey(own) && !isBelow ? own : std::string(row.key);
 }
 
 std::vector<const ForeignNames*> plausibleRows(std::string_view path) {

@@ -45,7 +45,7 @@ std::vector<const ForeignNames*> plausibleRows(std::string_view path);
 bool isPlausible(const ForeignNames& row, std::string_view path);
 
 /// Returns the key of a row. If the table of the name has a key of this name, returns that key:
-/// "body.part[0].mass" for the name "body.part[0].m".
+/// "body.part[0].mass" for the name "body.part[0].m". A key in a table below it comes first.
 std::string keyFor(const ForeignNames& row, std::string_view path);
 
 /// Returns the single names of a row.

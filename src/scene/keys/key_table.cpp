@@ -25,9 +25,10 @@ std::vector<Key> joined(std::vector<std::vector<Key>> parts) {
 }
 
 const std::vector<Key>& keys() {
-  static const std::vector<Key> table = joined(
-      {fileKeys(), bodyKeys(), motionKeys(), forcingKeys(), timeKeys(), framesKeys(), cameraKeys(), showKeys(),
-       viewKeys(), labelKeys(), namedKeys(), plotKeys(), noteKeys(), timelineKeys(), styleKeys(), outputKeys()});
+  static const std::vector<Key> table =
+      joined({fileKeys(), bodyKeys(), motionKeys(), forcingKeys(), timeKeys(), framesKeys(), cameraKeys(),
+              showKeys(), markKeys(), viewKeys(), labelKeys(), namedKeys(), plotKeys(), noteKeys(), timelineKeys(),
+              styleKeys(), outputKeys()});
   return table;
 }
 

@@ -145,36 +145,57 @@ std::vector<Key> partMassKeys() {
   };
 }
 
-std::vector<Key> partPlaceKeys() {
+/// Table whose elements are placed in body axes.
+struct PlacedTable {
+  std::string path;
+  PieceDraft& (*of)(Draft&, std::size_t element);
+};
+
+template <class F>
+Put intoPlaced(const PlacedTable& table, F place) {
+  return into([of = table.of, place](Draft& d, std::size_t i) { return place(of(d, i)); });
+}
+
+std::vector<Key> placeKeys(const PlacedTable& table) {
   return {
-      {.path = "body.part[].offset",
+      {.path = table.path + ".offset",
        .type = kVector,
        .dimension = kLength,
        .range = kPositions,
        .example = "[0, \"5 cm\", 0]",
-       .help = "Position of the part's origin in body axes. By default, the part's origin is the body's origin.",
-       .put = intoPart([](PieceDraft& p) { return &p.offset; })},
-      {.path = "body.part[].rotation",
+       .help = "Position of the shape's origin in body axes. By default, this is the body's origin.",
+       .put = intoPlaced(table, [](PieceDraft& p) { return &p.offset; })},
+      {.path = table.path + ".rotation",
        .type = kQuaternion,
        .range = kQuaternionNorm,
        .example = "[1, 0, 0, 1]",
-       .help = "Quaternion w, x, y, z that takes the part's axes to body axes. The quaternion is normalised on "
+       .help = "Quaternion w, x, y, z that takes the shape's axes to body axes. The quaternion is normalised on "
                "reading. Instead of rotation, you can give the keys axis and angle. Without a rotation, the "
-               "part's axes are the body's axes.",
-       .put = intoPart([](PieceDraft& p) { return &p.rotation; })},
-      {.path = "body.part[].axis",
+               "shape's axes are the body's axes.",
+       .put = intoPlaced(table, [](PieceDraft& p) { return &p.rotation; })},
+      {.path = table.path + ".axis",
        .type = kVector,
        .range = kPositions,
        .example = "[0, 0, 1]",
-       .help = "Direction, of any length, about which the part is turned by `angle`.",
-       .put = intoPart([](PieceDraft& p) { return &p.axis; })},
-      {.path = "body.part[].angle",
+       .help = "Direction, of any length, about which the shape is turned by `angle`.",
+       .put = intoPlaced(table, [](PieceDraft& p) { return &p.axis; })},
+      {.path = table.path + ".angle",
        .dimension = kAngle,
        .range = kFullTurns,
        .example = "\"30 deg\"",
-       .help = "Angle by which the part is turned about `axis`, by the right-hand rule.",
-       .put = intoPart([](PieceDraft& p) { return &p.angle; })},
+       .help = "Angle by which the shape is turned about `axis`, by the right-hand rule.",
+       .put = intoPlaced(table, [](PieceDraft& p) { return &p.angle; })},
   };
+}
+
+ShapeTable markShape() {
+  return {.path = "mark[]",
+          .of = [](Draft& d, std::size_t i) -> ShapeDraft& { return elementAt(d.marks, i).piece.shape; },
+          .shapeHelp =
+              "Shape on the body that shows how the body has turned, such as the camera of a phone. It is "
+              "drawn in its own colour and has no mass. The mark also needs the keys of its shape, such "
+              "as size or radius. Let it stand out of the body a little.",
+          .sizeHelp = "Extents of the shape along its own x, y and z axes. One number sets all three."};
 }
 
 std::vector<Key> pointKeys() {
@@ -198,8 +219,22 @@ std::vector<Key> pointKeys() {
 }  // namespace
 
 std::vector<Key> bodyKeys() {
+  const PlacedTable parts{"body.part[]",
+                          [](Draft& d, std::size_t i) -> PieceDraft& { return elementAt(d.body.parts, i); }};
   return joined({momentKeys(), shapeKeys(wholeShape()), wholeKeys(), shapeKeys(partShape()), partMassKeys(),
-                 partPlaceKeys(), pointKeys()});
+                 placeKeys(parts), pointKeys()});
+}
+
+std::vector<Key> markKeys() {
+  const PlacedTable marks{"mark[]",
+                          [](Draft& d, std::size_t i) -> PieceDraft& { return elementAt(d.marks, i).piece; }};
+  return joined({shapeKeys(markShape()),
+                 placeKeys(marks),
+                 {{.path = "mark[].color",
+                   .type = kColor,
+                   .example = "\"#CC6677\"",
+                   .help = "Colour of the mark. The default is style.colors.mark.",
+                   .put = into([](Draft& d, std::size_t i) { return &elementAt(d.marks, i).color; })}}});
 }
 
 }  // namespace poinsot::scene

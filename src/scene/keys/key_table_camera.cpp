@@ -14,6 +14,7 @@ constexpr Range kAzimuth{
 constexpr Range kElevation{.least = -90, .most = 90, .unit = "deg"};
 constexpr Range kFov{.least = 1, .most = 120, .unit = "deg"};
 constexpr Range kOrbit{.least = -36000, .most = 36000, .unit = "deg"};
+constexpr Range kShift{.least = -1, .most = 1};
 constexpr Range kZoom{.least = 0.05, .most = 20};
 
 const std::vector<std::string_view> kFrames = {"space", "body", "precession"};
@@ -39,6 +40,18 @@ std::vector<Key> framesKeys() {
 
 std::vector<Key> cameraKeys() {
   return {
+      {.path = "camera.shift",
+       .type = kPair,
+       .range = kShift,
+       .fallback = "[0, 0]",
+       .example = "[0.15, 0]",
+       .help = "Shift of what the camera sees, to the right and up, as fractions of the panel's width and height. "
+               "It makes room beside the body, for text of your own.",
+       .put =
+           [](Draft& d, std::size_t, const Checked& value) {
+             const auto& shift = std::get<std::vector<double>>(value);
+             d.scene.camera.shift = {shift[0], shift[1]};
+           }},
       {.path = "camera.preset",
        .type = kWord,
        .words = presetWords(),

@@ -66,6 +66,15 @@ std::vector<Key> outputKeys() {
        .example = "\"slow\"",
        .help = "Amount of time that the encoder spends to make the film's file smaller at the same quality.",
        .put = into([](Draft& d) { return &d.effort; })},
+      {.path = "output.language",
+       .type = kWord,
+       .words = {"en", "de"},
+       .fallback = "\"en\"",
+       .example = "\"de\"",
+       .help =
+           "Language of the description that `info --alt` prints and that picture files contain, for readers who "
+           "do not see the picture: English or German. Titles and captions are not translated.",
+       .put = into([](Draft& d) { return &d.scene.output.language; })},
   };
 }
 

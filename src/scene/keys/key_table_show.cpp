@@ -82,6 +82,13 @@ std::vector<Key> drawnBodyKeys() {
        .help = "Whether the vectors and axes have names beside them. To remove a single name, give it an empty "
                "text in [label].",
        .put = into([](Draft& d) { return &d.scene.show.labels; })},
+      {.path = "show.captions",
+       .type = kBool,
+       .example = "true",
+       .help =
+           "Whether the captions of the timeline are drawn. By default, they are drawn in films and stills, but "
+           "not in figures for print. Subtitle files contain them in any case.",
+       .put = into([](Draft& d) { return &d.scene.show.captions; })},
       visibleKey("show.body.visible", "The body itself.",
                  into([](Draft& d) { return &d.scene.show.body.visible; })),
       scaleKey("show.body.scale", "Factor on the body's drawn size.",
@@ -104,6 +111,13 @@ std::vector<Key> drawnThingKeys() {
   return {
       visibleKey("show.principal_axes.visible", "The principal axes, fixed in the body.",
                  into([](Draft& d) { return &d.scene.show.principalAxes.visible; })),
+      {.path = "show.principal_axes.axes",
+       .type = kWords,
+       .words = {"1", "2", "3"},
+       .fallback = "[1, 2, 3]",
+       .example = "[1, 3]",
+       .help = "Numbers of the axes that are drawn.",
+       .put = into([](Draft& d) { return &d.scene.show.principalAxes.axes; })},
       scaleKey("show.principal_axes.scale", "Factor on the length of the axes.",
                into([](Draft& d) { return &d.scene.show.principalAxes.scale; })),
       visibleKey("show.L.visible", "The angular momentum L, an arrow fixed in space.",

@@ -41,6 +41,16 @@ std::vector<Key> formKeys() {
                "for slides in a dark room. `print` has thin lines in black, greys and one colour, and is still "
                "readable after photocopying.",
        .put = into([](Draft& d) { return &d.scene.style.theme; })},
+      {.path = "style.preset",
+       .type = kWord,
+       .words = {"screen", "hall"},
+       .fallback = "\"screen\"",
+       .example = "\"hall\"",
+       .help =
+           "Sizes of text and lines. `hall` is for the last row of a lecture hall: no text is smaller than 3.3 % "
+           "of the picture's height, and lines are thicker. `style = \"hall\"` is short for this key, if the "
+           "scene has no other key of [style].",
+       .put = into([](Draft& d) { return &d.scene.style.preset; })},
       {.path = "style.line_width",
        .range = kFactor,
        .fallback = "1",

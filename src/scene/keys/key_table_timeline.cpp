@@ -58,7 +58,7 @@ std::vector<Key> whenKeys() {
       {.path = "timeline[].at_motion",
        .dimension = kTime,
        .range = kInstants,
-       .example = "\"12 s\"",
+       .example = "\"6 s\"",
        .help = "Motion time at which the changes of this timeline entry begin, instead of `at`.",
        .put = intoEntry([](TimelineDraft& e) { return &e.atMotion; })},
       momentKey("around", "\"flip 1\"",

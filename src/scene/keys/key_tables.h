@@ -27,6 +27,7 @@ constexpr Range kQuaternionNorm{.least = 1e-6, .most = 1e6};
 constexpr Range kPathLength{.least = 0, .most = 200};  // characters; a message can show the complete path
 
 std::vector<Key> bodyKeys();
+std::vector<Key> markKeys();
 std::vector<Key> motionKeys();
 std::vector<Key> forcingKeys();
 std::vector<Key> timeKeys();

@@ -40,6 +40,10 @@ const std::array<LabelDefault, kLabelCount>& labelDefaults() {
        "Label of the total angular momentum about the origin, which show.total_L draws."},
       {"torque_about_origin", "'$\\mathbf{R}\\times M\\mathbf{g}$'", "'$\\mathbf{N}$'",
        "Label of the torque of gravity about the origin, which show.total_L draws."},
+      {"space_cone", "''", "'space cone'",
+       "Label of the cone fixed in space, which show.cones draws. By default, none."},
+      {"body_cone", "''", "'body cone'",
+       "Label of the cone fixed in the body, which show.cones draws. By default, none."},
   }};
   return kDefaults;
 }

@@ -37,6 +37,8 @@ enum class LabelName {
   kOrbitalL,
   kTotalL,
   kTorqueAboutOrigin,
+  kSpaceCone,
+  kBodyCone,
   kCount
 };
 

@@ -57,6 +57,8 @@ class Walk {
       opened(path, keyPlace, *entries);
     else if (node.as<bool>() && hasVisible(path))
       leaves_.values[path + ".visible"] = node;
+    else if (node.as<std::string>() && findKey(pathBelow(path, "preset")))
+      leaves_.values[pathBelow(path, "preset")] = node;
     else
       noTable(path, node);
   }

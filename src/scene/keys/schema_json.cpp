@@ -93,9 +93,10 @@ Json number(const Key& key) {
 
 /// Returns the schema of a number, or of a word that may be followed by a number.
 Json moment(const Key& key) {
-  const std::string pattern = fmt::format("^({})( +[1-9][0-9]{{0,8}} *)?$", core::joined(key.words, "|"));
-  return {{"anyOf",
-           Json::array({bareNumber(key, "number"), quantity(key), {{"type", "string"}, {"pattern", pattern}}})}};
+  const std::string numbered = fmt::format("^({}) +[1-9][0-9]{{0,8}} *$", core::joined(key.words, "|"));
+  Json any = number(key)["anyOf"];
+  any.push_back({{"type", "string"}, {"pattern", numbered}});
+  return {{"anyOf", any}};
 }
 
 Json arrayOf(Json items, int least, int most) {

@@ -129,6 +129,7 @@ std::optional<std::string> misspelt(std::string_view table, std::string_view nam
   if (name.size() > kLongestName) return std::nullopt;
   for (const std::string& known : namesBelow(table))
     if (singular(known) == singular(name)) return pathBelow(table, known);
+  if (sameName(name)) return std::nullopt;  // the right name in a wrong table, not a misspelling
   const auto near = core::closest(name, namesBelow(table));
   return near ? std::optional(pathBelow(table, *near)) : std::nullopt;
 }

@@ -128,11 +128,13 @@ class Report {
   }
 
   std::optional<Counterpart> carriedByRow(const std::string& path, const Node& value) const {
-    for (const ForeignNames* row : plausibleRows(path))
+    for (const ForeignNames* row : plausibleRows(path)) {
+      if (row->carry == Carry::kNothing) return ofRow(*row, path, exampleOf(*findKey(keyFor(*row, path))));
       if (row->carry == Carry::kValue)
         if (auto counterpart =
                 ofRow(*row, path, carriedLines(*row, *findKey(keyFor(*row, path)), {&value}, leaves_.limits)))
           return counterpart;
+    }
     return std::nullopt;
   }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "physics/symmetric_eigen.h"
 #include "stage/body/parts_figure.h"
@@ -110,8 +111,22 @@ Vector3d equivalentCone(const physics::PrincipalMoments& moments, int axis) {
   return lengths.cwiseMax(kThinnest * lengths.maxCoeff()) / lengths.maxCoeff();
 }
 
+Palette BodyFigure::MarkFigure::painted(const Palette& colors) const {
+  Palette painted = colors;
+  painted.body = color                              ? draw::fromSrgb(*color)
+                 : tone == physics::MarkTone::kDark ? colors.mark
+                                                    : colors.lightMark;
+  return painted;
+}
+
 BodyFigure::BodyFigure(const scene::Scene& scene)
     : figure_(figureOf(scene)), R_PB_(scene.body.axes.q_BP().toRotationMatrix().transpose()) {
+  const Vector3d origin_B = originOfFigure(scene, partsToShow(scene));
+  for (const scene::BodyMark& mark : scene.body.marks) {
+    Figure figure = partsFigure({mark.part}, origin_B);
+    figure.marks.clear();  // its edges would crowd those of the body
+    marks_.push_back({std::move(figure), mark.tone, mark.color});
+  }
   for (int i = 0; i < 3; ++i) {
     const Vector3d axis_B = R_PB_.row(i).transpose();
     const double ahead = axis_B.dot(supportPoint(axis_B)), behind = -axis_B.dot(supportPoint(-axis_B));

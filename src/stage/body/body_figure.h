@@ -41,10 +41,22 @@ class BodyFigure {
 
   void add(draw::DrawList& list, const Placement& place, const Palette& colors, double lineWidth_px) const {
     addFigure(list, figure_, place, colors, lineWidth_px);
+    for (const MarkFigure& mark : marks_) addFigure(list, mark.figure, place, mark.painted(colors), lineWidth_px);
   }
 
  private:
+  /// Figure of a mark on the body, in its own colour.
+  struct MarkFigure {
+    Figure figure;
+    physics::MarkTone tone;
+    std::optional<std::uint32_t> color;
+
+    /// Returns the palette with the mark's colour as the colour of the body.
+    Palette painted(const Palette& colors) const;
+  };
+
   Figure figure_;
+  std::vector<MarkFigure> marks_;
   Eigen::Matrix3d R_PB_;
   Eigen::Vector3d reachAlongAxes_, halfExtents_;
 };

@@ -19,6 +19,7 @@ constexpr double kRimWidth = 2.2;
 constexpr double kNarrowest = 1e-3;  // smallest radius and height of a drawn cone, as fractions of its side
 constexpr double kSpacing = 0.2;     // approximate distance of the lines along the rim, as a fraction of the side
 constexpr double kLineShare = 0.6;
+constexpr double kNameSize = 0.8;
 constexpr double kInside = 0.3;  // fraction of a side without lines, because lines would crowd at the apex
 
 }  // namespace
@@ -72,9 +73,21 @@ draw::GlassCone ConesFigure::glass(const Canvas& canvas, const Cone& cone, const
   return glass;
 }
 
+// Writes the name beside the point of the rim that is farthest from the other cone.
+void ConesFigure::addName(const Canvas& canvas, const Cone& cone, const Cone& other, scene::LabelName name,
+                          const draw::Color& color) const {
+  const Vector3d away_V = cone.axis_V - cone.axis_V.dot(other.axis_V) * other.axis_V;
+  const Vector3d middle_V = side_ * std::cos(cone.halfAngle_rad) * cone.axis_V;
+  const Vector3d onRim_V = middle_V + side_ * std::sin(cone.halfAngle_rad) * across(cone.axis_V, away_V);
+  canvas.label(name, onRim_V, middle_V, color, kNameSize);
+}
+
 void ConesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
-  addCone(canvas, spaceCone(state), state.R_VW.col(0), canvas.colors.spaceCone);
-  addCone(canvas, bodyCone(state), state.R_VP.col((cones_.axis + 1) % 3), canvas.colors.bodyCone);
+  const Cone space = spaceCone(state), body = bodyCone(state);
+  addCone(canvas, space, state.R_VW.col(0), canvas.colors.spaceCone);
+  addCone(canvas, body, state.R_VP.col((cones_.axis + 1) % 3), canvas.colors.bodyCone);
+  addName(canvas, space, body, scene::LabelName::kSpaceCone, canvas.colors.spaceCone);
+  addName(canvas, body, space, scene::LabelName::kBodyCone, canvas.colors.bodyCone);
 }
 
 std::vector<Vector3d> ConesFigure::outermostPoints(const PictureState& state) const {

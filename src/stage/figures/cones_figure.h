@@ -29,6 +29,8 @@ class ConesFigure final : public Actor {
   std::vector<Eigen::Vector3d> rim(const Cone& cone) const;
   void addCone(const Canvas& canvas, const Cone& cone, const Eigen::Vector3d& hint_V,
                const draw::Color& color) const;
+  void addName(const Canvas& canvas, const Cone& cone, const Cone& other, scene::LabelName name,
+               const draw::Color& color) const;
   draw::GlassCone glass(const Canvas& canvas, const Cone& cone, const draw::Color& color) const;
 
   physics::PrecessionCones cones_;

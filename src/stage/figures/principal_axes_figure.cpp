@@ -38,6 +38,7 @@ Vector3d principalAxisLengths(const scene::Scene& scene, const BodyFigure& body,
 
 PrincipalAxesFigure::PrincipalAxesFigure(const Setting& setting)
     : lengths_(setting.axisLengths),
+      axes_(setting.scene.show.principalAxes.axes),
       body_(setting.scene.show.body.visible ? &setting.body : nullptr),
       bodyScale_(setting.scales.body),
       insideEllipsoid_(setting.construction && setting.scene.show.ellipsoid.visible &&
@@ -46,7 +47,7 @@ PrincipalAxesFigure::PrincipalAxesFigure(const Setting& setting)
 
 void PrincipalAxesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
   const glm::vec2 centre = canvas.at_px(Vector3d::Zero());
-  for (int axis = 0; axis < 3; ++axis) {
+  for (const int axis : axes_) {
     const Vector3d tip_V = lengths_[axis] * state.R_VP.col(axis);
     canvas.arrow(tip_V, kAxisRadius, canvas.colors.axis);
     const scene::LabelName name = kAxisNames[static_cast<std::size_t>(axis)];
@@ -77,7 +78,9 @@ float PrincipalAxesFigure::seenPast(const PictureState& state, const Vector3d& p
 std::vector<Vector3d> PrincipalAxesFigure::outermostPoints(const PictureState& state) const {
   if (insideEllipsoid_ || inBall_) return {};
   const Eigen::Matrix3d tips = state.R_VP * lengths_.asDiagonal();
-  return {tips.col(0), tips.col(1), tips.col(2)};
+  std::vector<Vector3d> points;
+  for (const int axis : axes_) points.emplace_back(tips.col(axis));
+  return points;
 }
 
 double PrincipalAxesFigure::ballRadius() const {

@@ -23,6 +23,7 @@ class PrincipalAxesFigure final : public Actor {
   float seenPast(const PictureState& state, const Eigen::Vector3d& point_V, const draw::Camera& camera) const;
 
   Eigen::Vector3d lengths_;
+  std::vector<int> axes_;   // indices of the axes that are drawn
   const BodyFigure* body_;  // null if the body is not shown
   double bodyScale_;
   bool insideEllipsoid_, inBall_;

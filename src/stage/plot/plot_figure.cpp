@@ -178,7 +178,7 @@ PlotPen PlotFigure::Plan::pen(const Sizing& sizing, glm::vec2 panel_px) const {
     const double least = pen.em_px > sizing.least_px ? kLeastArea : kSmallestArea;
     return area.width() < least * panel.width() || area.height() < least * panel.height();
   };
-  while (small()) pen.em_px *= 0.9;
+  while (pen.em_px > sizing.floor_px && small()) pen.em_px = std::max(0.9 * pen.em_px, sizing.floor_px);
   return pen;
 }
 

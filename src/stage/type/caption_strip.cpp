@@ -36,9 +36,9 @@ std::vector<std::size_t> breaksIn(const std::string& tex) {
 
 }  // namespace
 
-CaptionStrip::CaptionStrip(const std::vector<scene::Caption>& captions, double duration_s)
-    : duration_s_(duration_s) {
-  for (const scene::Caption& caption : captions)
+CaptionStrip::CaptionStrip(const scene::Scene& scene)
+    : duration_s_(scene.time.duration_s), shown_(scene.show.captions) {
+  for (const scene::Caption& caption : scene.timeline.captions)
     entries_.push_back({caption, lineOf(caption.text), halvesOf(caption.text)});
 }
 
@@ -72,6 +72,7 @@ double CaptionStrip::height_em(const std::vector<Line>& lines) {
 }
 
 double CaptionStrip::height_px(glm::vec2 size_px, const Sizing& sizing) const {
+  if (!isDrawn(sizing)) return 0;
   const double em_px = std::max(kSize * sizing.type_px, sizing.least_px), room_em = kRoom * size_px.x / em_px;
   double tallest = 0;
   for (const Entry& entry : entries_) tallest = std::max(tallest, height_em(linesOf(entry, room_em)));
@@ -90,6 +91,7 @@ double CaptionStrip::opacity(const scene::Caption& caption, const Moment& moment
 
 void CaptionStrip::add(draw::Picture& picture, const Moment& moment, const Sizing& sizing,
                        const Palette& colors) const {
+  if (!isDrawn(sizing)) return;
   const auto entry =
       std::ranges::find_if(entries_, [&](const Entry& e) { return opacity(e.caption, moment) > 0; });
   if (entry == entries_.end()) return;

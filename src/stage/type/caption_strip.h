@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "draw/picture.h"
-#include "scene/timeline.h"
+#include "scene/scene.h"
 #include "stage/moment.h"
 #include "stage/palette.h"
 #include "stage/type/lettering.h"
@@ -18,10 +18,9 @@ namespace poinsot::stage {
 /// film, so that nothing moves when captions come and go. A caption that is too long for one line takes two lines.
 class CaptionStrip {
  public:
-  /// @param duration_s  duration of the film; a caption that lasts to the end does not fade out
-  CaptionStrip(const std::vector<scene::Caption>& captions, double duration_s);
+  explicit CaptionStrip(const scene::Scene& scene);
 
-  /// Returns the height of the strip; 0 without captions.
+  /// Returns the height of the strip; 0 if no captions are drawn.
   double height_px(glm::vec2 size_px, const Sizing& sizing) const;
   void add(draw::Picture& picture, const Moment& moment, const Sizing& sizing, const Palette& colors) const;
 
@@ -42,8 +41,11 @@ class CaptionStrip {
   static double height_em(const std::vector<Line>& lines);
   double opacity(const scene::Caption& caption, const Moment& moment) const;
 
+  bool isDrawn(const Sizing& sizing) const { return shown_.value_or(!sizing.isPrint); }
+
   std::vector<Entry> entries_;
-  double duration_s_;
+  double duration_s_;          // a caption that lasts to the end does not fade out
+  std::optional<bool> shown_;  // nullopt: not in figures for print
 };
 
 }  // namespace poinsot::stage

@@ -25,11 +25,20 @@ Sizing screenSizing(glm::vec2 size_px) {
 
 Sizing printSizing(double pixelsPerInch) {
   const double point_px = pixelsPerInch / 72;
-  return {kPrintedLabel / kLabelSize * point_px, kPrintedLine * point_px, kLeastPrinted * point_px};
+  return {kPrintedLabel / kLabelSize * point_px, kPrintedLine * point_px, kLeastPrinted * point_px, 0, true};
 }
 
 Sizing typeScaled(const Sizing& sizing, double factor) {
-  return {factor * sizing.type_px, sizing.line_px, factor * sizing.least_px};
+  return {factor * sizing.type_px, sizing.line_px, std::max(factor * sizing.least_px, sizing.floor_px),
+          sizing.floor_px, sizing.isPrint};
+}
+
+Sizing styled(const Sizing& sizing, const scene::Style& style, glm::vec2 size_px) {
+  Sizing result = sizing;
+  if (style.preset == scene::StylePreset::kHall && !sizing.isPrint)
+    result.floor_px = kHallType * static_cast<double>(size_px.y);
+  result.least_px = std::max(sizing.least_px, result.floor_px / style.textSize);
+  return result;
 }
 
 }  // namespace poinsot::stage
