@@ -10,7 +10,7 @@ namespace {
 
 struct Options : RenderOptions {
   StillOptions still;
-  bool transparent = false;
+  bool transparent = false, crop = false;
   int bits = 8;
 };
 
@@ -19,7 +19,7 @@ request::OutputTarget targetOf(const Options& options, const std::string& sceneN
 }
 
 int still(const Options& options) {
-  return makeStill(options, options.still, {std::nullopt, options.transparent, options.bits},
+  return makeStill(options, options.still, {std::nullopt, options.transparent, options.crop, options.bits},
                    [&](const std::string& sceneName) { return targetOf(options, sceneName); });
 }
 
@@ -35,6 +35,8 @@ void addStill(const Command& program) {
       .notEmpty();
   addStillOptions(command, options->still);
   command.flag("--transparent", options->transparent, "transparent background instead of paper");
+  command.flag("--crop", options->crop,
+               "leave out the empty borders; --size and --width are those of the picture before");
   addBitsOption(command, options->bits);
   command.footer(
       "Examples:\n"

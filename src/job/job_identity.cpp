@@ -53,6 +53,7 @@ std::string renderSettings(const RenderRequest& render) {
                                   {"size", {scene.output.width, scene.output.height}},
                                   {"reproducible", render.reproducible}};
   if (form.transparent) settings["transparent"] = true;
+  if (form.crop) settings["crop"] = true;
   if (form.bits != 8) settings["bits"] = form.bits;
   if (form.print) settings["print"] = {form.print->width_mm, form.print->dpi};
   if (render.target.kind != request::OutputKind::kFilm) {

@@ -50,8 +50,12 @@ class SingleFigure : public output::FrameSink {
         steps_(steps) {}
   void write(const image::Frame& imagePart, std::int64_t) override {
     const core::StepScope timing(&steps_, core::Step::kEncode);
+    const draw::Picture& picture = frames_.picture();
+    figure::FigureOptions options = options_;
+    options.width_mm *=
+        static_cast<double>(picture.size_px.x) / frames_.size().width;  // a cropped picture is narrower
     const auto contents =
-        figure::figureContents(target_, frames_.picture(), std::get<image::Image>(imagePart.picture), options_);
+        figure::figureContents(target_, picture, std::get<image::Image>(imagePart.picture), options);
     for (std::size_t i = 0; i < places_.size(); ++i)
       core::writeFileAtomically(places_[i], contents[i], core::Durability::kRenamed);
   }

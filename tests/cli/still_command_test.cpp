@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 
 #include "image/png_file.h"
 #include "support/program_run.h"
@@ -118,6 +120,44 @@ TEST_F(StillCommand, OmitsTheBackgroundWithOptionTransparent) {
   good("a.svg", {"--transparent"});
   EXPECT_EQ(still({"-o", "screen.png", "--transparent"}).exitCode, 0);
   EXPECT_EQ(image::readPng(folder_ / "screen.png").channels, 4);
+}
+
+// The cropped picture is a part of the whole picture, found by its pixels. All around, only a narrow margin is
+// left.
+TEST_F(StillCommand, LeavesOutEmptyBordersWithOptionCrop) {
+  folder_.put("a.toml", std::string(kGoodScene) + "[camera]\nzoom = 0.4\n");
+  ASSERT_EQ(still({"-o", "whole.png", "--size", "640x360"}).exitCode, 0);
+  const auto result = still({"-o", "part.png", "--size", "640x360", "--crop"});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const image::Image whole = image::readPng(folder_ / "whole.png"), part = image::readPng(folder_ / "part.png");
+  const auto isInk = [&](int x, int y) { return !std::equal(whole.at(x, y), whole.at(x, y) + 3, whole.at(0, 0)); };
+  int left = 640, top = 360, right = 0, bottom = 0;
+  for (int y = 0; y < 360; ++y)
+    for (int x = 0; x < 640; ++x)
+      if (isInk(x, y))
+        left = std::min(left, x), top = std::min(top, y), right = std::max(right, x), bottom = std::max(bottom, y);
+  EXPECT_LT(part.size.width, 400);
+  EXPECT_NEAR(part.size.width, right - left + 1 + 2 * 8, 3);  // a margin of 1.2 % of 640
+  EXPECT_NEAR(part.size.height, bottom - top + 1 + 2 * 8, 3);
+  int unlike = 0;
+  for (int y = 0; y < part.size.height; ++y)
+    for (int x = 0; x < part.size.width; ++x) {
+      const auto *one = part.at(x, y), *other = whole.at(x + left - 8, y + top - 8);
+      for (int c = 0; c < 3; ++c) unlike += std::abs(one[c] - other[c]) > 8;
+    }
+  EXPECT_LE(unlike, 3);
+}
+
+TEST_F(StillCommand, CropsFiguresToTheirOwnSize) {
+  const auto widthOf = [&](const std::string& name) {
+    const std::string svg = bytes(name);
+    const std::size_t at = svg.find("width=\"") + 7;
+    return std::stod(svg.substr(at));
+  };
+  folder_.put("a.toml", std::string(kGoodScene) + "[camera]\nzoom = 0.4\n");
+  good("whole.svg");
+  good("part.svg", {"--crop"});
+  EXPECT_LT(widthOf("part.svg"), 0.7 * widthOf("whole.svg"));
 }
 
 TEST_F(StillCommand, TheSameCommandGivesTheSameBytes) {
