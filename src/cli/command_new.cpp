@@ -100,7 +100,8 @@ void addNew(const Command& program) {
   command.flag("--force", options->force, "replace an existing scene");
   command.footer(
       "Examples:\n"
-      "  poinsot new book\n"
+      "  poinsot new my_scene\n"
+      "  poinsot new phone                     begins with the phone of the catalogue\n"
       "  poinsot new throw --from football\n"
       "~/.config/poinsot/defaults.toml sets the defaults of new scenes (docs/defaults.md).");
   command.does({[options] { return makeNew(*options); }});

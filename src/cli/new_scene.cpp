@@ -9,7 +9,9 @@
 #include <regex>
 #include <vector>
 
+#include "core/expect.h"
 #include "core/text.h"
+#include "physics/catalogue.h"
 #include "request/scene_request.h"
 #include "scene/document/problem.h"
 
@@ -18,6 +20,8 @@ extern "C" const char poinsot_new_scene[], poinsot_new_scene_end[];
 
 namespace poinsot::cli {
 namespace {
+
+constexpr double kHeaviestInHand_kg = 100;  // heavier bodies of the catalogue turn in hours or days
 
 using Lines = std::vector<std::string>;
 
@@ -61,6 +65,32 @@ void setQuantities(std::string& text, const request::UnitChoice& units) {
       text.replace(at, end + 1 - at, inUnit(text.substr(begin, end - begin), dimension, units));
     }
   }
+}
+
+void replaceTable(std::string& text, std::string_view table, std::string_view with) {
+  const std::size_t begin = text.find(fmt::format("[{}]", table)), end = text.find("\n\n", begin);
+  POINSOT_EXPECT(begin != text.npos && end != text.npos);
+  text.replace(begin, end - begin, with);
+}
+
+/// Lets the template begin with a body of the catalogue that spins about its middle axis, and so flips.
+void useCatalogue(std::string& text, std::string_view name) {
+  replaceTable(text, "body",
+               fmt::format("[body]  # a real body; poinsot explain body.catalogue lists all\n"
+                           "catalogue = \"{}\"\n"
+                           "# instead of this key: a solid and its mass, which set the moments of inertia\n"
+                           "# shape = \"box\"\n"
+                           "# size = [@length:24 cm@, @length:17 cm@, @length:3 cm@]\n"
+                           "# mass = @mass:1.2 kg@",
+                           name));
+  replaceTable(text, "motion",
+               "[motion]  # the start\n"
+               "spin = @angular_velocity:0.5 rev/s@\n"
+               "spin_axis = \"middle\"  # the body flips; about \"smallest\" or \"largest\" it does not\n"
+               "tilt = @angle:2 deg@  # of the angular momentum from this axis\n"
+               "# instead of these keys: omega about the body's x, y and z, or omega in space\n"
+               "# omega_body = [@angular_velocity:0.04@, @angular_velocity:3.2@, @angular_velocity:0.04@]\n"
+               "# omega_space = [0, 0, @angular_velocity:3.2@]");
 }
 
 Lines linesOf(std::string_view text) {
@@ -151,6 +181,8 @@ std::string withKey(std::string_view text, const request::DefaultKey& key) {
 
 std::string blankScene(const std::string& name, const request::UserDefaults& defaults) {
   std::string text(poinsot_new_scene, poinsot_new_scene_end);
+  if (const auto* body = physics::findCatalogueBody(name); body && body->mass_kg < kHeaviestInHand_kg)
+    useCatalogue(text, name);
   setQuantities(text, defaults.units);
   alignComments(text);
   for (const request::DefaultKey& key : defaults.keys) text = withKey(text, key);
