@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "describe/alt_sections.h"
+#include "describe/language.h"
 #include "physics/heavy_top.h"
 #include "physics/herpolhode.h"
 #include "physics/polhode.h"
@@ -27,27 +28,24 @@ std::string spinWords(const scene::Scene& scene) { return turningWords(scene.mot
 
 std::string whereLPoints(const scene::Scene& scene) {
   if (scene.motion.orientation_WB) return "";
-  return scene::verticalOfL(scene) == physics::Vertical::kDown ? ": in space it points straight down"
-                                                               : ": in space it points straight up";
+  return scene::verticalOfL(scene) == physics::Vertical::kDown ? say(": in space it points straight down")
+                                                               : say(": in space it points straight up");
 }
 
 std::string constancyOfL(const scene::Scene& scene) {
   const double L = scene::makeMotion(scene, 0, 0)->at(0).L_W.norm();
   const bool falls = scene.motion.flight && !scene.motion.flight->gravity_W.isZero(0);
-  return fmt::format(
-      "{}, so its angular momentum L{}, of {} kg m²/s, never changes{}.",
-      falls ? "Only its weight acts on the body, at the centre of mass" : "Nothing acts on the body",
-      falls ? " about that point" : "", numberWords(L), whereLPoints(scene));
+  return say("{}, so its angular momentum L{}, of {} kg m²/s, never changes{}.",
+             say(falls ? "Only its weight acts on the body, at the centre of mass" : "Nothing acts on the body"),
+             falls ? say(" about that point") : "", numberWords(L), whereLPoints(scene));
 }
 
 /// Describes a steady spin. A spin about the middle axis is described as unstable, because no real start is exact.
 std::string steadySentence(const scene::Scene& scene) {
-  const std::string text =
-      fmt::format("It spins steadily at {}: ω keeps its size and its direction.", spinWords(scene));
+  const std::string text = say("It spins steadily at {}: ω keeps its size and its direction.", spinWords(scene));
   const auto found = physics::spinStability(scene.body.axes.moments(), scene::startOmega_P(scene));
   if (found.kind != physics::Stability::kUnstable) return text;
-  return text + fmt::format(
-                    " But this spin, about the middle axis {}, is unstable: the smallest disturbance grows "
+  return text + say(" But this spin, about the middle axis {}, is unstable: the smallest disturbance grows "
                     "by a factor of e every {}, until the body flips.",
                     axisName(scene::spinAxis(scene::startOmega_P(scene))), timeWords(1 / found.rate));
 }
@@ -57,16 +55,16 @@ Sentences symmetricSentences(const scene::Scene& scene, const physics::Precessio
   const double across_rad = std::numbers::pi / 2 - cones.tilt_rad;
   if (cones.steady() || std::min(cones.tilt_rad, across_rad) < kLeastTilt_rad) return {steadySentence(scene)};
   Sentences sentences{
-      fmt::format("It turns at {}, with a wobble: the symmetry axis {} leans from L by {} and goes "
-                  "round L once in {}, and so does ω, which makes {} with the axis.",
-                  spinWords(scene), k, angleWords(cones.tilt_rad), timeWords(kTurn / cones.precessionRate),
-                  angleWords(cones.bodyCone_rad))};
+      say("It turns at {}, with a wobble: the symmetry axis {} leans from L by {} and goes "
+          "round L once in {}, and so does ω, which makes {} with the axis.",
+          spinWords(scene), k, angleWords(cones.tilt_rad), timeWords(kTurn / cones.precessionRate),
+          angleWords(cones.bodyCone_rad))};
   if (std::isfinite(cones.wobblePeriod()))
     sentences.push_back(
-        fmt::format("Seen from the body, ω goes round the axis once in {}, in the {} the spin. The axis, ω and "
-                    "L lie in one "
-                    "plane at every instant.",
-                    timeWords(cones.wobblePeriod()), cones.bodyRate > 0 ? "sense of" : "sense opposite to"));
+        say("Seen from the body, ω goes round the axis once in {}, in the {} the spin. The axis, ω and "
+            "L lie in one "
+            "plane at every instant.",
+            timeWords(cones.wobblePeriod()), say(cones.bodyRate > 0 ? "sense of" : "sense opposite to")));
   return sentences;
 }
 
@@ -77,19 +75,19 @@ int axisOfRank(const scene::Scene& scene, std::size_t rank) {
 /// Returns the axis about which the polhode runs, such as "e3, the axis of largest moment".
 std::string circledAxis(const scene::Scene& scene, PolhodeRegime regime) {
   const bool smallest = regime == PolhodeRegime::kAboutSmallest;
-  return fmt::format("{}, the axis of {} moment", axisName(axisOfRank(scene, smallest ? 0 : 2)),
-                     smallest ? "smallest" : "largest");
+  return say("{}, the axis of {} moment", axisName(axisOfRank(scene, smallest ? 0 : 2)),
+             say(smallest ? "smallest" : "largest"));
 }
 
 std::string separatrixSentence(const scene::Scene& scene) {
-  return fmt::format(
+  return say(
       "It starts at {} exactly on the separatrix: ω approaches the middle axis {} and never gets "
       "there, and the body turns over once.",
       rateWords(scene.motion.omega_B.norm()), axisName(axisOfRank(scene, 1)));
 }
 
 std::string flipSentence(const scene::Scene& scene, const physics::FlipTimes& flips) {
-  return fmt::format(
+  return say(
       "Every {} the body flips: its middle axis {}, which between flips comes within {} of the line of L, swings "
       "over to the opposite direction.",
       timeWords(flips.interval_s), axisName(axisOfRank(scene, 1)), angleWords(flips.nearestToMiddle_rad));
@@ -97,25 +95,25 @@ std::string flipSentence(const scene::Scene& scene, const physics::FlipTimes& fl
 
 std::string polhodeSentence(const scene::Scene& scene, const physics::Polhode& polhode,
                             const physics::FlipTimes& flips) {
-  std::string text = fmt::format(
+  std::string text = say(
       "It starts at {}, and ω is not constant: once in {} its tip runs along the polhode, a closed curve in the "
       "body, round {}",
       rateWords(scene.motion.omega_B.norm()), timeWords(polhode.period()), circledAxis(scene, polhode.regime()));
   if (!flips.turnsOver)
-    text += fmt::format("; that axis leans from L by {} at most",
-                        angleWords(std::numbers::pi / 2 - flips.nearestToMiddle_rad));
+    text += say("; that axis leans from L by {} at most",
+                angleWords(std::numbers::pi / 2 - flips.nearestToMiddle_rad));
   return text + ".";
 }
 
 std::string herpolhodeSentence(const physics::Herpolhode& curve) {
-  std::string text = fmt::format(
-      "In space the tip of ω draws the herpolhode, on the invariable plane, between {} "
-      "and {} from the line of L",
-      rateWords(curve.smallestRadius()), rateWords(curve.largestRadius()));
+  std::string text =
+      say("In space the tip of ω draws the herpolhode, on the invariable plane, between {} "
+          "and {} from the line of L",
+          rateWords(curve.smallestRadius()), rateWords(curve.largestRadius()));
   const auto closure = curve.closure(kLongestClosure, kClosure_rad);
   if (closure)
-    text += fmt::format("; it closes after {} swings, in {} turns about L and {}", closure->radialPeriods,
-                        closure->turns, timeWords(closure->radialPeriods * curve.radialPeriod()));
+    text += say("; it closes after {} swings, in {} turns about L and {}", closure->radialPeriods, closure->turns,
+                timeWords(closure->radialPeriods * curve.radialPeriod()));
   return text + ".";
 }
 
@@ -132,7 +130,7 @@ Sentences asymmetricSentences(const scene::Scene& scene) {
 }
 
 Sentences freeSentences(const scene::Scene& scene) {
-  if (scene.motion.omega_B.isZero(0)) return {"Nothing acts on it, and it does not turn."};
+  if (scene.motion.omega_B.isZero(0)) return {say("Nothing acts on it, and it does not turn.")};
   Sentences sentences{constancyOfL(scene)};
   const auto cones = physics::precessionCones(scene.body.axes.moments(), scene::startOmega_P(scene));
   const Sentences more = cones ? symmetricSentences(scene, *cones) : asymmetricSentences(scene);
@@ -142,9 +140,9 @@ Sentences freeSentences(const scene::Scene& scene) {
 
 std::string nutationWords(const physics::Nutation& nutation) {
   const std::string least = angleWords(nutation.leastTilt_rad), most = angleWords(nutation.mostTilt_rad);
-  if (least == most) return fmt::format("keeps an angle of {} with the vertical", least);
-  if (std::isinf(nutation.period_s)) return fmt::format("rises from {} towards {}", most, least);
-  return fmt::format(
+  if (least == most) return say("keeps an angle of {} with the vertical", least);
+  if (std::isinf(nutation.period_s)) return say("rises from {} towards {}", most, least);
+  return say(
       "nods between {} and {} from the vertical, once in {} (nutation), and goes round the vertical "
       "by {} each time (precession)",
       least, most, timeWords(nutation.period_s), angleWords(nutation.precession_rad));
@@ -154,33 +152,33 @@ Sentences gravitySentences(const scene::Scene& scene, bool alone) {
   const auto& axes = scene.body.axes;
   const Eigen::Vector3d up_P = axes.toP(scene::startOrientation(scene).conjugate() * Eigen::Vector3d::UnitZ());
   Sentences sentences{
-      "Gravity pulls at the centre of mass and turns L; the vertical component of L stays constant."};
+      say("Gravity pulls at the centre of mass and turns L; the vertical component of L stays constant.")};
   const auto top = physics::heavyTop(axes.moments(), axes.toP(scene.motion.forcing.gravity_B));
   if (!top || !alone) return sentences;
-  sentences.push_back(fmt::format("Its axis {}.", nutationWords(top->nutation(scene::startOmega_P(scene), up_P))));
+  sentences.push_back(say("Its axis {}.", nutationWords(top->nutation(scene::startOmega_P(scene), up_P))));
   return sentences;
 }
 
 std::string axisOfLargest(const physics::PrincipalMoments& moments) {
   const auto axis = moments.ascendingAxes();
-  if (moments[axis[1]] == moments[axis[2]]) return fmt::format("an axis across {}", axisName(axis[0]));
-  return fmt::format("{}, the axis of largest moment", axisName(axis[2]));
+  if (moments[axis[1]] == moments[axis[2]]) return say("an axis across {}", axisName(axis[0]));
+  return say("{}, the axis of largest moment", axisName(axis[2]));
 }
 
 /// Describes the loss of energy. If nothing else acts on the body, also describes the steady spin at the end.
 std::string dissipationSentence(const scene::Scene& scene, bool alone) {
   const auto& moments = scene.body.axes.moments();
-  std::string text = "It loses energy inside, but not angular momentum";
+  std::string text = say("It loses energy inside, but not angular momentum");
   if (!alone) return text + ".";
   const double L = moments.angularMomentum(scene::startOmega_P(scene)).norm();
-  return text +
-         fmt::format(": L, of {} kg m²/s, never changes, and the motion tends to a steady spin about {}, at {}.",
-                     numberWords(L), axisOfLargest(moments), turningWords(L / moments.values().maxCoeff()));
+  return text + say(": L, of {} kg m²/s, never changes, and the motion tends to a steady spin about {}, at {}.",
+                    numberWords(L), axisOfLargest(moments), turningWords(L / moments.values().maxCoeff()));
 }
 
 std::string dragSentence(const Eigen::Vector3d& rate_P) {
-  if (rate_P.minCoeff() < rate_P.maxCoeff()) return "Drag slows it down, about some axes more than about others.";
-  return fmt::format("Drag slows its spin to 1/e in {}.", timeWords(1 / rate_P[0]));
+  if (rate_P.minCoeff() < rate_P.maxCoeff())
+    return say("Drag slows it down, about some axes more than about others.");
+  return say("Drag slows its spin to 1/e in {}.", timeWords(1 / rate_P[0]));
 }
 
 /// Reports whether the torque is not zero in any step of the history.
@@ -188,24 +186,22 @@ bool acts(const physics::TorqueHistory& history) {
   return std::ranges::any_of(history.torque, [](const Eigen::Vector3d& torque) { return !torque.isZero(0); });
 }
 
-void addTorque(Sentences& sentences, const Eigen::Vector3d& torque, bool changes, const char* where) {
-  if (changes) sentences.push_back(fmt::format("A torque that changes with time acts on it, {}.", where));
+void addTorque(Sentences& sentences, const Eigen::Vector3d& torque, bool changes, const std::string& where) {
+  if (changes) sentences.push_back(say("A torque that changes with time acts on it, {}.", where));
   if (torque.isZero(0)) return;
-  sentences.push_back(
-      fmt::format("A constant torque of {} N m acts on it, {}.", numberWords(torque.norm()), where));
+  sentences.push_back(say("A constant torque of {} N m acts on it, {}.", numberWords(torque.norm()), where));
 }
 
 Sentences drivenSentences(const scene::Scene& scene) {
   const physics::Forcing& forcing = scene.motion.forcing;
   Sentences sentences;
-  if (!scene.motion.omega_B.isZero(0))
-    sentences.push_back(fmt::format("At the start it turns at {}.", spinWords(scene)));
+  if (!scene.motion.omega_B.isZero(0)) sentences.push_back(say("At the start it turns at {}.", spinWords(scene)));
   physics::Forcing rest = forcing;
   rest.gravity_B.setZero();
   if (!forcing.gravity_B.isZero(0))
     for (const std::string& sentence : gravitySentences(scene, rest.none())) sentences.push_back(sentence);
-  addTorque(sentences, forcing.torque_B, acts(forcing.torqueHistory_B), "fixed in the body");
-  addTorque(sentences, forcing.torque_W, acts(forcing.torqueHistory_W), "fixed in space");
+  addTorque(sentences, forcing.torque_B, acts(forcing.torqueHistory_B), say("fixed in the body"));
+  addTorque(sentences, forcing.torque_W, acts(forcing.torqueHistory_W), say("fixed in space"));
   if (!forcing.dragRate_P.isZero(0)) sentences.push_back(dragSentence(forcing.dragRate_P));
   rest = forcing;
   rest.dissipation = 0;
@@ -214,15 +210,15 @@ Sentences drivenSentences(const scene::Scene& scene) {
 }
 
 Sentences flightSentences(const scene::Flight& flight) {
-  const std::string speed = fmt::format("{} m/s", numberWords(flight.velocity_W.norm()));
-  if (flight.gravity_W.isZero(0)) return {fmt::format("Its centre of mass flies straight on at {}.", speed)};
+  const std::string speed = say("{} m/s", numberWords(flight.velocity_W.norm()));
+  if (flight.gravity_W.isZero(0)) return {say("Its centre of mass flies straight on at {}.", speed)};
   const physics::FlightTop top = flight.top();
   const std::string rise =
-      top.t_s > 0 ? fmt::format(", which rises {1} m in {0}", timeWords(top.t_s), numberWords(top.rise_m)) : "";
+      top.t_s > 0 ? say(", which rises {1} m in {0}", timeWords(top.t_s), numberWords(top.rise_m)) : "";
   return {
-      fmt::format("It is thrown at {}: its centre of mass flies on a parabola{}, while the body turns about this "
-                  "point as if it did not fall.",
-                  speed, rise)};
+      say("It is thrown at {}: its centre of mass flies on a parabola{}, while the body turns about this "
+          "point as if it did not fall.",
+          speed, rise)};
 }
 
 }  // namespace

@@ -2,8 +2,11 @@
 #include "describe/alt_sections.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "describe/language.h"
 
 namespace poinsot::describe {
 
@@ -18,7 +21,11 @@ std::string raised(int exponent) {
   return text;
 }
 
-std::string threeDigits(double value) { return fmt::format("{:.3g}", value); }
+std::string threeDigits(double value) {
+  std::string text = fmt::format("{:.3g}", value);
+  if (hasDecimalComma()) std::ranges::replace(text, '.', ',');
+  return text;
+}
 
 }  // namespace
 
@@ -33,13 +40,13 @@ std::string numberWords(double value, double scale) {
 }
 
 std::string timeWords(double time_s) {
-  if (std::isinf(time_s)) return "an infinite time";
+  if (std::isinf(time_s)) return say("an infinite time");
   const double size = std::abs(time_s);
   if (size < 0.1 && size > 0) return numberWords(1e3 * time_s) + " ms";
   if (size < 120) return numberWords(time_s) + " s";
-  if (size < 7200) return numberWords(time_s / 60) + " minutes";
-  if (size < 172800) return numberWords(time_s / 3600) + " hours";
-  return numberWords(time_s / 86400) + " days";
+  if (size < 7200) return say("{} minutes", numberWords(time_s / 60));
+  if (size < 172800) return say("{} hours", numberWords(time_s / 3600));
+  return say("{} days", numberWords(time_s / 86400));
 }
 
 std::string lengthWords(double length_m) {
@@ -53,15 +60,14 @@ std::string rateWords(double rate) { return numberWords(rate) + " rad/s"; }
 std::string turningWords(double rate) {
   constexpr double kTooFastToTime_s = 0.5;
   const double turn_s = 2 * std::numbers::pi / rate;
-  if (turn_s < kTooFastToTime_s)
-    return fmt::format("{}, {} turns a second", rateWords(rate), numberWords(1 / turn_s));
-  return fmt::format("{}, one turn in {}", rateWords(rate), timeWords(turn_s));
+  if (turn_s < kTooFastToTime_s) return say("{}, {} turns a second", rateWords(rate), numberWords(1 / turn_s));
+  return say("{}, one turn in {}", rateWords(rate), timeWords(turn_s));
 }
 
 std::string listWords(const std::vector<std::string>& words) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
+    if (i > 0) text += i + 1 == words.size() ? say(" and ") : ", ";
     text += words[i];
   }
   return text;

@@ -2,6 +2,7 @@
 #include "describe/alt_text.h"
 
 #include "describe/alt_sections.h"
+#include "describe/language.h"
 #include "text/math_setter.h"
 
 namespace poinsot::describe {
@@ -18,6 +19,7 @@ Sentences heading(const scene::Scene& scene) {
 }  // namespace
 
 std::string altText(const scene::Scene& scene) {
+  const LanguageScope language(scene.output.language);
   std::string paragraph;
   for (const Sentences& part :
        {heading(scene), bodySentences(scene), motionSentences(scene), pictureSentences(scene)})

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "describe/picture_words.h"
 
-#include <fmt/format.h>
-
 #include "core/text.h"
 #include "describe/alt_sections.h"
 #include "describe/alt_text.h"
+#include "describe/language.h"
 #include "request/sweep_cells.h"
 #include "stage/stability_map.h"
 #include "stage/type/sweep_label.h"
@@ -16,24 +15,23 @@ namespace {
 
 std::string rangeWords(const stage::SweepLabels& labels) {
   const auto plain = [](const std::string& tex) { return text::setTex(tex).plainText; };
-  return fmt::format("{} from {} to {}", plain(labels.name), plain(labels.values.front()),
-                     plain(labels.values.back()));
+  return say("{} from {} to {}", plain(labels.name), plain(labels.values.front()), plain(labels.values.back()));
 }
 
 std::string gridWords(const request::SceneRequest& request, const scene::Scene& scene) {
   const request::SweepGrid grid(request);
   const auto labels = stage::sweepLabels(grid.axes, request.sweep->labels, scene);
   const std::string ranges = labels.size() == 1 ? rangeWords(labels[0])
-                                                : fmt::format("{} from left to right, {} from top to bottom",
-                                                              rangeWords(labels[0]), rangeWords(labels[1]));
-  return fmt::format("{} pictures of one scene side by side, at one instant: {}. The first: {}", grid.cells,
-                     ranges, altText(scene));
+                                                : say("{} from left to right, {} from top to bottom",
+                                                      rangeWords(labels[0]), rangeWords(labels[1]));
+  return say("{} pictures of one scene side by side, at one instant: {}. The first: {}", grid.cells, ranges,
+             altText(scene));
 }
 
 std::string mapWords(const scene::Scene& scene) {
   const stage::StabilityMap map(scene);
   const auto& axes = map.scale().separatrix();
-  return fmt::format(
+  return say(
       "A map of how long the body takes from flip to flip, for every direction of L in it: a sphere of "
       "directions, from {} in dark colours at the axes {} and {}, the stable ones, to {} and more in pale "
       "ones near {}, the unstable one. Two circles through the unstable axis, the separatrix, divide the two "
@@ -43,6 +41,7 @@ std::string mapWords(const scene::Scene& scene) {
 }
 
 std::string description(const request::SceneRequest& request, const scene::Scene& scene) {
+  const LanguageScope language(scene.output.language);
   if (!request.sweep) return altText(scene);
   return request.sweep->map ? mapWords(scene) : gridWords(request, scene);
 }
