@@ -19,7 +19,7 @@ request::OutputTarget targetOf(const Options& options, const std::string& sceneN
 }
 
 int still(const Options& options) {
-  return makeStill(options, options.still, {std::nullopt, options.transparent, options.crop, options.bits},
+  return makeStill(options, options.still, {std::nullopt, options.transparent, options.bits, options.crop},
                    [&](const std::string& sceneName) { return targetOf(options, sceneName); });
 }
 

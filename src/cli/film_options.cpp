@@ -126,7 +126,7 @@ std::optional<request::OutputTarget> namedTarget(const FilmOptions& options) {
 }
 
 request::PictureOptions pictureOptions(const FilmOptions& options) {
-  return {std::nullopt, options.transparent, false, options.bits};
+  return {std::nullopt, options.transparent, options.bits};
 }
 
 RequestedFilm requestedFilm(const FilmOptions& options) {

@@ -20,8 +20,8 @@ struct PrintSize {
 struct PictureOptions {
   std::optional<PrintSize> print;  ///< nullopt for a picture on a screen, whose letters scale with its size
   bool transparent = false;        ///< without the paper's colour behind the picture
-  bool crop = false;               ///< without empty borders
   int bits = 8;                    ///< bits per sample, 8 or 16; 16 only if takesDeepPictures()
+  bool crop = false;               ///< without empty borders
 };
 
 }  // namespace poinsot::request
