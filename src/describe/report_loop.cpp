@@ -19,13 +19,14 @@ Section loopSection(const scene::Scene& scene) {
   if (!scene.time.loop) return section;
   const scene::Loop& loop = *scene.time.loop;
   section.add("loop_period", "time after which the motion repeats", loop.period_s, "s", "attitude and omega");
-  section.add("loop_polhode_periods", "  periods of the polhode in that time", loop.polhodePeriods, "",
-              "0: a steady spin");
   const bool isTop = !scene.motion.forcing.none();
+  if (!isTop)
+    section.add("loop_polhode_periods", "  periods of the polhode in that time", loop.polhodePeriods, "",
+                "0: a steady spin");
   section.add("loop_turns", isTop ? "  turns about the vertical in that time" : "  turns about L in that time",
               loop.turns, "", "");
   section.add("loop_omega_change", "change of omega at the start, relative to |omega|", loop.change, "",
-              "at the same |L|");
+              isTop ? "at the same lean" : "at the same |L|");
   section.add("loop_omega_turned", "  change of its direction in the body", loop.turned_rad, "rad", "");
   section.addDetail("loop_speed_before", "speed before", loop.speedAsked, "", "motion s per film s");
   section.add("loop_speed", "speed of the film that repeats", *scene.time.speed, "", "");

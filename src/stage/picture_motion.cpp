@@ -99,11 +99,13 @@ scene::FilmClock filmClock(const scene::Scene& scene) {
 }
 
 std::shared_ptr<const physics::Motion> drawnMotion(const scene::Scene& scene) {
-  const double end = filmClock(scene).motionTime_s(scene.time.duration_s);
-  if (scene.show.exaggerateAngles == 1) return scene::makeMotion(scene, scene.time.start_s, end);
+  const double start = scene.time.start_s, end = filmClock(scene).motionTime_s(scene.time.duration_s);
+  // In a film that repeats, the path travelled before the first frame is that of the film before.
+  const double earliest = scene.time.loop ? start - (end - start) : start;
+  if (scene.show.exaggerateAngles == 1) return scene::makeMotion(scene, earliest, end);
   scene::Scene drawn = scene;
   drawn.motion.omega_B = scene.body.axes.toB(scene::drawnOmega_P(scene));
-  return scene::makeMotion(drawn, scene.time.start_s, end);
+  return scene::makeMotion(drawn, earliest, end);
 }
 
 PictureMotion::PictureMotion(const scene::Scene& scene, std::shared_ptr<const physics::Motion> motion)

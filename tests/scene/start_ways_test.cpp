@@ -223,7 +223,7 @@ TEST(TopStart, TellsWhatATopWithoutThisMotionNeeds) {
   EXPECT_EQ(
       topProblems("lean='60 deg'\nspin=3.4\nspin_axis='3'\nprecession='slow'"),
       "motion.precession: needs a faster spin: a lean of 60 deg precesses steadily only with |motion.spin| of "
-      "at least 3.4641 rad/s\n");
+      "at least 3.4641 rad/s (0.5513 rev/s)\n");
   EXPECT_EQ(topProblems("lean='60 deg'\nspin=3.47\nspin_axis='3'\nprecession='slow'"), "");
   EXPECT_EQ(
       topProblems("lean='90 deg'\nspin=5\nspin_axis='3'\nprecession='fast'"),

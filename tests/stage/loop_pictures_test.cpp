@@ -41,6 +41,17 @@ TEST(LoopPictures, ThePictureAfterOneLoopEqualsTheFirst) {
   }
 }
 
+// The motion of a top is integrated, and must also cover the film before the first picture.
+TEST(LoopPictures, RepeatThePathOfATop) {
+  const Stage stage(scene::parseScene(
+      "[body]\nprincipal_moments = [1, 1, 2]\n[motion]\nspin = 6\nspin_axis = \"3\"\nlean = 0.8\n"
+      "precession = \"slow\"\ngravity.mgr_body = [0, 0, 4]\n[time]\nduration = 6\nloop = true\n[show]\n"
+      "trace = true\n",
+      "top.toml"));
+  const double whole = stage.scene().time.duration_s;
+  EXPECT_LT(farthest(onlyList(stage, 0, kSize), onlyList(stage, whole, kSize)), 2e-5f);
+}
+
 // The whole path has been travelled once before, so that nothing of it begins or ends at the first picture.
 TEST(LoopPictures, PathsHaveNoVisibleStart) {
   const Stage stage(sample("[time]\nduration = 6\nloop = true\n"));

@@ -80,8 +80,8 @@ class TopStart {
     const double least = 2 * std::sqrt(top_->across * top_->weight * std::cos(tilt_rad_)) / top_->along;
     return fmt::format(
         "needs a faster spin: a lean of {} precesses steadily only with |motion.spin| of at least "
-        "{:.6g} rad/s",
-        degrees(tilt_rad_), least);
+        "{:.6g} rad/s ({:.4g} rev/s)",
+        degrees(tilt_rad_), least, least / (2 * std::numbers::pi));
   }
 
   const StartDraft& start_;

@@ -60,9 +60,11 @@ std::vector<Key> spinKeys() {
        .dimension = kAngularVelocity,
        .range = kSpins,
        .example = "\"3 rev/s\"",
-       .help = "Component of the angular velocity omega along spin_axis. The angular momentum L is then vertical, "
-               "and spin_axis leans from L by the angle `tilt`. If the body is thrown end over end, give "
-               "omega_space instead of spin.",
+       .help =
+           "Component of the angular velocity omega along spin_axis. In free motion, the angular momentum L is "
+           "then "
+           "vertical, and spin_axis leans from L by the angle `tilt`. If the body is thrown end over end, give "
+           "omega_space instead of spin.",
        .put = into([](Draft& d) { return &d.start.spin; })},
       {.path = "motion.spin_axis",
        .type = kWord,
@@ -162,7 +164,8 @@ std::vector<Key> topKeys() {
        .help =
            "Steady precession of a symmetric top under gravity, at the lean that the scene gives. With spin and "
            "spin_axis, `slow` or `fast` chooses one of the two rates at which this spin precesses. Without spin, "
-           "a rate sets the spin.",
+           "a rate sets the spin. A whole start is spin = \"25 rev/s\", spin_axis = \"3\", lean = \"50 deg\" and "
+           "precession = \"slow\", beside [motion.gravity] with g = 9.81 and a body with a mass and a pivot.",
        .put =
            [](Draft& d, std::size_t, const Checked& value) {
              const auto* word = std::get_if<Word>(&value);

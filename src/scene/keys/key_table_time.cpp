@@ -50,7 +50,8 @@ std::vector<Key> timeKeys() {
        .example = "true",
        .help = "Whether the film repeats without a jump. If true, the start of the motion is moved as little as "
                "possible, at the same |L|, so that the motion returns to its start. The film ends when the motion "
-               "has returned. The speed changes slightly, so that the film has a whole number of frames; `info` "
+               "has returned. A top in steady precession keeps its lean, and its rates are changed. The speed "
+               "changes slightly, so that the film has a whole number of frames; `info` "
                "prints the change. Free motion and the steady precession of a top can loop.",
        .put = into([](Draft& d) { return &d.loop; })},
       {.path = "time.still",
