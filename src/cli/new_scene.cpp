@@ -11,8 +11,8 @@
 
 #include "core/expect.h"
 #include "core/text.h"
-#include "physics/catalogue.h"
 #include "request/scene_request.h"
+#include "scene/catalogue_mass.h"
 #include "scene/document/problem.h"
 
 // Embedded content of the file new_scene.toml.
@@ -181,8 +181,7 @@ std::string withKey(std::string_view text, const request::DefaultKey& key) {
 
 std::string blankScene(const std::string& name, const request::UserDefaults& defaults) {
   std::string text(poinsot_new_scene, poinsot_new_scene_end);
-  if (const auto* body = physics::findCatalogueBody(name); body && body->mass_kg < kHeaviestInHand_kg)
-    useCatalogue(text, name);
+  if (scene::catalogueMass_kg(name).value_or(kHeaviestInHand_kg) < kHeaviestInHand_kg) useCatalogue(text, name);
   setQuantities(text, defaults.units);
   alignComments(text);
   for (const request::DefaultKey& key : defaults.keys) text = withKey(text, key);

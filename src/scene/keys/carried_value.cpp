@@ -121,6 +121,28 @@ std::optional<Node> listFrom(const std::vector<const Node*>& values) {
   return listOf(std::move(elements), values[0]->place);
 }
 
+/// Returns a number times a factor. The number may have a unit.
+Node scaled(const Node& given, double factor) {
+  if (factor == 1) return given;
+  if (const auto* array = given.as<Node::Array>()) {
+    std::vector<Node> elements;
+    for (const Node& element : *array) elements.push_back(scaled(element, factor));
+    return listOf(std::move(elements), given.place);
+  }
+  if (isNumber(given)) return {factor * numberOf(given), given.place};
+  const auto* text = given.as<std::string>();
+  double number = 0;
+  const char* end = text ? std::from_chars(text->data(), text->data() + text->size(), number).ptr : nullptr;
+  if (!text || end == text->data()) return given;
+  return {fmt::format("{:.6g}{}", factor * number, std::string_view(end, text->data() + text->size() - end)),
+          given.place};
+}
+
+std::optional<Node> below(const Node& distance) {
+  if (!isScalar(distance)) return std::nullopt;
+  return listOf({zeroAt(distance.place), zeroAt(distance.place), scaled(distance, -1)}, distance.place);
+}
+
 std::optional<Node> scalarFirst(const Node& given) {
   const auto* array = given.as<Node::Array>();
   if (!array || array->size() != 4) return std::nullopt;
@@ -152,11 +174,12 @@ std::optional<std::string> carriedValue(const Key& key, const Node& given, const
 std::vector<KeyLine> carriedLines(const ForeignNames& row, const Key& key, const std::vector<const Node*>& values,
                                   const Limits& limits) {
   const auto carried = [&](const std::optional<Node>& node) {
-    return node ? lineOf(key, carriedValue(key, *node, limits, row.unit)) : std::vector<KeyLine>();
+    return node ? lineOf(key, carriedValue(key, scaled(*node, row.factor), limits, row.unit))
+                : std::vector<KeyLine>();
   };
   switch (row.carry) {
     case Carry::kValue:
-      return lineOf(key, carriedValue(key, *values[0], limits, row.unit));
+      return carried(*values[0]);
     case Carry::kNothing:
       return {};
     case Carry::kList:
@@ -165,6 +188,8 @@ std::vector<KeyLine> carriedLines(const ForeignNames& row, const Key& key, const
       return carried(tensorOf(values));
     case Carry::kXyzw:
       return carried(scalarFirst(*values[0]));
+    case Carry::kBelow:
+      return carried(below(*values[0]));
     case Carry::kPosition:
       return directionOf(*values[0]);
   }

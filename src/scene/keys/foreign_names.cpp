@@ -51,6 +51,11 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"I_xx I_yy I_zz", kMoments, "", "", Carry::kList},
     {"ixx iyy izz", kMoments, "", "", Carry::kList},
     {"Jxx Jyy Jzz", kMoments, "", "", Carry::kList},
+    {"A B C", kMoments, "", "", Carry::kList},
+    {"I11 I12 I13 I22 I23 I33", kTensor, "", "", Carry::kTensor},
+    {"I_11 I_12 I_13 I_22 I_23 I_33", kTensor, "", "", Carry::kTensor},
+    {"I11 I22 I33", kMoments, "", "", Carry::kList},
+    {"I_11 I_22 I_33", kMoments, "", "", Carry::kList},
     {"I1 I2 I3", kMoments, "", "", Carry::kList},
     {"I_1 I_2 I_3", kMoments, "", "", Carry::kList},
     {"Ix Iy Iz", kMoments, "", "", Carry::kList},
@@ -58,7 +63,8 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"J1 J2 J3", kMoments, "", "", Carry::kList},
     {"Jx Jy Jz", kMoments, "", "", Carry::kList},
     {"I J moments moments_of_inertia moment_of_inertia moment inertias inertia_moments diaginertia diag_inertia "
-     "inertia_diagonal inertia_diag principal_inertia I0 Ip I_principal moi MOI local_inertia",
+     "inertia_diagonal inertia_diag principal_inertia I0 Ip I_principal moi MOI local_inertia "
+     "local_inertia_diagonal",
      kMoments},
     {"I J Ibody I_body I_b IB I_B inertia_tensor inertial_tensor tensor inertia_matrix I_tensor J_body moi MOI "
      "moment_of_inertia moments_of_inertia inertia",
@@ -68,20 +74,23 @@ constexpr auto kRows = std::to_array<ForeignNames>({
      kMoments},
 
     // Mass, shape and points of the body
-    {"m M mass total_mass body_mass mass_of_body", "body.mass"},
+    {"m M mass total_mass body_mass mass_of_body weight", "body.mass"},
     {"rho density mass_density", "body.density", kBox},
     {"r R radius", "body.radius", kBall},
-    {"diameter d", "body.radius", kBall, "The radius is half the diameter.", Carry::kNothing},
+    {"diameter d", "body.radius", kBall, "The radius is half the diameter.", Carry::kValue, "", 0.5},
     {"lx ly lz", "body.size", kBoxShape, "", Carry::kList},
     {"size", "output.size"},  // only a picture has two whole numbers; other sizes are those of a body
     {"dimensions dims dim extents extent sides edges box_size size", "body.size", kBoxShape},
-    {"half_extents halfextents half_size", "body.size", kBoxShape,
-     "The size is the full extent, twice the half extent.", Carry::kNothing},
+    {"half_extents halfextents half_size half_sizes semi_axes semiaxes", "body.size", kBoxShape,
+     "The size is the full extent, twice the half extent.", Carry::kValue, "", 2},
     {"edge edge_length side side_length", "body.edge", "shape = \"cube\"; mass = 1"},
     {"length", "body.size", kBoxShape, "It takes the three extents together.", Carry::kNothing},
     {"type shape shape_type geometry geom solid kind", "body.shape"},
     {"type object model preset kind body", "body.catalogue"},
     {"pivot fixed_point pivot_point support anchor", "body.pivot", kMass},
+    {"l distance_to_pivot pivot_distance com_distance cm_distance lever lever_arm arm_length", "body.pivot", kMass,
+     "This pivot is below the origin of the body axes, by the distance of the centre of mass from it.",
+     Carry::kBelow},
     {"center_of_mass centre_of_mass centre_of_gravity center_of_gravity com cog cm r_cm r_com",
      "body.centre_of_mass", kMass},
 
@@ -107,13 +116,17 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"qw qx qy qz", "motion.orientation", "", kScalarFirst, Carry::kList},
     {"q_w q_x q_y q_z", "motion.orientation", "", kScalarFirst, Carry::kList},
     {"q0 q1 q2 q3", "motion.orientation", "", kScalarFirst, Carry::kList},
-    {"q q0 q_0 quat quat0 quaternion attitude attitude0 pose orientation", "motion.orientation", "", kScalarFirst},
+    {"q q0 q_0 quat quat0 quaternion attitude attitude0 pose orientation attitude_quaternion "
+     "orientation_quaternion",
+     "motion.orientation", "", kScalarFirst},
     {"quat_xyzw q_xyzw quaternion_xyzw", "motion.orientation", "", kScalarFirst, Carry::kXyzw},
     {"rotation_matrix R0 dcm DCM rotation", "motion.orientation", "", kScalarFirst, Carry::kNothing},
     {"integrator solver method tol rtol atol accuracy", "motion.tolerance", "", kNoSteps, Carry::kNothing},
 
     // Forces
-    {"torque torques tau tau_body M moment external_torque applied_torque torque_body", "motion.torque.body"},
+    {"M", "motion.torque.body", "",
+     "In Landau and Lifshitz, M is the angular momentum: motion.L_body takes it, and starts the motion."},
+    {"torque torques tau tau_body moment external_torque applied_torque torque_body", "motion.torque.body"},
     {"torque_space torque_world tau_space", "motion.torque.space"},
     {"gravity g grav g0 gravitational_acceleration acceleration_of_gravity gravity_acceleration",
      "motion.gravity.g", "", "It acts on a body that has body.mass and body.pivot."},
@@ -123,8 +136,9 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"friction friction_coefficient viscosity viscous_friction damping_coefficient drag_coefficient "
      "air_resistance",
      "motion.drag.rate", "", "The rate d is that of dL/dt = -d L, in 1/s.", Carry::kNothing},
-    {"dissipation alpha energy_loss internal_friction internal_damping", "motion.dissipation.alpha", "",
-     "It makes the body lose energy and keep L."},
+    {"dissipation alpha energy_loss internal_friction internal_damping dissipation_rate energy_dissipation_rate "
+     "energy_loss_rate",
+     "motion.dissipation.alpha", "", "It makes the body lose energy and keep L."},
     {"v v0 v_0 velocity linear_velocity vel", "motion.flight.velocity"},
     {"r0 r_0 x0 x_0 position pos", "motion.flight.position"},
 
@@ -133,8 +147,9 @@ constexpr auto kRows = std::to_array<ForeignNames>({
      "sim_time total_time max_time runtime",
      "time.duration"},
     {"tspan t_span time_span time_interval", "time.duration", "", "", Carry::kNothing},
-    {"steps n_steps nsteps num_steps frames n_frames nframes num_frames frame_count n", "time.duration", "",
-     "A film has duration times fps frames.", Carry::kNothing},
+    {"steps n_steps nsteps num_steps frames n_frames nframes num_frames frame_count n "
+     "frame_end",
+     "time.duration", "", "A film has duration times fps frames.", Carry::kNothing},
     {"fps framerate frame_rate frames_per_second", "time.fps"},
     {"dt time_step timestep step step_size", "time.fps", "", kNoSteps, Carry::kNothing},
     {"t0 t_0 t_start tstart start_time", "time.start"},
@@ -157,13 +172,22 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"camera_preset viewpoint", "camera.preset"},
     {"camera_distance camera.distance", "camera.zoom", "",
      "The distance is automatic, so that the motion fits into the picture.", Carry::kNothing},
-    {"background background_color background_colour bg bg_color bgcolor facecolor clear_color",
+    {"background background_color background_colour bg bg_color bgcolor facecolor clear_color "
+     "world_color",
      "style.colors.paper"},
     {"body_color body_colour", "style.colors.body"},
     {"font_size fontsize", "style.text_size", "", "", Carry::kNothing},
     {"dark_mode dark", "style.theme", "", "", Carry::kNothing},
     {"theme style.preset", "style.theme"},
-    {"title name scene_name", "show.title"},
+    {"title name scene_name suptitle heading", "show.title"},
+    {"look_at lookat target focus", "camera.azimuth", "",
+     "The camera always looks at the body; only its direction is chosen.", Carry::kNothing},
+    {"L_vector L_arrow angular_momentum_vector", "show.L.visible"},
+    {"omega_vector omega_arrow angular_velocity_vector", "show.omega.visible"},
+    {"body_axes frame_axes axes body_frame", "show.principal_axes.visible"},
+    {"poinsot_ellipsoid inertia_ellipsoid energy_ellipsoid draw_ellipsoid", "show.ellipsoid.visible"},
+    {"invariable_plane draw_plane draw_invariable_plane", "show.plane.visible"},
+    {"trail trail_length trajectory path show_trail", "show.trace.visible", "", "", Carry::kNothing},
 });
 
 using Rows = std::vector<const ForeignNames*>;
@@ -219,8 +243,10 @@ Rows foreignRows(std::string_view path) {
 
 std::string_view topOf(std::string_view path) { return path.substr(0, path.find('.')); }
 
+/// Returns whether a table may contain names of physics: the top, [body], [motion], or a table of another program.
 bool isPhysics(std::string_view table) {
-  return table.empty() || topOf(table) == "body" || topOf(table) == "motion";
+  const std::string_view top = topOf(table.substr(0, table.find('[')));
+  return table.empty() || top == "body" || top == "motion" || !(isTable(top) || isTableArray(top));
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ enum class Carry {
   kList,      ///< one value for each name, in the order of the names
   kTensor,    ///< Ixx, Ixy, Ixz, Iyy, Iyz, Izz, in this order; missing products are 0
   kXyzw,      ///< quaternion with the scalar last
+  kBelow,     ///< a distance l, which becomes the vector [0, 0, -l]
   kPosition,  ///< position of a camera, which becomes the key and camera.elevation
 };
 
@@ -28,6 +29,7 @@ struct ForeignNames {
   std::string_view note{};  ///< sentence for the message
   Carry carry = Carry::kValue;
   std::string_view unit{};  ///< unit that the names imply for a bare number, such as "rpm"
+  double factor = 1;        ///< factor on the value, such as 0.5 for a diameter
 };
 
 /// Returns the table of all foreign names. A name may be in several rows: the first row whose key accepts the

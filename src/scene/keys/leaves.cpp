@@ -52,7 +52,7 @@ class Walk {
     else if (isTableArray(path))
       array(path, node);
     else if (!isTable(path))
-      unknown(path, keyPlace, node);
+      unknownNames(path, keyPlace, node);
     else if (const auto* entries = node.as<Node::Table>())
       opened(path, keyPlace, *entries);
     else if (node.as<bool>() && hasVisible(path))
@@ -64,6 +64,17 @@ class Walk {
   }
 
  private:
+  /// Takes the keys of a table of another program, such as [simulation], as unknown names, if one of them leads to
+  /// a key. Otherwise, the table itself is the unknown name.
+  void unknownNames(const std::string& path, const Place& place, const Node& node) {
+    const auto* entries = node.as<Node::Table>();
+    const auto leads = [&](const Entry& entry) { return !plausibleRows(pathBelow(path, entry.key)).empty(); };
+    if (entries && !misspelt(tableOf(path), nameOf(path)) && std::ranges::any_of(*entries, leads))
+      table(path, *entries);
+    else
+      unknown(path, place, node);
+  }
+
   void unknown(const std::string& path, const Place& place, const Node& node) {
     remember(path);
     unknown_.push_back({path, place, &node});
