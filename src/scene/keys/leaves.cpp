@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/text.h"
+#include "scene/keys/foreign_names.h"
 #include "scene/keys/unknown_key.h"
 #include "scene/keys/unknown_names.h"
 #include "scene/limits.h"
