@@ -127,6 +127,12 @@ const std::map<std::string_view, Lines>& values() {
       {"style.text_size", {"12"}},
       {"style.theme", {"\"dark\""}},
       {"show.title", {"\"A top\""}},
+      {"show.L.visible", {"true"}},
+      {"show.omega.visible", {"true"}},
+      {"show.principal_axes.visible", {"true"}},
+      {"show.ellipsoid.visible", {"true"}},
+      {"show.plane.visible", {"true"}},
+      {"show.trace.visible", {"true"}},
   };
   return all;
 }
@@ -275,6 +281,25 @@ TEST(ForeignNames, LeadAnglesToEulerAnglesWithTheirValues) {
       "z, where the z axis of the body leans by the nutation. For example:\n    euler.precession = 0.1\n"
       "motion.rpy: unknown key; did you mean motion.roll_pitch_yaw? For example:\n    roll_pitch_yaw = [0.1, "
       "0.2, 0.3]\n");
+}
+
+TEST(ForeignNames, AreFoundInTablesOfOtherPrograms) {
+  EXPECT_EQ(messagesOf(kMoments + "[initial_conditions]\nomega0 = [0, 0, 2]\n"),
+            "initial_conditions.omega0: unknown key; did you mean motion.omega_body? Its components are along the "
+            "body's axes; motion.omega_space takes those along the world's axes. For example, at the end of the "
+            "file:\n    [motion]\n    omega_body = [0, 0, 2]\n");
+  EXPECT_THAT(messagesOf(kMoments + kStart + "[simulation]\nt_end = 20\n"),
+              EndsWith("    [time]\n    duration = 20\n"));
+}
+
+TEST(ForeignNames, ChangeValuesByTheirFactor) {
+  const std::string disc = "[body]\nshape = \"disc\"\nmass = 2\n";
+  EXPECT_THAT(messagesOf(disc + "diameter = \"30 cm\"\n" + kStart), EndsWith("    radius = \"15 cm\"\n"));
+  EXPECT_THAT(messagesOf(disc + "diameter_cm = 30\n" + kStart), EndsWith("    radius = \"15 cm\"\n"));
+  EXPECT_THAT(messagesOf("[body]\nshape = \"ellipsoid\"\nmass = 5\nsemiaxes = [3, 2, 1]\n" + kStart),
+              EndsWith("    size = [6, 4, 2]\n"));
+  EXPECT_THAT(messagesOf("[body]\nprincipal_moments = [1, 1, 2]\nmass = 1\nl = 0.04\n" + kStart),
+              EndsWith("    pivot = [0, 0, -0.04]\n"));
 }
 
 TEST(ForeignNames, IncludeKeysOfOtherTables) {

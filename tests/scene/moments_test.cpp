@@ -198,6 +198,42 @@ TEST(Moments, AreRefusedIfKeysContradict) {
             "3.48 s\n");
 }
 
+// Each pair overlaps for some lengths only, so the result must not depend on how the search runs.
+TEST(Moments, AroundDifferentEventsFollowEachOther) {
+  for (const double speedFor_s : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0})
+    for (const double duration_s : {9.0, 9.3, 12.0}) {
+      const Scene scene =
+          parseScene(kThrow +
+                         entry("around = \"highest_point\"\nspeed = 0.1\nover = 0.1\nspeed_for = " +
+                               std::to_string(speedFor_s) + "\n") +
+                         entry("around = \"catch\"\nhold = 2\nover = 0.2\n"),
+                     "test.toml", {"time.duration=" + std::to_string(duration_s)});
+      const TimelineEntry &slow = entryOf(scene, 0), &pause = entryOf(scene, 1);
+      EXPECT_NEAR(clockOf(scene).motionTime_s(slow.at_s + 0.1 + speedFor_s / 2), 0.5, kRounding_s);
+      EXPECT_NEAR(clockOf(scene).motionTime_s(pause.at_s + 0.2 + 1), 1, kRounding_s);
+    }
+}
+
+TEST(Moments, DoNotBeginInAPause) {
+  const std::string slow = entry("around = \"catch\"\nspeed = 0.1\nover = 0.1\n");
+  EXPECT_EQ(messagesOf(kThrow + entry("at = 0\nhold = 2\n") + slow), "");
+  EXPECT_EQ(
+      messagesOf(kThrow + entry("at = 0.6\nover = 0.4\nhold = 2\n") + slow),
+      "timeline[1].around: would begin while the slow motion or pause of timeline[0] lasts, from 0.6 s to 3.4 s; "
+      "shorten one of the two\n");
+  EXPECT_EQ(messagesOf(kThrow + entry("at = 1\nhold = 2\n") + entry("at = 2\nspeed = 0.5\n")),
+            "timeline[1].at: changes the speed at 2 s, but the pause of timeline[0] lasts from 1 s to 4.6 s\n");
+}
+
+TEST(Moments, OfShortCaptionsAreNoted) {
+  const std::string text = kThrow + entry("at = 0\ncaption = \"six words that nobody can read\"\n") +
+                           entry("at = 1\ncaption = \"next\"\n");
+  const Scene scene = sceneOf(text);
+  ASSERT_EQ(scene.doubts.size(), 1u);
+  EXPECT_THAT(scene.doubts[0].message,
+              HasSubstr("timeline[0].caption: is shown for only 1 s, which is short for 6 words"));
+}
+
 TEST(Moments, AreNotLookedUpInAFaultyScene) {
   const std::string text =
       "[body]\nprincipal_moments = [1, 2, 9]\n[motion]\nomega_body = [0.01, 3, 0]\n" + entry("at = \"flip 9\"\n");

@@ -41,9 +41,9 @@ TEST(Overrides, SuggestTheNearestTableForAnUnknownOne) {
       messagesOf(kMinimal, {"show.qqqqqqqqqqqq.q=3"}),
       HasSubstr("unknown table [show.qqqqqqqqqqqq]; [show] has the tables body, principal_axes, L, omega"));
   EXPECT_EQ(messagesOf(kMinimal, {"qqqqqqqqqqqq.fps=3"}),
-            "qqqqqqqqqqqq.fps: unknown table [qqqqqqqqqqqq]; did you mean time.fps?\n");
-  EXPECT_EQ(messagesOf(kMinimal, {"qqqqqqqqqqqq.q=3"}),
-            "qqqqqqqqqqqq.q: unknown table [qqqqqqqqqqqq]; a scene has the tables body, motion, time, camera, "
+            "qqqqqqqqqqqq.fps: unknown key; did you mean time.fps?\n");
+  EXPECT_EQ(messagesOf(kMinimal, {"qqqqqqqqqqqq.zzz=3"}),
+            "qqqqqqqqqqqq.zzz: unknown table [qqqqqqqqqqqq]; a scene has the tables body, motion, time, camera, "
             "show, mark, view, label, vector, angle, plot, readout, note, timeline, style, output\n");
   EXPECT_EQ(messagesOf(kMinimal, {"motion.omega_body.x=3"}),
             "motion.omega_body.x: unknown key; motion.omega_body is an array of three angular velocities, and has "

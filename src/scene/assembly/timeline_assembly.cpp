@@ -106,6 +106,21 @@ void doubtCaptions(const std::vector<TimelineEntry>& byTime, Findings& findings)
   }
 }
 
+/// Adds notes for captions that disappear before they can be read.
+void doubtShortCaptions(const Timeline& timeline, Findings& findings) {
+  constexpr double kWord_s = 0.25;  // fast readers read a word in this time
+  for (const Caption& caption : timeline.captions) {
+    const auto words = 1 + std::ranges::count(caption.text, ' ');
+    const double shown_s = caption.to_s - caption.from_s;
+    if (shown_s >= kWord_s * static_cast<double>(words)) continue;
+    const auto entry = std::ranges::find_if(timeline.entries, [&](const TimelineEntry& each) {
+      return each.caption == caption.text && each.at_s == caption.from_s;
+    });
+    findings.doubt(pathOf(entry->place) + ".caption",
+                   fmt::format("is shown for only {:.2g} s, which is short for {} words", shown_s, words));
+  }
+}
+
 /// Places the entries in the film. Reports entries without a place, and doubtful ones.
 void place(Scene& scene, double duration_s, Findings& findings) {
   for (const MomentProblem& problem : placeTimeline(scene)) {
@@ -115,6 +130,7 @@ void place(Scene& scene, double duration_s, Findings& findings) {
   }
   for (const TimelineEntry& entry : scene.timeline.entries) doubtLasting(entry, duration_s, findings);
   doubtCaptions(scene.timeline.entries, findings);
+  doubtShortCaptions(scene.timeline, findings);
 }
 
 }  // namespace

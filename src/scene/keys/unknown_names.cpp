@@ -110,7 +110,9 @@ class Report {
   std::optional<Counterpart> counterpartOf(const std::string& path, const Node* value) const {
     const std::string_view table = tableOf(path);
     if (value->as<Node::Table>()) return std::nullopt;
-    if (nameOf(path).size() > kLongestName || !(table.empty() || isTable(table))) return std::nullopt;
+    const bool isForeign =
+        table.find_first_of(".[") == std::string_view::npos && !isTableArray(table) && !misspelt("", table);
+    if (nameOf(path).size() > kLongestName || !(isTable(table) || isForeign)) return std::nullopt;
     if (auto foreign = foreignCounterpart(path)) return foreign;
     if (auto shape = shapeCounterpart(path)) return shape;
     if (auto unit = unitCounterpart(path, *value)) return unit;

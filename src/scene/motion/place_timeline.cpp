@@ -21,11 +21,13 @@ namespace {
 
 using Entries = std::vector<TimelineEntry>;
 
+constexpr double kRounding = 1e-12;  // relative; one entry may begin at the end of another
+
 /// Returns the film time from the begin of an entry to the middle of its slow motion or pause.
 double lead_s(const TimelineEntry& entry) { return entry.over_s + entry.lasting_s() / 2; }
 
-/// Returns the film time at which an entry shows its moment.
-double shown_s(const TimelineEntry& entry) { return entry.at_s + (entry.moment.isMiddle ? lead_s(entry) : 0); }
+/// Returns the film time at which the slow motion or the pause of an entry has ended.
+double end_s(const TimelineEntry& entry) { return entry.at_s + 2 * entry.over_s + entry.lasting_s(); }
 
 void insertByTime(Entries& placed, const TimelineEntry& entry) {
   const auto later = std::ranges::find_if(placed, [&](const TimelineEntry& other) {
@@ -110,26 +112,38 @@ class Placement {
       const auto motion_s = motionTimeOf(entry.moment);
       const auto film = motion_s ? clock.filmTimesOf(*motion_s, duration_s_) : std::nullopt;
       if (!film) return {{}, absent(entry.moment, clock)};
-      return entry.moment.isMiddle ? beginAround(entry, *motion_s) : Begin{film->from_s};
+      return entry.moment.isMiddle ? beginAround(entry, *motion_s, film->from_s) : Begin{film->from_s};
     } catch (const core::Error& error) {
       return {{}, error.message()};
     }
   }
 
-  /// Returns the film time at which an entry must begin so that its middle shows a motion time.
-  Begin beginAround(TimelineEntry entry, double motion_s) const {
+  /// Returns the film time at which an entry must begin so that its middle shows a motion time. The entry can only
+  /// begin after the slow motion or the pause before it.
+  /// @param shown_s  film time of the motion time without this entry
+  Begin beginAround(TimelineEntry entry, double motion_s, double shown_s) const {
+    const TimelineEntry* before = nullptr;
+    for (const TimelineEntry& other : placed_)
+      if (other.lasting_s() > 0 && other.at_s <= shown_s) before = &other;
+    const double free_s = before ? end_s(*before) : 0;
     const double wanted = (motion_s - scene_.time.start_s) / speed_;
     const auto playedAtMiddle = [&](double at_s) {
       entry.at_s = at_s;
       Entries entries = placed_;
       insertByTime(entries, entry);
-      return clockWith(entries).played_s(shown_s(entry));
+      return clockWith(entries).played_s(at_s + lead_s(entry));
     };
-    const double last_s = std::max(duration_s_ - lead_s(entry), 0.0);
-    if (playedAtMiddle(0) > wanted) return tooEarly(entry);
-    if (playedAtMiddle(last_s) < wanted)
+    if (before && (free_s > shown_s || playedAtMiddle(free_s) > wanted))
+      return {
+          {},
+          fmt::format("would begin while the slow motion or pause of timeline[{}] lasts, from {:.4g} s to {:.4g} "
+                      "s; shorten one of the two",
+                      before->place, before->at_s, free_s)};
+    if (playedAtMiddle(free_s) > wanted) return tooEarly(entry);
+    const double last_s = std::min(shown_s, duration_s_ - lead_s(entry));
+    if (last_s < free_s || playedAtMiddle(last_s) < wanted)
       return {{}, "the film ends before the middle of this slow motion; make time.duration longer"};
-    return {firstWhere([&](double at_s) { return playedAtMiddle(at_s) >= wanted; }, 0, last_s)};
+    return {firstWhere([&](double at_s) { return playedAtMiddle(at_s) >= wanted; }, free_s, last_s)};
   }
 
   std::optional<double> motionTimeOf(const Moment& moment) {
@@ -170,18 +184,19 @@ class Placement {
 
   static std::string_view wordOf(int kind) { return eventKinds()[static_cast<std::size_t>(kind)].word; }
 
-  /// Refuses a change of speed that begins while an earlier entry sets the speed for a limited time.
+  /// Refuses a change of speed that begins while an earlier entry sets the speed for a limited time: the end of
+  /// the earlier one would cancel it.
   void checkOverlaps() {
     for (std::size_t i = 0; i < placed_.size(); ++i) {
       const TimelineEntry& first = placed_[i];
-      if (!first.speedFor_s && !first.moment.isMiddle) continue;
-      const double end_s = first.at_s + 2 * first.over_s + first.lasting_s();
-      for (std::size_t k = i + 1; k < placed_.size() && placed_[k].at_s < end_s; ++k)
+      if (first.lasting_s() == 0) continue;
+      for (std::size_t k = i + 1; k < placed_.size() && placed_[k].at_s < end_s(first) * (1 - kRounding); ++k)
         if (placed_[k].changesSpeed())
           refuse(placed_[k],
-                 fmt::format("changes the speed at {:.4g} s, but the slow motion of timeline[{}] lasts "
-                             "from {:.4g} s to {:.4g} s",
-                             placed_[k].at_s, first.place, first.at_s, end_s));
+                 fmt::format("changes the speed at {:.4g} s, but the {} of timeline[{}] lasts from {:.4g} "
+                             "s to {:.4g} s",
+                             placed_[k].at_s, first.hold_s > 0 ? "pause" : "slow motion", first.place, first.at_s,
+                             end_s(first)));
     }
   }
 
