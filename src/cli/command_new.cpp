@@ -101,8 +101,9 @@ void addNew(const Command& program) {
   command.footer(
       "Examples:\n"
       "  poinsot new my_scene\n"
-      "  poinsot new phone                     begins with the phone of the catalogue\n"
+      "  poinsot new phone\n"
       "  poinsot new throw --from football\n"
+      "If NAME is a body of the catalogue, such as phone or book, the scene begins with this body.\n"
       "~/.config/poinsot/defaults.toml sets the defaults of new scenes (docs/defaults.md).");
   command.does({[options] { return makeNew(*options); }});
 }

@@ -178,7 +178,7 @@ void addTrajectory(const Command& program) {
       "  poinsot trajectory scenes/football.toml --rate 100 -o out/football.csv\n"
       "  poinsot trajectory scenes/football.toml --at=-3.5,0,1e6\n"
       "  poinsot trajectory scenes/tennis_racket.toml --events\n"
-      "  poinsot trajectory scenes/heavy_top.toml --rate 50 --quantities theta_vertical,phi,psi,E\n"
+      "  poinsot trajectory scenes/football.toml --rate 50 --quantities theta,phi,psi,T\n"
       "docs/scene.md lists all quantities, with their units.");
   command.does({[options] { return trajectory(*options); }, options.get(),
                 [options] {
