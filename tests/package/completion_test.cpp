@@ -66,8 +66,9 @@ TEST_F(BashCompletion, CompletesCommands) {
 
 TEST_F(BashCompletion, CompletesOptionsOfTheCommand) {
   EXPECT_THAT(offered({"render", "top.toml", "--f"}), ElementsAre("--force", "--format", "--fps", "--frames"));
-  EXPECT_THAT(offered({"info", "--"}), ElementsAre("--alt", "--asset-root", "--digits", "--help", "--json",
-                                                   "--limit", "--max-memory", "--max-seconds", "--untrusted"));
+  EXPECT_THAT(offered({"info", "--"}),
+              ElementsAre("--all", "--alt", "--asset-root", "--digits", "--help", "--json", "--limit",
+                          "--max-memory", "--max-seconds", "--untrusted"));
 }
 
 TEST_F(BashCompletion, CompletesValuesOfAnOption) {
