@@ -51,7 +51,8 @@ std::string flightNote(const scene::Scene& scene) {
   if (scale >= 1) return "";
   return line(fmt::format(
       "the flight path is drawn {:.3g} times smaller than the body, because the body would otherwise be too small "
-      "to see; a shorter film needs a smaller factor, and show.flight.scale = 1 draws the path to scale",
+      "to see; show.flight.scale = 1 draws the path to scale, and camera.follow = true moves the camera with the "
+      "body, so that both are drawn to scale",
       1 / scale));
 }
 
@@ -127,7 +128,7 @@ std::string doubtNotes(const scene::Scene& scene) {
 
 std::string choiceNotes(const scene::Scene& scene, bool film) {
   std::string notes = doubtNotes(scene);
-  if (scene.time.loop) notes += line(describe::loopText(*scene.time.loop, scene.time));
+  if (scene.time.loop) notes += line(describe::loopText(scene));
   if (film) notes += paceNote(scene);
   return notes + flightNote(scene) + torqueNote(scene) + faintTypeNote(scene);
 }

@@ -92,7 +92,7 @@ void addPolhode(Section& section, const scene::Scene& scene) {
   section.addDetail("complementary_parameter", "mc = 1 - k^2", flips.complementary, "", "0 on the separatrix");
   const bool symmetric = conesOf(scene).has_value();
   section.add("body_flips", "the body flips", flips.turnsOver, "",
-              symmetric ? "two moments are equal" : "yes with L within 20 deg of the middle axis");
+              symmetric ? "two moments are equal" : "yes if L comes within 20 deg of the middle axis");
   if (!symmetric) addMiddleAxis(section, flips);
 }
 

@@ -5,12 +5,22 @@
 #include <numbers>
 
 #include "describe/report_sections.h"
+#include "scene/motion/heavy_top_start.h"
 
 namespace poinsot::describe {
 
 namespace {
 
 double speedChange(const scene::Loop& loop, const scene::Time& time) { return *time.speed / loop.speedAsked - 1; }
+
+/// Returns the change of the start in words. A top keeps its lean, so its spin says more than omega.
+std::string startText(const scene::Scene& scene) {
+  const scene::Loop& loop = *scene.time.loop;
+  if (!loop.spinAsked)
+    return fmt::format("omega at the start changed by {:.2g} deg ({:.2g} %)",
+                       loop.turned_rad * 180 / std::numbers::pi, 100 * loop.change);
+  return fmt::format("spin from {:.5g} to {:.5g} rad/s", *loop.spinAsked, scene::heavyTopStart(scene)->spin());
+}
 
 }  // namespace
 
@@ -28,6 +38,11 @@ Section loopSection(const scene::Scene& scene) {
   section.add("loop_omega_change", "change of omega at the start, relative to |omega|", loop.change, "",
               isTop ? "at the same lean" : "at the same |L|");
   section.add("loop_omega_turned", "  change of its direction in the body", loop.turned_rad, "rad", "");
+  if (isTop) {
+    section.addDetail("loop_spin_before", "spin before", *loop.spinAsked, "rad/s", "about the top's axis");
+    section.addDetail("loop_spin", "spin of the film that repeats", scene::heavyTopStart(scene)->spin(), "rad/s",
+                      "");
+  }
   section.addDetail("loop_speed_before", "speed before", loop.speedAsked, "", "motion s per film s");
   section.add("loop_speed", "speed of the film that repeats", *scene.time.speed, "", "");
   section.addDetail("loop_duration_before", "film before", loop.durationAsked_s, "s", "time.duration");
@@ -36,12 +51,11 @@ Section loopSection(const scene::Scene& scene) {
   return section;
 }
 
-std::string loopText(const scene::Loop& loop, const scene::Time& time) {
-  return fmt::format(
-      "the film repeats after {:.4g} s; omega at the start changed by {:.2g} deg ({:.2g} %), speed from "
-      "{:.4g} to {:.4g} ({:+.2g} %)",
-      time.duration_s, loop.turned_rad * 180 / std::numbers::pi, 100 * loop.change, loop.speedAsked, *time.speed,
-      100 * speedChange(loop, time));
+std::string loopText(const scene::Scene& scene) {
+  const scene::Time& time = scene.time;
+  return fmt::format("the film repeats after {:.4g} s; {}, speed from {:.4g} to {:.4g} ({:+.2g} %)",
+                     time.duration_s, startText(scene), time.loop->speedAsked, *time.speed,
+                     100 * speedChange(*time.loop, time));
 }
 
 }  // namespace poinsot::describe

@@ -82,14 +82,15 @@ struct Motion {
 
 /// Record of the changes to a scene that make its film repeat without a jump (film_loop.h).
 struct Loop {
-  double period_s = 0;         ///< motion time of the film, after which the complete state repeats
-  int polhodePeriods = 0;      ///< periods of the polhode until the state repeats; 0 for a steady spin
-  int turns = 0;               ///< turns until the state repeats: about L, or of a top about the vertical
-  double change = 0;           ///< length of the change of drawn omega at the start, relative to omega
-  double turned_rad = 0;       ///< angle between the old and the new omega, in the body
-  double speedAsked = 0;       ///< motion seconds per film second before the change
-  double durationAsked_s = 0;  ///< film time before the change
-  double mismatch_rad = 0;     ///< angle between the attitudes at both ends, due to rounding errors
+  double period_s = 0;              ///< motion time of the film, after which the complete state repeats
+  int polhodePeriods = 0;           ///< periods of the polhode until the state repeats; 0 for a steady spin
+  int turns = 0;                    ///< turns until the state repeats: about L, or of a top about the vertical
+  double change = 0;                ///< length of the change of drawn omega at the start, relative to omega
+  double turned_rad = 0;            ///< angle between the old and the new omega, in the body
+  std::optional<double> spinAsked;  ///< spin of a top about its axis before the change, rad/s; free motion: none
+  double speedAsked = 0;            ///< motion seconds per film second before the change
+  double durationAsked_s = 0;       ///< film time before the change
+  double mismatch_rad = 0;          ///< angle between the attitudes at both ends, due to rounding errors
 };
 
 struct Time {

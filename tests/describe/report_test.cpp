@@ -13,6 +13,7 @@
 #include <numbers>
 #include <regex>
 
+#include "describe/report_loop.h"
 #include "request/scene_request.h"
 
 namespace poinsot::describe {
@@ -141,6 +142,15 @@ TEST(Report, StatesThatStabilityAssumesFreeMotion) {
   EXPECT_THAT(reportTable(reportOf(free)), Not(HasSubstr("if nothing acted")));
   EXPECT_THAT(reportTable(reportOf(free + "[motion.drag]\nrate = 0.1\n")),
               HasSubstr("if nothing acted on the body"));
+}
+
+TEST(Report, NamesTheSpinOfATopWhoseFilmRepeats) {
+  const scene::Scene top =
+      request::loadRequested(request::readSceneRequest(kSource + "/scenes/steady_top.toml", {}));
+  const json said = json::parse(reportJson(sceneReport(top)));
+  EXPECT_NEAR(said["loop_spin_before"].get<double>(), 50 * std::numbers::pi, 1e-12);  // 25 rev/s; 0 off
+  EXPECT_NEAR(said["loop_spin"].get<double>(), 50 * std::numbers::pi, 1.5);           // 1 %
+  EXPECT_THAT(loopText(top), HasSubstr("; spin from 157.08 to "));
 }
 
 std::string textOf(const std::filesystem::path& path) {

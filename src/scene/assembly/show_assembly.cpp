@@ -62,10 +62,16 @@ physics::Solid proportions(const Draft& draft) {
   return kind.make(drawn);
 }
 
+constexpr const char* kNothingIsThrown = "nothing is thrown: give [motion.flight], or leave it out";
+constexpr const char* kTopIsNotThrown =
+    "nothing is thrown: give [motion.flight], or leave it out; to draw the weight of a top, add the table "
+    "[[vector]] "
+    "with components = [0, 0, -1] and name = '$M\\mathbf{g}$'";
+
 void checkThrown(const Scene& scene, const std::string& prefix, Findings& findings, const Show& show) {
   const std::string flight = prefix + "show.flight", total = prefix + "show.total_L";
   if (!scene.motion.flight && findings.hasBelow(flight) && show.figures.flight.visible)
-    findings.refuse(flight, "nothing is thrown: give [motion.flight], or leave it out");
+    findings.refuse(flight, findings.hasTable("motion.gravity") ? kTopIsNotThrown : kNothingIsThrown);
   const bool asked = show.figures.totalL.visible && (prefix.empty() || findings.hasBelow(total));
   if (asked && !scene.motion.flight)
     findings.refuse(total, "exists only for a thrown body: give [motion.flight], or leave it out");

@@ -135,6 +135,7 @@ void closeLoop(Scene& scene, const Limits& limits) {
   loop.turned_rad = closed.turned_rad;
   loop.change = drawn_P.isZero(0) ? 0 : closed.change / drawn_P.norm();
   loop.mismatch_rad = closed.mismatch_rad;
+  if (const auto top = heavyTopStart(scene)) loop.spinAsked = top->spin();
   scene.motion.omega_B = scene.body.axes.toB(undrawnOmega_P(scene, closed.omega0_P));
   fitFilm(scene, clock, closed.period_s, limits);
   fitEvents(scene, closed.period_s, limits);
