@@ -148,7 +148,8 @@ TEST(Flight, FiguresOfAFlightNeedAThrownBody) {
   EXPECT_EQ(problems(kBare + "[show]\nflight=false\n"), "");
   EXPECT_EQ(problems(kBare + "[show.flight]\nweight=true\n"),
             "show.flight: nothing is thrown: give [motion.flight], or leave it out\n");
-  EXPECT_THAT(problems(kTop + "[show.flight]\nweight=true\n"), HasSubstr("[[vector]] with components = [0, 0, -1]"));
+  EXPECT_THAT(problems(kTop + "[motion.gravity]\ng=9.81\n[show.flight]\nweight=true\n"),
+              HasSubstr("[[vector]] with components = [0, 0, -1]"));
   EXPECT_EQ(problems(kBare + "[camera]\nfollow=true\n"),
             "camera.follow: nothing is thrown: give [motion.flight], or leave it out\n");
   EXPECT_EQ(problems(kBare + "[[view]]\n[[view]]\ncamera.follow=true\n"),
