@@ -110,7 +110,11 @@ std::string countOfList(const FactValue& value) {
 std::string inDegrees(const Fact& fact, int digits) {
   const double* angle = std::get_if<double>(&fact.value);
   if (!angle || fact.unit != "rad" || !std::isfinite(*angle)) return "";
-  return fmt::format(" ({} deg)", numberText(*angle * 180 / std::numbers::pi, digits));
+  const double degrees = *angle * 180 / std::numbers::pi;
+  constexpr double kArcminute = 1.0 / 60;  // below this, arcseconds are the usual unit
+  if (*angle != 0 && std::abs(degrees) < kArcminute && std::abs(degrees) > 1e-9)
+    return fmt::format(" ({} arcsec)", numberText(3600 * degrees, digits));
+  return fmt::format(" ({} deg)", numberText(degrees, digits));
 }
 
 struct Row {
@@ -215,10 +219,11 @@ Report sceneReport(const scene::Scene& scene) {
   const double start_s = scene.time.start_s;
   const ReportSpan span{start_s, stage::filmClock(scene).motionTime_s(scene.time.duration_s)};
   const auto motion = scene::makeMotion(scene, span.from_s, span.to_s);
-  return {scene.name,
-          {bodySection(scene), startSection(scene), flightSection(scene), constructionSection(scene),
-           symmetricSection(scene), heavyTopSection(scene), lossSection(scene), stabilitySection(scene),
-           loopSection(scene), eventsSection(scene, *motion, span), accuracySection(scene, *motion, span)}};
+  return {
+      scene.name,
+      {bodySection(scene), startSection(scene), flightSection(scene), constructionSection(scene),
+       symmetricSection(scene), heavyTopSection(scene), lossSection(scene, *motion, span), stabilitySection(scene),
+       loopSection(scene), eventsSection(scene, *motion, span), accuracySection(scene, *motion, span)}};
 }
 
 }  // namespace poinsot::describe

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
 #include "describe/report_sections.h"
 #include "physics/driven_motion.h"
+#include "physics/energy_loss.h"
 #include "physics/polhode.h"
 #include "physics/run_condition.h"
 #include "scene/motion/film_pace.h"
@@ -43,6 +46,21 @@ std::string nameOf(const scene::HeavyTopStart& start) {
   return isSlow ? "slow steady precession" : "fast steady precession";
 }
 
+/// Adds the constants of a motion without losses: energy, and L along the vertical and along k.
+/// @param meaning  of the three values, such as "constant"
+void addConstants(Section& section, const scene::HeavyTopStart& start, const std::string& meaning) {
+  const physics::HeavyTop& top = start.top;
+  const double L_3 = top.along * start.spin(), across2 = start.omega_P.squaredNorm() - start.spin() * start.spin();
+  const double rest = 0.5 * top.across * across2 + top.weight * std::cos(start.tilt_rad());
+  const Eigen::Vector3d across_P = start.omega_P - start.spin() * top.k_P;
+  section.add("top_energy", "energy T + M g l cos theta", rest + 0.5 * L_3 * start.spin(), "J", meaning);
+  section.add("top_L_z", "L_z, about the vertical",
+              top.across * across_P.dot(start.up_P) + L_3 * top.k_P.dot(start.up_P), "kg m^2/s", meaning);
+  section.add("top_L_3", "L_3 = I3 omega_3, about k", L_3, "kg m^2/s", meaning);
+  section.addDetail("top_reduced_energy", "energy without L_3^2/(2 I3)", rest, "J",
+                    "the effective potential has this value at the least and at the largest tilt");
+}
+
 void addNutation(Section& section, const physics::Nutation& nutation) {
   section.add("nutation_least_tilt", "nutation: least tilt", nutation.leastTilt_rad, "rad", "from the vertical");
   section.add("nutation_largest_tilt", "  largest tilt", nutation.mostTilt_rad, "rad", "");
@@ -60,6 +78,35 @@ void addFinalState(Section& section, const physics::PrincipalMoments& moments, c
   section.add("final_spin_rpm", "  that is", L / largest * 30 / std::numbers::pi, "rpm", "");
   section.add("final_T", "final kinetic energy L^2/(2 I_max)", end, "J", "eq 12");
   section.add("final_T_part", "  relative to the start", end / start, "", "");
+}
+
+/// Returns the axis of largest moment in the direction of its spin, or words if the film ends before this is
+/// decided.
+std::string finalDirection(const physics::Motion& motion, double end_s) {
+  const physics::PrincipalMoments& moments = motion.axes().moments();
+  const Eigen::Vector3d omega_P = motion.axes().toP(motion.at(end_s).omega_B);
+  if (physics::Polhode(moments, omega_P).regime() != physics::PolhodeRegime::kAboutLargest)
+    return "not decided before the film ends";
+  const int axis = moments.ascendingAxes()[2];
+  return fmt::format("{}e{}", omega_P[axis] < 0 ? "-" : "+", axis + 1);
+}
+
+/// Adds how a body without other torques comes to a spin about its axis of largest moment.
+void addDamping(Section& section, const scene::Scene& scene, const physics::Motion& motion,
+                const ReportSpan& span) {
+  const auto& moments = scene.body.axes.moments();
+  const Eigen::Vector3d omega_P = scene::startOmega_P(scene);
+  const double alpha = scene.motion.forcing.dissipation, L = moments.angularMomentum(omega_P).norm();
+  section.add("damping_time", "time in which a small wobble falls to 1/e", physics::dampingTime(moments, alpha, L),
+              "s", "2/(alpha L^2 (1/I1 + 1/I2 - 2/I3))");
+  if (const auto axis = moments.ascendingAxes();
+      moments[axis[0]] < moments[axis[1]] && moments[axis[1]] < moments[axis[2]]) {
+    section.add("separatrix_time", "reaches the separatrix after about",
+                physics::timeToSeparatrix(moments, omega_P, alpha), "s", "mean over the wobble");
+    section.add("final_direction", "comes to a spin about", finalDirection(motion, span.to_s), "",
+                "axis of largest moment");
+  }
+  addFinalState(section, moments, omega_P);
 }
 
 void addIntegration(Section& section, const physics::DrivenMotionReport& report) {
@@ -91,18 +138,32 @@ void addCondition(Section& section, const scene::Scene& scene, const ReportSpan&
   section.add("meaningful_digits", "meaningful digits at " + end, condition.digits, "", "");
 }
 
+/// Returns what is true of a top at its start although drag or a loss of energy acts.
+Section lossyTopSection(const scene::Scene& scene) {
+  Section section{"Heavy top at the start (k: from the pivot to the centre of mass)", {}};
+  const auto start = scene::nearlyHeavyTopStart(scene);
+  if (!start) return section;
+  section.add("weight_moment", "M g l", start->top.weight, "N m", "");
+  section.add("top_tilt", "angle between k and the vertical", start->tilt_rad(), "rad", "");
+  section.add("top_spin", "spin omega_3", start->spin(), "rad/s", "eq 26");
+  section.add("sleeping_spin", "sleeps upright above 2 sqrt(I1 M g l)/I3", start->top.sleepingSpin(), "rad/s", "");
+  addConstants(section, *start, "without losses constant");
+  return section;
+}
+
 }  // namespace
 
 Section heavyTopSection(const scene::Scene& scene) {
   Section section{"Heavy top (k: from the pivot to the centre of mass)", {}};
   const auto start = scene::heavyTopStart(scene);
-  if (!start) return section;
+  if (!start) return lossyTopSection(scene);
   section.add("weight_moment", "M g l", start->top.weight, "N m", "");
   if (start->uneven > 0)
     section.add("top_unevenness", "moments across k differ by", start->uneven, "",
                 "relative difference; the motion uses the mean of the two moments");
   section.add("top_tilt", "angle between k and the vertical", start->tilt_rad(), "rad", "");
   section.add("top_spin", "spin omega_3", start->spin(), "rad/s", "eq 26");
+  addConstants(section, *start, "constant");
   if (const std::string name = nameOf(*start); !name.empty())
     section.add("top_motion", "motion of the axis", name, "", "");
   section.add("sleeping_spin", "sleeps upright above 2 sqrt(I1 M g l)/I3", start->top.sleepingSpin(), "rad/s", "");
@@ -113,7 +174,7 @@ Section heavyTopSection(const scene::Scene& scene) {
   return section;
 }
 
-Section lossSection(const scene::Scene& scene) {
+Section lossSection(const scene::Scene& scene, const physics::Motion& motion, const ReportSpan& span) {
   Section section{"Losses", {}};
   const physics::Forcing& forcing = scene.motion.forcing;
   const Eigen::Vector3d omega_P = scene::startOmega_P(scene);
@@ -124,7 +185,7 @@ Section lossSection(const scene::Scene& scene) {
   rest.dissipation = 0;
   if (forcing.dissipation > 0 && rest.none() &&
       physics::Polhode(scene.body.axes.moments(), omega_P).regime() != physics::PolhodeRegime::kSteady)
-    addFinalState(section, scene.body.axes.moments(), omega_P);
+    addDamping(section, scene, motion, span);
   return section;
 }
 

@@ -5,11 +5,13 @@
 #include "describe/report_sections.h"
 #include "physics/binet.h"
 #include "physics/herpolhode.h"
+#include "physics/mean_periods.h"
 #include "physics/poinsot_construction.h"
 #include "physics/polhode.h"
 #include "physics/precession_cones.h"
 #include "physics/stability.h"
 #include "scene/motion/make_motion.h"
+#include "stage/body/body_figure.h"
 
 namespace poinsot::describe {
 namespace {
@@ -70,6 +72,36 @@ void addEllipsoids(Section& section, const scene::Scene& scene) {
                     "kg m^2/s", "Binet");
 }
 
+/// Adds the periods that astronomers publish of a tumbling body.
+void addMeanPeriods(Section& section, const scene::Scene& scene) {
+  const auto periods = physics::meanPeriods(scene.body.axes.moments(), scene::startOmega_P(scene));
+  if (!periods) return;
+  const bool isShort = periods->mode == physics::AxisMode::kShort;
+  section.add(
+      "tumbling_mode", "mode of the tumbling", std::string(isShort ? "SAM" : "LAM"), "",
+      isShort ? "L circles the short axis, of largest moment" : "L circles the long axis, of smallest moment");
+  section.add("P_phi", "  P_phi: the long axis goes round L in", periods->phi_s, "s", "mean");
+  section.add("P_psi", isShort ? "  P_psi: a swing about the long axis" : "  P_psi: a turn about the long axis",
+              periods->psi_s, "s", "period of the polhode");
+}
+
+/// Adds how far the motion is from the steady spins, which have the least and the most energy of this |L|.
+void addBounds(Section& section, const scene::Scene& scene) {
+  const auto& moments = scene.body.axes.moments();
+  const Eigen::Vector3d omega_P = scene::startOmega_P(scene), m_P = moments.angularMomentum(omega_P);
+  const double square = m_P.squaredNorm(), least = square / (2 * moments.values().maxCoeff()),
+               most = square / (2 * moments.values().minCoeff());
+  section.add("T_bounds", "T at this |L| is from L^2/(2 I_max) to L^2/(2 I_min)", std::vector<double>{least, most},
+              "J", "spins about the two outer axes");
+  const physics::Herpolhode curve(moments, omega_P);
+  const double height = physics::PoinsotConstruction(moments, omega_P).planeHeight();
+  const std::vector<double> radii{curve.smallestRadius(), curve.largestRadius()};
+  section.add("omega_range", "range of |omega|",
+              std::vector<double>{std::hypot(height, radii[0]), std::hypot(height, radii[1])}, "rad/s", "");
+  section.add("omega_L_range", "range of the angle between omega and L",
+              std::vector<double>{std::atan2(radii[0], height), std::atan2(radii[1], height)}, "rad", "");
+}
+
 void addMiddleAxis(Section& section, const physics::FlipTimes& flips) {
   section.add("flip_interval", flips.turnsOver ? "time from flip to flip, 2K/lambda" : "half a period, 2K/lambda",
               flips.interval_s, "s", "omega_mid changes sign");
@@ -93,7 +125,10 @@ void addPolhode(Section& section, const scene::Scene& scene) {
   const bool symmetric = conesOf(scene).has_value();
   section.add("body_flips", "the body flips", flips.turnsOver, "",
               symmetric ? "two moments are equal" : "yes if L comes within 20 deg of the middle axis");
-  if (!symmetric) addMiddleAxis(section, flips);
+  if (symmetric) return;
+  addMiddleAxis(section, flips);
+  addMeanPeriods(section, scene);
+  addBounds(section, scene);
 }
 
 /// Adds a symmetric top's herpolhode, a circle that closes after one turn of omega about L.
@@ -118,6 +153,16 @@ void addHerpolhode(Section& section, const scene::Scene& scene) {
   section.add("closure_radial_periods", "  after radial periods", closure->radialPeriods, "", "");
   section.add("closure_turns", "  in turns about L", closure->turns, "", "");
   section.add("closure_time", "  that is", closure->radialPeriods * curve.radialPeriod(), "s", "");
+}
+
+/// Adds the distance at which omega leaves the surface from the end of k, if the size of the body is known.
+void addPoleDistance(Section& section, const scene::Scene& scene, const PrecessionCones& cones) {
+  constexpr double kSmall_rad = 0.1;  // a larger angle is easier to imagine than a distance
+  if (cones.bodyCone_rad == 0 || cones.bodyCone_rad > kSmall_rad) return;
+  if (scene.body.parts.empty() || !scene.show.body.parts.empty()) return;
+  const double reach_m = stage::BodyFigure(scene).halfExtents()[cones.axis];
+  section.add("pole_distance", "  at the end of k, omega is off by", reach_m * std::tan(cones.bodyCone_rad), "m",
+              "half the length along k, times tan beta");
 }
 
 /// Reports whether a top resembles the Earth: (C - A)/A within 2 % and the spin within 1 %. The unit of the
@@ -174,11 +219,20 @@ Section symmetricSection(const scene::Scene& scene) {
               "the end with omega_3 >= 0");
   section.add("tilt", "angle theta between k and L", cones->tilt_rad, "rad", "eq 20");
   section.add("body_cone_half_angle", "body cone, half-angle (omega, k)", cones->bodyCone_rad, "rad", "eq 30");
+  addPoleDistance(section, scene, *cones);
   section.add("space_cone_half_angle", "space cone, half-angle (omega, L)", cones->spaceCone_rad, "rad", "eq 35");
   section.add("rolling", "the body cone rolls on the space cone's", senseWord(*cones), "",
               "outside if prolate, inside if oblate");
   section.add("precession_rate", "precession L/I1 about L", cones->precessionRate, "rad/s", "eq 20, 34");
+  section
+      .add("precession_period", "  once round in", 2 * std::numbers::pi / cones->precessionRate, "s", "2 pi I1/L")
+      .detail = cones->steady();
+  section.add("omega_1", "omega_1 = L sin theta/I1", cones->precessionRate * std::sin(cones->tilt_rad), "rad/s",
+              "eq 19; along i, in the plane of L and k");
   section.add("spin_rate", "omega_3", cones->spinRate, "rad/s", "eq 26; k is chosen so that omega_3 >= 0");
+  if (!cones->steady() && cones->spinRate > 0)
+    section.add("wobbles_per_turn", "turns about L for each turn omega_3/(2 pi)",
+                cones->precessionRate / cones->spinRate, "", "I3/(I1 cos theta)");
   section.add("body_precession_rate", "Omega_p of omega about k", cones->bodyRate, "rad/s", "eq 29, 37");
   section.add("hand_finch_spin", "Hand & Finch's spin Omega", cones->handFinchSpin(), "rad/s", "eq 21").detail =
       cones->steady();

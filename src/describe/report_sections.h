@@ -29,9 +29,10 @@ Section symmetricSection(const scene::Scene& scene);
 Section stabilitySection(const scene::Scene& scene);
 /// Returns sleeping spin, steady precession and nutation of a symmetric top on a pivot, if only gravity acts.
 Section heavyTopSection(const scene::Scene& scene);
-/// Returns time constants of drag. If only dissipation acts, also the final spin, which is about the axis of
-/// largest moment and has the same |L|.
-Section lossSection(const scene::Scene& scene);
+/// Returns time constants of drag. If only dissipation acts, also its damping time, the time of crossing the
+/// separatrix, and the final spin, which is about the axis of largest moment and has the same |L|.
+/// @param motion  motion of the scene over the span
+Section lossSection(const scene::Scene& scene, const physics::Motion& motion, const ReportSpan& span);
 /// Returns the changes that make the film repeat, with their amounts (film_loop.h).
 Section loopSection(const scene::Scene& scene);
 /// Returns the motion times and film times of the events in the film: flips, crossings of the separatrix, turning

@@ -2,6 +2,7 @@
 // Table and JSON of a report. tests/cli/info_command_test.cpp compares its numbers with worked values.
 #include "describe/report.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -135,6 +136,81 @@ TEST(Report, ReportsFlipsOnlyNearTheMiddleAxis) {
   const std::string words = reportTable(reportOf(start("[1, 2, 2.5]", "[0, 0.1, 1]")));
   EXPECT_THAT(words, Not(HasSubstr("from flip to flip")));
   EXPECT_THAT(words, ContainsRegex("half a period, 2K/lambda"));
+}
+
+// By hand: I1 = 2, I3 = 1, omega = (0.5, 0, 1), so L = (1, 0, 1) and tan theta = 1.
+TEST(Report, ComparesTheWobbleOfASymmetricTopWithItsSpin) {
+  const json top = json::parse(reportJson(reportOf(start("[2, 2, 1]", "[0.5, 0, 1]"))));
+  EXPECT_NEAR(top["omega_1"].get<double>(), 0.5, 1e-15);
+  EXPECT_NEAR(top["precession_period"].get<double>(), 2 * std::numbers::pi / std::sqrt(0.5), 1e-14);
+  EXPECT_NEAR(top["wobbles_per_turn"].get<double>(), std::sqrt(0.5), 1e-15);
+  EXPECT_FALSE(top.contains("pole_distance"));  // the size is unknown
+  // A disc wobbles twice a turn (Feynman's plate): I3 = 2 I1, at a small tilt.
+  const json plate = json::parse(reportJson(reportOf(start("[1, 1, 2]", "[1e-4, 0, 1]"))));
+  EXPECT_NEAR(plate["wobbles_per_turn"].get<double>(), 2, 1e-8);
+}
+
+// A radius of 6 356 752 m and an angle of 0.3 arcsec give 9.2 m.
+TEST(Report, MeasuresThePoleDistanceInMetres) {
+  const double arcsec = std::numbers::pi / 648000;
+  const std::string text =
+      fmt::format("[body]\ncatalogue = \"earth\"\n[motion]\nomega_body = [{:.17g}, 0, 7.292115e-5]\n",
+                  7.292115e-5 * 0.3 * arcsec);
+  const Report report = reportOf(text);
+  EXPECT_NEAR(json::parse(reportJson(report))["pole_distance"].get<double>(), 6356752 * 0.3 * arcsec, 1e-3);
+  EXPECT_THAT(reportTable(report), ContainsRegex("\\(omega, k\\) +1.45444e-06 rad \\(0.3 arcsec\\)"));
+}
+
+// Periods of the asteroid Apophis (P. Pravec et al., Icarus 233 (2014) 48, in the refined values of the issue).
+TEST(Report, PrintsThePeriodsOfATumblingBody) {
+  const std::string text =
+      "[body]\nprincipal_moments = [0.61, 0.965, 1]\n[motion]\nP_phi = \"27.385 h\"\nP_psi = \"264.178 h\"\n"
+      "mode = \"SAM\"\n";
+  const json apophis = json::parse(reportJson(reportOf(text)));
+  EXPECT_NEAR(apophis["P_phi"].get<double>() / 3600, 27.385, 1e-4);  // 0 off
+  EXPECT_NEAR(apophis["P_psi"].get<double>() / 3600, 264.178, 1e-4);
+  EXPECT_EQ(apophis["tumbling_mode"], "SAM");
+}
+
+// By hand: I = (1, 2, 2.5), omega = (0, 1, 0.1), L² = 4.0625, the two extremes of the polhode have omega_2 = 0 or
+// omega_3 and omega_1 as they follow from T and L.
+TEST(Report, BoundsTheEnergyAndOmega) {
+  const json racket = json::parse(reportJson(reportOf(start("[1, 2, 2.5]", "[0, 1, 0.1]"))));
+  const double square = 4 + 0.25 * 0.25, twoT = 2 + 2.5 * 0.01;
+  EXPECT_NEAR(racket["T_bounds"][0].get<double>(), square / 5, 1e-15);
+  EXPECT_NEAR(racket["T_bounds"][1].get<double>(), square / 2, 1e-15);
+  const double third = (square - twoT) / (2.5 * 1.5),
+               first = twoT - 2.5 * third;  // omega_3², omega_1² where omega_2 = 0
+  const double ends[] = {std::sqrt(1.01), std::sqrt(first + third)};
+  EXPECT_NEAR(racket["omega_range"][0].get<double>(), std::min(ends[0], ends[1]), 1e-14);
+  EXPECT_NEAR(racket["omega_range"][1].get<double>(), std::max(ends[0], ends[1]), 1e-14);
+  EXPECT_NEAR(racket["omega_L_range"][1].get<double>(),
+              std::acos(twoT / std::sqrt(square) / std::max(ends[0], ends[1])), 1e-13);
+}
+
+// By hand, with I1 = 2, I3 = 1, M g l = 3, k = z leaning 60 degrees, spin 5: the constants of a top released at
+// rest.
+TEST(Report, PrintsTheConstantsOfAHeavyTop) {
+  const json top = json::parse(reportJson(
+      reportOf("[body]\nprincipal_moments = [2, 2, 1]\n[motion]\nspin = 5\nspin_axis = \"3\"\nlean = \"60 deg\"\n"
+               "[motion.gravity]\nmgr_body = [0, 0, 3]\n")));
+  EXPECT_NEAR(top["top_energy"].get<double>(), 12.5 + 1.5, 1e-12);
+  EXPECT_NEAR(top["top_L_z"].get<double>(), 2.5, 1e-12);
+  EXPECT_NEAR(top["top_L_3"].get<double>(), 5, 1e-12);
+  EXPECT_NEAR(top["top_reduced_energy"].get<double>(), 1.5, 1e-12);
+}
+
+TEST(Report, SaysHowALossOfEnergyEnds) {
+  const auto losing = [](const std::string& duration) {
+    return json::parse(
+        reportJson(reportOf("[body]\nprincipal_moments = [1, 2, 2.5]\n[motion]\nomega_body = [2, 0.1, 0.1]\n"
+                            "[motion.dissipation]\nalpha = 0.01\n[time]\nspeed = 1\nduration = " +
+                            duration)));
+  };
+  const json whole = losing("200");
+  EXPECT_NEAR(whole["separatrix_times"][0].get<double>() / whole["separatrix_time"].get<double>(), 1, 0.05);
+  EXPECT_THAT(whole["final_direction"].get<std::string>(), ::testing::AnyOf("+e3", "-e3"));
+  EXPECT_EQ(losing("1")["final_direction"], "not decided before the film ends");
 }
 
 TEST(Report, StatesThatStabilityAssumesFreeMotion) {
