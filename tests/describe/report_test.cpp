@@ -138,7 +138,7 @@ TEST(Report, ReportsFlipsOnlyNearTheMiddleAxis) {
   EXPECT_THAT(words, ContainsRegex("half a period, 2K/lambda"));
 }
 
-// By hand: I1 = 2, I3 = 1, omega = (0.5, 0, 1), so L = (1, 0, 1) and tan theta = 1.
+// Worked by hand: I1 = 2, I3 = 1, omega = (0.5, 0, 1), so L = (1, 0, 1) and tan theta = 1.
 TEST(Report, ComparesTheWobbleOfASymmetricTopWithItsSpin) {
   const json top = json::parse(reportJson(reportOf(start("[2, 2, 1]", "[0.5, 0, 1]"))));
   EXPECT_NEAR(top["omega_1"].get<double>(), 0.5, 1e-15);
@@ -172,8 +172,8 @@ TEST(Report, PrintsThePeriodsOfATumblingBody) {
   EXPECT_EQ(apophis["tumbling_mode"], "SAM");
 }
 
-// By hand: I = (1, 2, 2.5), omega = (0, 1, 0.1), L² = 4.0625, the two extremes of the polhode have omega_2 = 0 or
-// omega_3 and omega_1 as they follow from T and L.
+// Worked by hand: I = (1, 2, 2.5), omega = (0, 1, 0.1), L² = 4.0625, the two extremes of the polhode have omega_2
+// = 0 or omega_3 and omega_1 as they follow from T and L.
 TEST(Report, BoundsTheEnergyAndOmega) {
   const json racket = json::parse(reportJson(reportOf(start("[1, 2, 2.5]", "[0, 1, 0.1]"))));
   const double square = 4 + 0.25 * 0.25, twoT = 2 + 2.5 * 0.01;
@@ -188,8 +188,8 @@ TEST(Report, BoundsTheEnergyAndOmega) {
               std::acos(twoT / std::sqrt(square) / std::max(ends[0], ends[1])), 1e-13);
 }
 
-// By hand, with I1 = 2, I3 = 1, M g l = 3, k = z leaning 60 degrees, spin 5: the constants of a top released at
-// rest.
+// Worked by hand, with I1 = 2, I3 = 1, M g l = 3, k = z leaning 60 degrees, spin 5: the constants of a top
+// released at rest.
 TEST(Report, PrintsTheConstantsOfAHeavyTop) {
   const json top = json::parse(reportJson(
       reportOf("[body]\nprincipal_moments = [2, 2, 1]\n[motion]\nspin = 5\nspin_axis = \"3\"\nlean = \"60 deg\"\n"

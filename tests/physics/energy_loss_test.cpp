@@ -27,7 +27,7 @@ double angleTo(int axis, const Vector3d& I, const Vector3d& omega_B) {
   return std::acos(std::abs(m[axis]) / m.norm());
 }
 
-// By hand: d(tan theta)/dt = -alpha L² (1/I1 - 1/I3) tan theta.
+// Worked by hand: d(tan theta)/dt = -alpha L² (1/I1 - 1/I3) tan theta.
 TEST(EnergyLoss, DampsTheTangentOfASymmetricBodyExactly) {
   const Vector3d I(2, 2, 3), omega(1, 0, 1);
   const double L = std::sqrt(13.0), alpha = 0.01;
