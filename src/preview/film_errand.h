@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <sys/types.h>
-
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "core/file_handle.h"
+#include "preview/program_run.h"
 
 namespace poinsot::preview {
 
@@ -40,11 +39,11 @@ class FilmErrand {
   FilmState state() const;
 
  private:
-  void follow(const core::FileHandle& errors);
+  void follow();
 
   mutable std::mutex mutex_;
   FilmState state_;
-  pid_t process_ = -1;
+  std::unique_ptr<ProgramRun> run_;
   std::thread follower_;
 };
 

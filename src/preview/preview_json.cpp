@@ -13,6 +13,7 @@
 #include "core/text.h"
 #include "describe/report.h"
 #include "describe/report_units.h"
+#include "describe/timeline_words.h"
 #include "scene/state_quantity.h"
 #include "stage/picture_motion.h"
 #include "stage/quantity_track.h"
@@ -65,6 +66,13 @@ json notesOf(const scene::Scene& scene) {
   return notes;
 }
 
+json timelineOf(const scene::Scene& scene) {
+  json entries = json::array();
+  for (const describe::TimelineWords& entry : describe::timelineWords(scene))
+    entries.push_back({{"at_s", entry.at_s}, {"moment", entry.moment}, {"text", entry.text}});
+  return entries;
+}
+
 /// @param sweep  whether `scene` is the first cell of a sweep, in which the page rotates all cameras together
 json filmOf(const scene::Scene& scene, bool sweep, const request::UnitChoice& units) {
   json quantities = json::array();
@@ -80,6 +88,7 @@ json filmOf(const scene::Scene& scene, bool sweep, const request::UnitChoice& un
           {"views", sweep ? json::array() : viewsOf(scene)},
           {"ownViews", scene.ownViews},
           {"notes", notesOf(scene)},
+          {"timeline", timelineOf(scene)},
           {"physics", physicsOf(scene, units)},
           {"quantities", std::move(quantities)}};
 }

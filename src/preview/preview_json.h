@@ -12,7 +12,7 @@
 namespace poinsot::preview {
 
 /// Returns the version number and error of the newest files. For the last scene without errors, also returns its
-/// film, size, physics and the quantities that can be plotted.
+/// film, size, timeline, physics and the quantities that can be plotted.
 /// @param units  units for the physics
 std::string sceneJson(const SceneVersion& version, const request::UnitChoice& units);
 

@@ -17,10 +17,13 @@
 #include "core/base64.h"
 #include "core/error.h"
 #include "core/number.h"
+#include "core/shell_word.h"
 #include "preview/film_errand.h"
 #include "preview/listener.h"
 #include "preview/picture_press.h"
 #include "preview/preview_json.h"
+#include "preview/program_words.h"
+#include "preview/still_errand.h"
 #include "preview/watched_scene.h"
 #include "request/sweep_cells.h"
 
@@ -105,21 +108,23 @@ std::optional<PictureAsk> pictureAsk(const Request& request, Response& response)
   return PictureAsk{*frame, {static_cast<int>(*width), static_cast<int>(*height)}, std::move(*changes)};
 }
 
-/// Returns the changes as arguments of `render`. Each option and its value are one argument, so that a value which
-/// begins with a dash does not count as an option.
-std::vector<std::string> wordsOf(const PageChanges& changes) {
-  std::vector<std::string> words;
-  for (const std::string& override : changes.overrides) words.push_back("-D" + override);
-  if (changes.view) words.push_back(fmt::format("--view={}", *changes.view + 1));
-  return words;
-}
-
 /// Returns the changes as the page lists them, such as "style.theme="dark"" and "only view 2".
 std::vector<std::string> toldChanges(const PageChanges& changes) {
   std::vector<std::string> told = changes.overrides;
   if (changes.view) told.push_back(fmt::format("only view {}", *changes.view + 1));
   return told;
 }
+
+/// Picture or figure that the browser saves.
+struct StillAsk {
+  StillFormat format;
+  PageChanges changes;
+  double time_s = 0;
+  std::string name;  ///< file name without an ending
+
+  std::string target() const { return name + std::string(format.target); }
+  std::string file() const { return name + std::string(format.file); }
+};
 
 }  // namespace
 
@@ -151,6 +156,7 @@ class PreviewServer::Site {
   void run() { server_.serve(); }
   void stop() {
     scene_.stop();
+    still_.stop();
     server_.end();
   }
 
@@ -188,6 +194,9 @@ class PreviewServer::Site {
                 [this](const Request& request, Response& response) { picture(request, response); });
     server_.Get(root + "/series",
                 [this](const Request& request, Response& response) { series(request, response); });
+    server_.Get(root + "/still", [this](const Request& request, Response& response) { still(request, response); });
+    server_.Get(root + "/still/command",
+                [this](const Request& request, Response& response) { stillCommand(request, response); });
     server_.Get(root + "/film",
                 [this](const Request&, Response& response) { json(response, filmJson(film_.state())); });
     server_.Post(root + "/film", [this](const Request& request, Response& response) { film(request, response); });
@@ -244,20 +253,55 @@ class PreviewServer::Site {
   void film(const Request& request, Response& response) {
     const auto changes = changesAsked(request, response);
     if (!changes) return;
-    const bool sweep = request::hasRanges(request_.overrides);
-    std::vector<std::string> words{sweep ? "sweep" : "render", "--progress=json"};
-    if (sweep) words.insert(words.end(), {"-o", sweepFilm()});
-    for (const std::string& override : request_.overrides) words.insert(words.end(), {"-D", override});
-    const auto page = wordsOf(*changes);
-    words.insert(words.end(), page.begin(), page.end());
-    words.insert(words.end(), request_.filmWords.begin(), request_.filmWords.end());
-    words.insert(words.end(), {"--", request_.fileName});
+    const std::string target = request::hasRanges(request_.overrides) ? sweepFilm() : "";
     try {
-      film_.start(words, toldChanges(*changes));
+      film_.start(filmWords(request_, *changes, target), toldChanges(*changes));
       json(response, filmJson(film_.state()));
     } catch (const core::Error& error) {
       refuse(response, 500, error.what());
     }
+  }
+
+  std::optional<StillAsk> stillAsk(const Request& request, Response& response) const {
+    const StillFormat* const format = stillFormat(request.get_param_value("format"));
+    const auto frame = number(request, "frame");
+    if (!format || !frame) {
+      refuse(response, 400, "a still needs a frame number, and a format: png, pdf, svg, tex or tex-image");
+      return std::nullopt;
+    }
+    auto changes = changesAsked(request, response);
+    if (!changes) return std::nullopt;
+    const SceneVersion version = scene_.now();
+    if (!version.scene) {
+      refuse(response, 422, version.error);
+      return std::nullopt;
+    }
+    const double time_s = frameTime_s(*version.scene, *frame);
+    return StillAsk{*format, std::move(*changes), time_s, stillName(request_, time_s)};
+  }
+
+  /// Sends a file that `still` makes. Leaves no file on this machine.
+  void still(const Request& request, Response& response) {
+    const auto ask = stillAsk(request, response);
+    if (!ask) return;
+    try {
+      const auto bytes = still_.make(ask->target(), ask->file(), [&](const std::string& target) {
+        return stillWords(request_, ask->changes, ask->time_s, target);
+      });
+      if (!bytes) return refuse(response, 503, "another picture is still in progress; try again when it is saved");
+      response.set_header("Content-Disposition", fmt::format("attachment; filename=\"{}\"", ask->file()));
+      response.set_content(*bytes, std::string(ask->format.type));
+    } catch (const core::Error& error) {
+      refuse(response, 422, error.what());
+    }
+  }
+
+  /// Sends the command that makes the same file in the folder out/.
+  void stillCommand(const Request& request, Response& response) {
+    const auto ask = stillAsk(request, response);
+    if (!ask) return;
+    const auto words = stillWords(request_, ask->changes, ask->time_s, "out/" + ask->target());
+    response.set_content("poinsot " + core::shellWords(words), "text/plain; charset=utf-8");
   }
 
   const PreviewRequest request_;
@@ -266,6 +310,7 @@ class PreviewServer::Site {
   WatchedScene scene_;
   PicturePress press_;
   FilmErrand film_;
+  StillErrand still_;
   std::counting_semaphore<> places_{kMostWaiting};
   Listener server_;  // declared last, because its threads use the other members
 };

@@ -58,6 +58,38 @@ TEST_F(Preview, ReportsNotesAboutProbableMistakes) {
               HasSubstr("a.toml:10:11: note: camera.azimuth: 2 is in radians"));
 }
 
+TEST_F(Preview, ListsTheTimeline) {
+  EXPECT_EQ(scene(-1)["film"]["timeline"], json::array());
+  save("a.toml", kScene + std::string("[[timeline]]\nat = 1.5\ncaption = 'Two'\n[[timeline]]\nat = 0.25\n"
+                                      "caption = 'One <b>'\nspeed = 0.5\n"));
+  EXPECT_EQ(scene(1)["film"]["timeline"], json({{{"at_s", 0.25}, {"moment", ""}, {"text", "“One <b>”; speed 0.5"}},
+                                                {{"at_s", 1.5}, {"moment", ""}, {"text", "“Two”"}}}));
+}
+
+TEST_F(Preview, ShowsTheCommandForAFigure) {
+  const std::string file = (folder_ / "a.toml").string();
+  EXPECT_EQ(get("still/command?format=pdf&frame=45")->body,
+            "poinsot still " + file + " --time 1.5 -o out/a_1500ms.pdf");
+  EXPECT_EQ(get("still/command?format=tex&frame=100000&view=0&D=" + percentEncoded("style.theme=\"it's\""))->body,
+            "poinsot still " + file +
+                " --time 1.9666666666666666 -o out/a_1967ms.tex -D 'style.theme=\"it'\\''s\"' "
+                "--view 1");
+  EXPECT_EQ(get("still/command?format=png&frame=-3&D=--force")->body,
+            "poinsot still " + file + " --time 0 -o out/a_0ms.png -D--force")
+      << "no option of the program";
+}
+
+TEST_F(Preview, RejectsStillsThatItCannotMake) {
+  for (const char* what : {"still", "still?format=png", "still?frame=1", "still?frame=x&format=png",
+                           "still?frame=1&format=mp4", "still/command?frame=1", "still/command?format=pdf"})
+    EXPECT_EQ(get(what)->status, 400) << what;
+  const std::string token(32, '0');
+  for (const char* what : {"/still?frame=1&format=png", "/still/command?frame=1&format=png"})
+    EXPECT_EQ(client().Get("/" + token + what)->status, 403) << what;
+  const auto foreign = client().Get(root_ + "still?frame=1&format=png", {{"Host", "evil.example"}});
+  EXPECT_EQ(foreign->status, 403);
+}
+
 TEST_F(Preview, ShowsOneViewOfSeveral) {
   const std::string one = "[[view]]\ncamera.azimuth = \"40 deg\"\n",
                     other = "[[view]]\ntitle = \"Body\"\ncamera.frame = \"body\"\ncamera.elevation = \"8 deg\"\n",
@@ -248,7 +280,8 @@ class PreviewProcess {
     const std::string address = line();  // http://127.0.0.1:PORT/TOKEN/
     const auto slash = address.find('/', 8), colon = address.rfind(':', slash);
     root_ = address.substr(slash);
-    client_ = std::make_unique<httplib::Client>("127.0.0.1", std::stoi(address.substr(colon + 1)));
+    port_ = std::stoi(address.substr(colon + 1));
+    client_ = std::make_unique<httplib::Client>("127.0.0.1", port_);
   }
   ~PreviewProcess() {
     kill(process_, SIGTERM);
@@ -269,6 +302,8 @@ class PreviewProcess {
     return state;
   }
 
+  httplib::Result get(const std::string& what) { return httplib::Client("127.0.0.1", port_).Get(root_ + what); }
+
  private:
   std::string line() {
     std::string text;
@@ -278,6 +313,7 @@ class PreviewProcess {
 
   FILE* pipe_ = nullptr;
   pid_t process_ = -1;
+  int port_ = 0;
   std::string root_;
   std::unique_ptr<httplib::Client> client_;
 };
@@ -324,6 +360,66 @@ TEST_F(PreviewedFilm, AppliesChangesOfThePageToASweep) {
   const std::string range = "a.toml -D 'motion.omega_body=[0.1..0.2:2, 3, 0]'", dark = "style.theme=\"dark\"";
   PreviewProcess preview(folder_.path(), range);
   expectFilm(preview, {dark}, "", {dark}, "sweep " + range, "out/a_sweep.mp4");
+}
+
+class PreviewedStill : public PreviewedFilm {
+ protected:
+  void expectStill(PreviewProcess& preview, const std::string& asked, const std::string& command,
+                   const std::string& made, const std::string& name) const {
+    const auto answer = preview.get("still?" + asked);
+    ASSERT_EQ(answer->status, 200) << answer->body;
+    EXPECT_EQ(answer->get_header_value("Content-Disposition"), "attachment; filename=\"" + name + "\"");
+    folder_.put("saved", answer->body);
+    const auto same = runShell(folder_.path(), POINSOT_PROGRAM " " + command + " --quiet && cmp saved " + made);
+    EXPECT_EQ(same.exitCode, 0) << same.out;
+  }
+};
+
+TEST_F(PreviewedStill, HasTheBytesOfTheStillCommand) {
+  folder_.put("a b.toml", scene_);
+  PreviewProcess preview(folder_.path(), "'a b.toml' -D style.text_size=1.1");
+  const std::string still = "still 'a b.toml' -D style.text_size=1.1 --time 0.1 -o own/a_b_100ms";
+  std::filesystem::create_directory(folder_ / "own");
+  const std::string dark = "&D=" + percentEncoded("style.theme=\"dark\"");
+  expectStill(preview, "frame=3&format=png", still + ".png", "own/a_b_100ms.png", "a_b_100ms.png");
+  expectStill(preview, "frame=3&format=pdf" + dark, still + ".pdf -D style.theme=dark", "own/a_b_100ms.pdf",
+              "a_b_100ms.pdf");
+  expectStill(preview, "frame=3&format=svg&view=1", still + ".svg --view 2", "own/a_b_100ms.svg", "a_b_100ms.svg");
+  expectStill(preview, "frame=3&format=tex", still + ".tex", "own/a_b_100ms.tex", "a_b_100ms.tex");
+  expectStill(preview, "frame=3&format=tex-image", still + ".tex", "own/a_b_100ms-unlabelled.png",
+              "a_b_100ms-unlabelled.png");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out")) << "the preview writes nothing by itself";
+}
+
+TEST_F(PreviewedStill, ReportsWhyItCannotBeMade) {
+  folder_.put("a.toml", scene_);
+  PreviewProcess preview(folder_.path(), "a.toml");
+  const auto wrongKey = preview.get("still?frame=3&format=png&D=camera.fovv%3D3");
+  EXPECT_EQ(wrongKey->status, 422);
+  EXPECT_THAT(wrongKey->body, HasSubstr("did you mean camera.fov?"));
+  EXPECT_EQ(preview.get("still?frame=3&format=png&D=--force")->status, 422) << "no option of the program";
+  folder_.put("a.toml", "[boddy]\n" + scene_);
+  const auto mistake = preview.get("still?frame=3&format=png");
+  EXPECT_EQ(mistake->status, 422);
+  EXPECT_THAT(mistake->body, HasSubstr("a.toml:1:2: error: boddy: unknown "));
+}
+
+// Two pictures at a time could need too much memory. The others are told to try again.
+TEST_F(PreviewedStill, IsMadeOneAtATime) {
+  folder_.put("a.toml", scene_);
+  PreviewProcess preview(folder_.path(), "a.toml");
+  std::atomic<int> made = 0, refused = 0;
+  std::vector<std::thread> all;
+  for (int i = 0; i < 8; ++i)
+    all.emplace_back([&] {
+      const int status = preview.get("still?frame=3&format=png")->status;
+      made += status == 200;
+      refused += status == 503;
+    });
+  for (std::thread& one : all) one.join();
+  EXPECT_GE(made, 1);
+  EXPECT_EQ(made + refused, 8);
+  EXPECT_EQ(preview.get("still?frame=3&format=png")->status, 200);
 }
 
 TEST_F(Preview, RejectsAPortInUse) {
