@@ -104,7 +104,7 @@ void addPreview(const Command& program) {
   addSceneOptions(command, *options);
   command.option("--port", options->port, "port to listen on (default: any free port)").type("N").range(1, 65535);
   command.footer(
-      "Keys in the page: space plays, arrows step (with Shift a second), Home, End.\n"
+      "Keys in the page: space plays, arrows step (with Shift a second), Home, End; ? lists all.\n"
       "Example:\n"
       "  poinsot preview book.toml");
   command.does({[options] { return preview(*options); }});

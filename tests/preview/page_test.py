@@ -4,19 +4,15 @@ scene; renders a film.
 
     page_test.py PROGRAM SCREENSHOT
 """
-import json
 import pathlib
 import subprocess
 import sys
 import tempfile
 import time
 
+from preview_page import previewing, until
 from selenium.webdriver.common.action_chains import ActionChains
-from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-
-sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / 'support'))
-from browser import browser  # noqa: E402
 
 SCENE = """[body]
 shape = "box"
@@ -30,41 +26,6 @@ duration = 4
 size = [320, 180]
 """
 ALWAYS = ['style.file=own.toml']
-
-
-class Page:
-    def __init__(self, driver):
-        self.driver = driver
-
-    def find(self, name):
-        return self.driver.find_element(By.ID, name)
-
-    def shown(self):
-        """Returns frame, version and width of the picture on the page."""
-        return json.loads(self.driver.execute_script('return document.body.dataset.shown') or '{}')
-
-    def choose(self, name, value):
-        self.driver.execute_script('const list = document.getElementById(arguments[0]); list.value = arguments[1]; list.onchange();', name, value)
-
-    def press(self, *keys):
-        self.driver.find_element(By.TAG_NAME, 'body').send_keys(*keys)
-
-    def picture(self):
-        """Returns a checksum of the pixels."""
-        return self.driver.execute_script('''
-            const shown = document.getElementById("picture"), canvas = document.createElement("canvas");
-            canvas.width = shown.width; canvas.height = shown.height;
-            const on = canvas.getContext("2d", {willReadFrequently: true}); on.drawImage(shown, 0, 0);
-            let sum = 7; for (const b of on.getImageData(0, 0, canvas.width, canvas.height).data) sum = (sum * 31 + b) % 1000003;
-            return sum;''')
-
-
-def until(what, true, most_s=30):
-    begin = time.monotonic()
-    while not true():
-        assert time.monotonic() - begin < most_s, f'waited in vain: {what}'
-        time.sleep(0.005)
-    return time.monotonic() - begin
 
 
 def check(program, page, scene, screenshot):
@@ -93,12 +54,16 @@ def check(program, page, scene, screenshot):
     edited_s = until('the edited scene', lambda: page.shown()['version'] > before)
     assert page.picture() != first
     page.driver.save_screenshot(screenshot)
+    # A fixed size, because the messages take room from a picture that fits the window.
+    page.choose('size', '480')
+    until('a picture of the chosen size', lambda: page.shown()['width'] == 480)
     dark = page.picture()
     scene.write_text(SCENE.replace('mass', 'maas'))
     until('the mistake', lambda: page.find('error').is_displayed())
     assert 'did you mean body.mass?' in page.find('error').text, page.find('error').text
     assert '^^^^' in page.find('error').text
     assert page.picture() == dark, 'the last good picture stays'
+    page.choose('size', '')
     scene.write_text(SCENE)
     until('no mistake', lambda: not page.find('error').is_displayed())
     until('the picture as it was', lambda: page.picture() == first)
@@ -153,16 +118,9 @@ def main(program, screenshot):
         (pathlib.Path(folder) / 'shared').mkdir()
         (pathlib.Path(folder) / 'shared' / 'own.toml').write_text('[style.colors]\nomega = "#AA2200"\n')
         # The film, too, needs --asset-root of the preview.
-        server = subprocess.Popen([program, 'preview', 'a.toml', '-D', *ALWAYS, '--asset-root', 'shared'], cwd=folder, stdout=subprocess.PIPE, text=True)
-        driver = browser(1500, 900)
-        try:
-            driver.get(server.stdout.readline().strip())
-            edited_s = check(program, Page(driver), scene, screenshot)
-        finally:
-            driver.quit()
-            server.terminate()
-            ended = server.wait(20)
-        assert ended in (0, 143), ended
+        words = ['a.toml', '-D', *ALWAYS, '--asset-root', 'shared']
+        with previewing(program, folder, words, 1500, 900) as page:
+            edited_s = check(program, page, scene, screenshot)
         subprocess.run([program, 'check', 'turned.toml'], cwd=folder, check=True)
         print(f'from saving to the picture: {1000 * edited_s:.0f} ms')
 
