@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/film_options.h"
+#include "cli/film_size.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "request/frame_plan.h"
@@ -20,17 +21,10 @@ void checkFrameCount(const request::OutputTarget& target, const request::FrameRa
                   core::printable(target.path.string()), frames.count(), frames.first));
 }
 
-FileAccess accessOf(const FilmOptions& options) {
-  FileAccess access = accessOf(options, namedTarget(options));
-  access.outputs.push_back(options.parts.manifest);
-  return access;
-}
-
 int render(const FilmOptions& options) {
   auto film = requestedFilm(options);
   checkFrameCount(film.target, film.frames);
-  checkParts(options.parts, film.target);
-  return renderTo(options, std::move(film), {.form = pictureOptions(options)}, options.parts);
+  return makeFilm(options, std::move(film));
 }
 
 }  // namespace
@@ -45,9 +39,11 @@ void addRender(const Command& program) {
       "Examples:\n"
       "  poinsot render scenes/tennis_racket.toml -o out/tennis_racket.mp4\n"
       "  poinsot render scenes/football.toml -q preview -D time.duration=4\n"
+      "  poinsot render scenes/football.toml --max-size 5MB -o out/football.gif\n"
       "  poinsot render scenes/football.toml -o - --format png | ffmpeg -f image2pipe -i - ...\n"
       "  poinsot render scenes/football.toml --frames 0-59 -o 'out/frames/football_{frame:05}.png'");
-  command.does({[options] { return render(*options); }, options.get(), [options] { return accessOf(*options); }});
+  command.does({[options] { return render(*options); }, options.get(),
+                [options] { return accessOf(*options, namedTarget(*options)); }});
 }
 
 }  // namespace poinsot::cli

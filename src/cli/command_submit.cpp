@@ -236,6 +236,7 @@ void addSubmit(const Command& program) {
   addViewOption(command, *options);
   addLookOptions(command, *options);
   addFilmOptions(command, *options);
+  command.remove("--max-size");  // removed, because a shard cannot know the size of the film
   addGridOptions(command, options->grid);
   addSeriesOption(command, *options);
   addDivisionOptions(command, *options);

@@ -10,6 +10,7 @@
 #include "cli/dry_run.h"
 #include "cli/exit_code.h"
 #include "cli/film_options.h"
+#include "cli/film_size.h"
 #include "cli/option_values.h"
 #include "cli/still_options.h"
 #include "core/error.h"
@@ -47,10 +48,12 @@ void checkWords(const SweepOptions& options) {
       throw core::usageError("--time, --width and --dpi are for one picture, not for a film");
     return;
   }
-  if (!options.frames.empty() || !options.format.empty() || parts.resume || parts.keep || !parts.shard.empty() ||
-      parts.shardsLeft > 0 || !parts.manifest.empty())
+  if (!options.frames.empty() || !options.format.empty() || !options.maxSize.empty() || parts.resume ||
+      parts.keep || !parts.shard.empty() || parts.shardsLeft > 0 || !parts.manifest.empty())
     throw core::usageError(
-        "--frames, --format, --resume, --keep, --shard and --manifest are for films; for one picture, use --time");
+        "--frames, --format, --max-size, --resume, --keep, --shard and --manifest are for films; for one picture, "
+        "use "
+        "--time");
   if (options.asked.map && (options.asked.columns > 0 || !options.asked.labels.empty()))
     throw core::usageError("--columns and --label are for a grid, not for --map");
 }
@@ -62,14 +65,8 @@ void checkSeries(const SweepOptions& options) {
     throw core::usageError("--series: makes films of one motion each; leave out --map, --columns and --label");
 }
 
-int makeFilm(const SweepOptions& options) {
-  auto film = requestedFilm(options);
-  checkParts(options.parts, film.target);
-  return renderTo(options, std::move(film), {.form = pictureOptions(options)}, options.parts);
-}
-
 int makeOne(const SweepOptions& options) {
-  if (isFilm(options)) return makeFilm(options);
+  if (isFilm(options)) return makeFilm(options, requestedFilm(options));
   return makeStill(options, options.still, pictureOptions(options),
                    [&](const std::string& sceneName) { return pictureTarget(options, sceneName); });
 }
@@ -124,10 +121,8 @@ int sweep(SweepOptions options) {
 }
 
 FileAccess accessOf(const SweepOptions& options) {
-  FileAccess access =
-      accessOf(options, isFilm(options) ? namedTarget(options) : std::optional(pictureTarget(options, "SCENE")));
-  access.outputs.push_back(options.parts.manifest);
-  return access;
+  return accessOf(options,
+                  isFilm(options) ? namedTarget(options) : std::optional(pictureTarget(options, "SCENE")));
 }
 
 FileAccess accessOfAll(const SweepOptions& options) {

@@ -22,6 +22,13 @@ void addFilmOptions(const Command& command, FilmOptions& options) {
       .notEmpty({"png", "mp4"});
   command.option("--frames", options.frames, "only these frames, both ends included").type("A-B").notEmpty();
   command.option("--fps", options.fps, "frames per second, such as 30 or 30000/1001").type("RATE").notEmpty();
+  command
+      .option(
+          "--max-size", options.maxSize,
+          "make a film of at most this size, such as 5MB: if necessary, with a smaller picture, fewer frames per "
+          "second, and fewer colours or less quality")
+      .type("SIZE")
+      .notEmpty();
   command.flag("--transparent", options.transparent,
                "transparent background instead of paper, in .webm, .mov, .apng and PNG");
   addBitsOption(command, options.bits);
@@ -59,6 +66,8 @@ std::vector<request::SeriesFilm> seriesOf(const FilmOptions& options) {
     throw core::usageError("--loop: not possible in a series, because each of its motions would change");
   if (!options.parts.manifest.empty() || !options.trace.empty())
     throw core::usageError("--manifest and --trace: describe one film, not a series");
+  if (!options.maxSize.empty())
+    throw core::usageError("--max-size: limits one film, not a series; make each film of the series by itself");
   return request::seriesOf(options.overrides, options.output);
 }
 
@@ -129,12 +138,22 @@ request::PictureOptions pictureOptions(const FilmOptions& options) {
   return {std::nullopt, options.transparent, options.bits};
 }
 
-RequestedFilm requestedFilm(const FilmOptions& options) {
+FileAccess accessOf(const FilmOptions& options, const std::optional<request::OutputTarget>& target) {
+  const RenderOptions& rendered = options;
+  FileAccess access = accessOf(rendered, target);
+  access.reproducible = options.reproducible || !options.maxSize.empty();
+  access.outputs.push_back(options.parts.manifest);
+  return access;
+}
+
+RequestedFilm requestedFilm(const FilmOptions& options) { return requestedFilm(options, granted(options)); }
+
+RequestedFilm requestedFilm(const FilmOptions& options, const scene::Allowance& allowance) {
   const auto asked =
       options.frames.empty() ? std::nullopt : std::optional(request::parseFrameRange(options.frames));
   const auto named = namedTarget(options);
   checkBits(options.bits, named.value_or(request::OutputTarget{}));  // if no output is named, the output is a film
-  auto requested = requestedScene(options);
+  auto requested = requestedScene(options, allowance);
   const scene::Scene& scene = requested.scene;
   const auto target = named ? *named : request::parseTarget("out/" + scene.name + ".mp4");
   const auto frames = request::selectFrames(core::frameCount(scene.time.duration_s, scene.time.fps), asked);

@@ -12,12 +12,13 @@ namespace poinsot::cli {
 /// Options of the commands that make films, as the user typed them.
 struct FilmOptions : RenderOptions {
   std::string frames, format;
+  std::string maxSize;  ///< largest size of the film's file; empty for any size
   bool transparent = false, series = false;
   int bits = 8;
   PartsOptions parts;
 };
 
-/// Declares -o, the options for frames and their rate, --transparent, --bits, --loop and --segment.
+/// Declares -o, the options for frames and their rate, --max-size, --transparent, --bits, --loop and --segment.
 void addFilmOptions(const Command& command, FilmOptions& options);
 
 /// Declares --resume, --keep, --manifest, --shard and --shards-left.
@@ -49,7 +50,12 @@ std::optional<request::OutputTarget> namedTarget(const FilmOptions& options);
 
 request::PictureOptions pictureOptions(const FilmOptions& options);
 
+/// Returns the files that a command for films reads and writes.
+FileAccess accessOf(const FilmOptions& options, const std::optional<request::OutputTarget>& target);
+
 /// Reads the scene, and determines the target and the frames. @throws scene::SceneErrors, core::Error
 RequestedFilm requestedFilm(const FilmOptions& options);
+/// Reads a scene with the given limits. @param allowance  result of granted() or allowed()
+RequestedFilm requestedFilm(const FilmOptions& options, const scene::Allowance& allowance);
 
 }  // namespace poinsot::cli

@@ -100,6 +100,44 @@ image::PixelSize printedPixels(const request::PrintSize& print, image::PixelSize
       print.dpi, sides.width, sides.height, scene::kLeastSide, longest, advice(print, proportion, longest)));
 }
 
+namespace {
+
+struct FileUnit {
+  std::string_view name;
+  double unit_bytes;
+};
+
+constexpr FileUnit kFileUnits[] = {{"KiB", 1024.0}, {"MiB", 1048576.0}, {"GiB", 1073741824.0},
+                                   {"kB", 1e3},     {"MB", 1e6},        {"GB", 1e9}};
+constexpr double kMostFile_bytes = 1e15;
+
+}  // namespace
+
+std::int64_t parseFileSize_bytes(std::string_view option, const std::string& word) {
+  std::string_view number = word;
+  double unit_bytes = 1;
+  for (const FileUnit& unit : kFileUnits)
+    if (number.ends_with(unit.name)) {
+      unit_bytes = unit.unit_bytes;
+      number.remove_suffix(unit.name.size());
+      break;
+    }
+  while (number.ends_with(' ')) number.remove_suffix(1);
+  const double size_bytes = core::parseNumber(number).value_or(0) * unit_bytes;
+  if (size_bytes >= 1 && size_bytes <= kMostFile_bytes) return static_cast<std::int64_t>(size_bytes);
+  throw core::usageError(fmt::format(
+      "{} '{}': must be from 1 byte to {:.0f} GB; write a number of bytes, or a number with kB, MB, GB, "
+      "KiB, MiB or GiB, such as 5MB",
+      option, core::printable(word), kMostFile_bytes / 1e9));
+}
+
+std::string fileSizeText(std::int64_t size_bytes) {
+  const auto size = static_cast<double>(size_bytes);
+  if (size < 1e3) return fmt::format("{} bytes", size_bytes);
+  if (size < 999.5e3) return fmt::format("{:.3g} kB", size / 1e3);
+  return size < 999.5e6 ? fmt::format("{:.3g} MB", size / 1e6) : fmt::format("{:.4g} GB", size / 1e9);
+}
+
 void addBitsOption(const Command& command, int& bits) {
   command
       .option("--bits", bits, "bits per sample in a PNG: 8, or 16 for gradients that you edit later (default: 8)")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,14 @@ double parseWidth_mm(const std::string& word);
 /// @throws core::Error(kLimit) if a side is too small or too large, naming an allowed --dpi
 image::PixelSize printedPixels(const request::PrintSize& print, image::PixelSize proportion,
                                const scene::Limits& limits);
+
+/// Parses the size of a file: a number of bytes, or a number with kB, MB, GB (powers of 1000) or KiB, MiB, GiB
+/// (powers of 1024), such as "5MB" or "1.5 MiB".
+/// @throws core::Error(kUsage) naming the option
+std::int64_t parseFileSize_bytes(std::string_view option, const std::string& word);
+
+/// Returns a size of a file with three digits, such as "4.63 MB".
+std::string fileSizeText(std::int64_t size_bytes);
 
 void addBitsOption(const Command& command, int& bits);
 

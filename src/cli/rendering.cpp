@@ -169,7 +169,7 @@ job::RenderChoices completed(job::RenderChoices choices, const RenderOptions& op
 
 /// Calls `action`. After a failure, reports the file and the errno as JSON if progress is reported as JSON.
 template <class Action>
-int reportingFailures(const RenderOptions& options, const Action& action) {
+auto reportingFailures(const RenderOptions& options, const Action& action) {
   try {
     return action();
   } catch (const core::FileError& error) {
@@ -178,7 +178,23 @@ int reportingFailures(const RenderOptions& options, const Action& action) {
   }
 }
 
-int make(const RenderOptions& options, job::RenderRequest render, const PartsOptions& parts) {
+std::string notesOn(const job::RenderRequest& render) {
+  const scene::Scene& scene = render.scene.scene;
+  return choiceNotes(scene, render.frames.count() > 1) + pictureNotes(render) +
+         sharedSubtitlesNote(render.target, scene, render.frames) + shaderCacheNote(render);
+}
+
+/// Checks all files of a run. @throws core::Error
+void checkFiles(const RenderOptions& options, const RequestedFilm& film, const request::PictureOptions& form,
+                const PartsOptions& parts) {
+  output::RunFiles files = checkMakeable(options, film, form);
+  files.writes(parts.manifest, "--manifest", job::manifestKind());
+  files.writes(options.trace, "--trace", job::traceKind());
+}
+
+/// Renders, and prints the result if it is written. @param notes  text to print before the result
+job::RenderSummary make(const RenderOptions& options, job::RenderRequest render, const PartsOptions& parts,
+                        const std::string& notes = "") {
   const request::OutputTarget target = render.target;
   const request::FrameRange frames = render.frames;
   std::optional<core::TemporaryFolder> parked;  // folder of segments that are not yet written to standard output
@@ -186,14 +202,17 @@ int make(const RenderOptions& options, job::RenderRequest render, const PartsOpt
   prepareFolder(render.target);
   process::watchInterrupts();
   const auto summary = runWithProgress(options, std::move(render));
-  if (!options.quiet && options.progress != "json")
-    writeErr(damageNote(target, summary) + rendererNotes({summary.renderer}) +
+  if (!summary.written) return summary;
+  if (printsNotes(options))
+    writeErr(notes + damageNote(target, summary) + rendererNotes({summary.renderer}) +
              "poinsot: " + readyText(parts, target, frames, summary) + "\n");
   if (options.stats) writeErr(job::statisticsText(summary.spent, summary.wall_s));
-  return kDone;
+  return summary;
 }
 
 }  // namespace
+
+bool printsNotes(const RenderOptions& options) { return !options.quiet && options.progress != "json"; }
 
 FileAccess accessOf(const RenderOptions& options, const std::optional<request::OutputTarget>& target) {
   FileAccess access{{options.scene}, options.assetRoots};
@@ -236,9 +255,7 @@ job::RenderRequest renderOf(const RenderOptions& options, RequestedFilm film, jo
 int renderTo(const RenderOptions& options, RequestedFilm film, job::RenderChoices choices,
              const PartsOptions& parts) {
   return reportingFailures(options, [&]() -> int {
-    output::RunFiles files = checkMakeable(options, film, choices.form);
-    files.writes(parts.manifest, "--manifest", job::manifestKind());
-    files.writes(options.trace, "--trace", job::traceKind());
+    checkFiles(options, film, choices.form, parts);
     job::RenderRequest render = renderOf(options, std::move(film), std::move(choices), parts);
     if (parts.shardsLeft > 0) return listShardsLeft(render);  // needs no workers, so no check of memory
     if (!options.dryRun && isShardOfFinishedFilm(render)) {
@@ -246,11 +263,21 @@ int renderTo(const RenderOptions& options, RequestedFilm film, job::RenderChoice
       return kDone;
     }
     render.workers = workersOf(options, render);
-    const scene::Scene& scene = render.scene.scene;
-    if (!options.quiet && options.progress != "json")
-      writeErr(choiceNotes(scene, render.frames.count() > 1) + pictureNotes(render) +
-               sharedSubtitlesNote(render.target, scene, render.frames) + shaderCacheNote(render));
-    return options.dryRun ? describe(render) : make(options, std::move(render), parts);
+    if (printsNotes(options)) writeErr(notesOn(render));
+    if (options.dryRun) return describe(render);
+    make(options, std::move(render), parts);
+    return kDone;
+  });
+}
+
+job::RenderSummary renderWithin(const RenderOptions& options, RequestedFilm film, job::RenderChoices choices,
+                                const PartsOptions& parts) {
+  return reportingFailures(options, [&] {
+    checkFiles(options, film, choices.form, parts);
+    job::RenderRequest render = renderOf(options, std::move(film), std::move(choices), parts);
+    render.workers = workersOf(options, render);
+    const std::string notes = printsNotes(options) ? notesOn(render) : "";
+    return make(options, std::move(render), parts, notes);
   });
 }
 

@@ -18,6 +18,9 @@ struct PartsOptions {
   int shardsLeft = 0;  ///< if not 0, only lists the unfinished of this many shards
 };
 
+/// Returns whether a render prints notes, which --quiet and --progress=json leave out.
+bool printsNotes(const RenderOptions& options);
+
 /// Returns the files that a render reads and writes. @param target  the named output; nullopt for a default in
 /// out/
 FileAccess accessOf(const RenderOptions& options, const std::optional<request::OutputTarget>& target);
@@ -45,5 +48,10 @@ job::RenderRequest renderOf(const RenderOptions& options, RequestedFilm film, jo
 /// @throws core::Error, process::Interrupted
 int renderTo(const RenderOptions& options, RequestedFilm film, job::RenderChoices choices,
              const PartsOptions& parts = {});
+
+/// Renders a film like renderTo(), but writes and prints nothing if `choices.accepted` does not contain its size.
+/// @throws core::Error, process::Interrupted
+job::RenderSummary renderWithin(const RenderOptions& options, RequestedFilm film, job::RenderChoices choices,
+                                const PartsOptions& parts);
 
 }  // namespace poinsot::cli

@@ -67,6 +67,8 @@ std::string renderSettings(const RenderRequest& render) {
   settings["chroma"] = scene.output.chroma;
   settings["effort"] = scene.output.effort;
   settings["crf"] = film.crf;
+  if (film.container == output::FilmContainer::kGif && scene.output.colors != output::kMostColors)
+    settings["colors"] = scene.output.colors;
   settings["segment"] = render.segmentFrames;  // segments change the film, because each begins with a key frame
   for (const output::LibraryVersion& library : output::libraryVersions()) settings[library.name] = library.version;
   return settings.dump();
@@ -95,7 +97,7 @@ JobRecord jobRecordOf(const RenderRequest& render) {
   job.title = words.title;
   job.description = words.description;
   if (job.kind != request::OutputKind::kFilm) return job;
-  job.film = {*output::filmContainer(render.target.path), scene.time.fps};
+  job.film = {*output::filmContainer(render.target.path), scene.time.fps, scene.output.colors};
   job.subtitles = request::subtitlesOf(scene, render.frames);
   return job;
 }

@@ -35,8 +35,10 @@ std::vector<request::Subtitle> subtitlesOf(const Json& json) {
 output::FilmTrack filmOf(const Json& json) {
   const auto container = output::filmContainer("film." + json.at("container").get<std::string>());
   const auto fps = core::parseRational(json.at("fps").get<std::string>());
-  if (!container || !fps) throw core::ioError("no film of this version");
-  return {*container, *fps};
+  const std::int64_t colors = json.contains("colors") ? core::wholeNumber(json.at("colors")) : output::kMostColors;
+  if (!container || !fps || colors < 2 || colors > output::kMostColors)
+    throw core::ioError("no film of this version");
+  return {*container, *fps, static_cast<int>(colors)};
 }
 
 bool isSound(const JobRecord& job) {
@@ -54,6 +56,7 @@ void writeJobRecord(const path& workFolder, const JobRecord& job) {
                   {"kind", static_cast<int>(job.kind)},
                   {"fps", core::toString(job.film.fps)},
                   {"container", output::nameOf(job.film.container)},
+                  {"colors", job.film.colors},
                   {"frames", {job.frames.first, job.frames.last}},
                   {"segment_frames", job.segmentFrames},
                   {"shards", job.shards},

@@ -67,6 +67,7 @@ RenderJob::RenderJob(RenderRequest request, FrameListener listener)
       segments_(request_.segments()),
       waiting_(segments_.begin(), segments_.end()) {
   POINSOT_EXPECT(request_.workers > 0);
+  if (request_.accepted) folder_.discard();
   if (request_.trace) trace_.emplace(*request_.trace, folder_.path());
   if (request_.record) writeJobRecord(folder_.path(), *request_.record);
   if (request_.target.stream) stream_.emplace(request_.target, *request_.record, folder_.path());
@@ -95,12 +96,20 @@ RenderSummary RenderJob::end() {
   core::FileBatch results;
   traced("assemble", [&] { gather(results); });
   summary_.wall_s = elapsed_s();
+  if (request_.accepted && !isAccepted(results)) return summary_;
   if (request_.manifest) addManifest(results);
   if (trace_) addAbout(results, trace_->finish());
   results.commit();
   summary_.wall_s = elapsed_s();
   if (!request_.shard && !request_.keepWork) folder_.discard();
   return summary_;
+}
+
+/// Measures the film, and returns whether its size is accepted.
+bool RenderJob::isAccepted(const core::FileBatch& results) {
+  summary_.film_bytes =
+      static_cast<std::int64_t>(std::filesystem::file_size(results.contentOf(request_.target.path)));
+  return summary_.written = request_.accepted->contains(summary_.film_bytes);
 }
 
 void RenderJob::traced(const char* name, const std::function<void()>& work) {
@@ -245,7 +254,9 @@ void RenderJob::removeOldManifest() const {
     std::filesystem::remove(*request_.manifest, ignored);
 }
 
-std::int64_t RenderJob::framesKept() const { return request_.record && !stream_ ? segmentFramesDone_ : 0; }
+std::int64_t RenderJob::framesKept() const {
+  return request_.record && !stream_ && !request_.accepted ? segmentFramesDone_ : 0;
+}
 
 void RenderJob::askToStop() {
   for (const auto& worker : workers_) worker->askToStop();

@@ -48,13 +48,15 @@ class RenderJob {
   bool isMaking() const { return !workers_.empty(); }
   /// Handles the reports that have arrived, without waiting for more.
   void takeReports();
-  /// Joins the segments, and renames all output files to their final names together.
+  /// Joins the segments, and renames all output files to their final names together. If RenderChoices::accepted
+  /// does not contain the film's size, removes all files instead.
   RenderSummary end();
   /// Sends a signal to stop to all workers, without waiting. The destructor waits. A caller with several jobs can
   /// thus stop all jobs at the same time.
   void askToStop();
 
-  /// Returns the number of frames that a later render can reuse. Returns 0 for a still or a stream.
+  /// Returns the number of frames that a later render can reuse. Returns 0 for a still, a stream, or a film whose
+  /// size is limited.
   std::int64_t framesKept() const;
 
  private:
@@ -72,6 +74,7 @@ class RenderJob {
   void countWritten(const request::FrameRange& segment);
   void gather(core::FileBatch& results);
   void gatherStill(core::FileBatch& results) const;
+  bool isAccepted(const core::FileBatch& results);
   void addManifest(core::FileBatch& results) const;
   static void addAbout(core::FileBatch& results, core::AtomicFile file);
   void removeOldManifest() const;

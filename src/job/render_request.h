@@ -15,6 +15,13 @@
 
 namespace poinsot::job {
 
+/// File sizes from `least` to `most`.
+struct SizeRange_bytes {
+  std::int64_t least = 0, most = 0;
+
+  bool contains(std::int64_t size) const { return least <= size && size <= most; }
+};
+
 /// Options of a render. Scene, target and frames are in RenderRequest.
 struct RenderChoices {
   std::optional<double> time_s =
@@ -28,6 +35,8 @@ struct RenderChoices {
   std::optional<request::Shard> shard = {};            ///< renders this shard's segments, without joining
   std::optional<std::filesystem::path> manifest = {};  ///< films and sequences only
   std::optional<std::filesystem::path> trace = {};
+  /// films only: writes no files unless the film's size is in this range, and leaves no segments to resume
+  std::optional<SizeRange_bytes> accepted = {};
   bool digestsPixels = false;  ///< stills only: the worker reports the pixelDigest()
 };
 

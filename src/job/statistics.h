@@ -31,6 +31,8 @@ struct RenderSummary {
   double wall_s = 0;
   std::int64_t reused = 0;       ///< frames that existed before the render
   bool replacedDamaged = false;  ///< the old film of the same job was damaged and has been replaced
+  std::int64_t film_bytes = 0;   ///< size of the film, if RenderChoices::accepted is set
+  bool written = true;           ///< false if RenderChoices::accepted does not contain the film's size
   std::string renderer;          ///< GL_RENDERER of a worker; empty if no worker drew
   std::string pixels;            ///< pixelDigest() of a still, if requested
   std::string driver;            ///< gl::OffscreenContext::driver(); empty if no worker opened a context

@@ -19,8 +19,6 @@ namespace {
 using core::ErrorKind;
 using std::filesystem::path;
 
-// One of the 256 indices of a GIF marks pixels that are unchanged since the previous picture.
-constexpr int kMostColors = 255;
 // The palette is computed from about this many pictures, spread evenly over the film. More pictures take longer
 // and give the same palette.
 constexpr std::int64_t kPicturesForPalette = 100;
@@ -86,9 +84,9 @@ std::int64_t countPictures(const std::vector<path>& segments) {
   return count;
 }
 
-std::vector<Rgb> paletteOf(const std::vector<path>& segments) {
+std::vector<Rgb> paletteOf(const std::vector<path>& segments, int colors) {
   const std::int64_t step = std::max<std::int64_t>(1, countPictures(segments) / kPicturesForPalette);
-  PaletteMaker maker(kMostColors);
+  PaletteMaker maker(colors);
   std::int64_t i = 0;
   readAll(segments, [&](const image::Image& picture) {
     if (i++ % step == 0) maker.add(picture);
@@ -145,7 +143,7 @@ core::AtomicFile animate(const std::vector<path>& segments, const path& target, 
                          const FilmTexts& texts, const path& temporaryFolder) {
   const bool gif = track.container == FilmContainer::kGif;
   std::optional<OrderedDither> dither;
-  if (gif) dither.emplace(paletteOf(segments));
+  if (gif) dither.emplace(paletteOf(segments, track.colors));
   std::optional<Animation> film;
   readAll(segments, [&](const image::Image& picture) {
     const AVPixelFormat pixels = gif                     ? AV_PIX_FMT_PAL8

@@ -21,9 +21,13 @@ struct FilmTexts {
   std::string renderer = {};
 };
 
+/// Largest palette of a GIF. One of its 256 indices marks pixels that are unchanged since the previous picture.
+inline constexpr int kMostColors = 255;
+
 struct FilmTrack {
   FilmContainer container = FilmContainer::kMp4;
   core::Rational fps;
+  int colors = kMostColors;  ///< colours in the palette of a GIF, from 2 to kMostColors; unused in other films
 };
 
 /// Joins segments of VideoSegmentWriter into a film, in the given order. The same segments give the same bytes. A

@@ -193,6 +193,7 @@ struct Output {
   std::string codec;  ///< codec of a film; empty for the default of the film's container
   std::string chroma = "4:2:0";
   std::string effort = "medium";
+  int colors = 255;  ///< colours in the palette of a GIF, from 2 to 255
   Language language = Language::kEnglish;
 };
 

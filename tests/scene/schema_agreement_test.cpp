@@ -178,6 +178,7 @@ const Samples kSamples[] = {
     {"show.labels", {"true", "false"}, {"1", "\"yes\""}},
     {"output.size", {"[640, 360]"}, {"[641, 360]", "[640.0, 360]", "[640]", "[14, 16]", "\"640x360\""}},
     {"output.crf", {"0", "51"}, {"-1", "52", "18.5", "\"18\""}},
+    {"output.colors", {"2", "255"}, {"1", "256", "63.5", "\"64\""}},
 };
 
 TEST(Schema, AcceptsWhatTheProgramAccepts) {

@@ -51,6 +51,7 @@ Output assembleOutput(const Draft& draft) {
           draft.codec ? word(codecWords(), *draft.codec) : "",
           word(chromaWords(), draft.chroma),
           word(effortWords(), draft.effort),
+          draft.scene.output.colors,
           draft.scene.output.language};
 }
 

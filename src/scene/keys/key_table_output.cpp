@@ -66,6 +66,15 @@ std::vector<Key> outputKeys() {
        .example = "\"slow\"",
        .help = "Amount of time that the encoder spends to make the film's file smaller at the same quality.",
        .put = into([](Draft& d) { return &d.effort; })},
+      {.path = "output.colors",
+       .type = kInteger,
+       .range = {.least = 2, .most = 255},
+       .fallback = "255",
+       .example = "64",
+       .help =
+           "Number of colours in the palette of a GIF. With fewer colours, the file is smaller and gradients are "
+           "coarser. Other formats ignore this key.",
+       .put = into([](Draft& d) { return &d.scene.output.colors; })},
       {.path = "output.language",
        .type = kWord,
        .words = {"en", "de"},
