@@ -72,13 +72,18 @@ std::string textOf(const FilmChoice& film, FilmContainer container) {
   return text;
 }
 
+/// Returns a frame rate as the user types it, such as "25" or "25/2".
+std::string rateText(const core::Rational& fps) {
+  return fps.den == 1 ? fmt::format("{}", fps.num) : core::toString(fps);
+}
+
 /// Sets the options that turn the film as asked into another film. With --reproducible, films have the same size
 /// on every machine, and so the choice is the same.
 /// @returns these options as the user types them, such as " --size 640x360 --fps 15"
 std::string choose(FilmOptions& options, const FilmChoice& asked, const FilmChoice& film) {
   std::string typed;
   if (film.size != asked.size) typed += " --size " + (options.size = sizeText(film.size));
-  if (film.fps != asked.fps) typed += " --fps " + (options.fps = core::toString(film.fps));
+  if (film.fps != asked.fps) typed += " --fps " + (options.fps = rateText(film.fps));
   const auto override = [&](std::string_view key, int value) {
     options.overrides.push_back(fmt::format("{}={}", key, value));
     typed += " -D " + options.overrides.back();
