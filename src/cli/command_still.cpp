@@ -41,7 +41,8 @@ void addStill(const Command& program) {
   command.footer(
       "Examples:\n"
       "  poinsot still scenes/tennis_racket.toml --time 1.25 --size 2400x1800 -o out/fig.png\n"
-      "  poinsot still scenes/tennis_racket.toml --time 1.25 --width 86mm -o out/fig.pdf");
+      "  poinsot still scenes/tennis_racket.toml --time 1.25 --width 86mm -o out/fig.pdf\n"
+      "  poinsot still scenes/tennis_racket.toml --time 1.25 --width 86mm --type 8pt -o out/fig.tex");
   command.does({[options] { return still(*options); }, options.get(),
                 [options] { return accessOf(*options, targetOf(*options, "SCENE")); }});
 }

@@ -45,7 +45,7 @@ void checkWords(const SweepOptions& options) {
       throw core::usageError(
           "--map: a map is one picture, not a film; use -o NAME.png, NAME.pdf, NAME.svg or NAME.tex");
     if (options.still.any())
-      throw core::usageError("--time, --width and --dpi are for one picture, not for a film");
+      throw core::usageError("--time, --width, --dpi and --type are for one picture, not for a film");
     return;
   }
   if (!options.frames.empty() || !options.format.empty() || !options.maxSize.empty() || parts.resume ||

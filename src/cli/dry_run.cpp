@@ -21,9 +21,9 @@ using Segments = std::vector<request::FrameRange>;
 std::string nameText(const job::RenderRequest& request) { return core::printable(request.target.path.string()); }
 
 int describePrinted(const job::RenderRequest& request, const scene::Output& output) {
-  const auto [width_mm, dpi] = *request.form.print;
-  writeOut(fmt::format("{}: {:.4g} x {:.4g} mm at {:.4g} dpi, {}x{} pixels\n", nameText(request), width_mm,
-                       width_mm * output.height / output.width, dpi, output.width, output.height));
+  const request::PrintSize& print = *request.form.print;
+  writeOut(fmt::format("{}: {:.4g} x {:.4g} mm at {:.4g} dpi, {}x{} pixels\n", nameText(request), print.width_mm,
+                       print.width_mm * output.height / output.width, print.dpi, output.width, output.height));
   return kDone;
 }
 

@@ -9,12 +9,14 @@
 
 #include "core/text.h"
 #include "describe/report_loop.h"
+#include "draw/line_widths.h"
 #include "gl/offscreen_context.h"
 #include "request/requested_scene.h"
 #include "scene/motion/heavy_top_start.h"
 #include "scene/motion/make_motion.h"
 #include "stage/palette.h"
 #include "stage/stage.h"
+#include "stage/type/crowded_text.h"
 #include "stage/type/lettering.h"
 
 namespace poinsot::cli {
@@ -22,6 +24,7 @@ namespace poinsot::cli {
 namespace {
 
 constexpr double kPointsPerInch = 72;
+constexpr double kTexPoint_pt = 72 / 72.27;  // point of options, in points of 1/72 inch
 
 std::string line(const std::string& text) { return "poinsot: " + text + "\n"; }
 
@@ -92,6 +95,36 @@ bool isAimed(const scene::Scene& scene) {
   return std::ranges::any_of(scene.views, aims) || std::ranges::any_of(scene.timeline.entries, zooms);
 }
 
+/// Returns a note if text does not have the size that --type sets, or does not fit.
+std::string fixedTypeNote(double asked_pt, double smallest_pt, const draw::Picture& picture) {
+  constexpr std::string_view kAdvice =
+      "make the figure larger, or have fewer panels, fewer words or a smaller --type";
+  if (smallest_pt < asked_pt * (1 - 1e-3))
+    return line(
+        fmt::format("--type: the smallest text is {:.2g} pt high, because a text of {:.3g} pt is too wide "
+                    "for its place; {}",
+                    smallest_pt / kTexPoint_pt, asked_pt / kTexPoint_pt, kAdvice));
+  const std::string crowded = stage::crowdedText(picture);
+  if (crowded.empty()) return "";
+  return line(
+      fmt::format("--type: text of {:.3g} pt has no room: '{}' overlaps other text or leaves the picture; {}",
+                  asked_pt / kTexPoint_pt, core::printable(crowded), kAdvice));
+}
+
+std::string thinLineNote(const job::RenderRequest& render, const draw::Picture& picture) {
+  constexpr double kThinnest_pt = 0.25;  // minimum line width that publishers accept
+  if (!render.form.print) return "";
+  const auto thinnest_px = draw::thinnestLine_px(picture);
+  const double thin_pt =
+      thinnest_px ? static_cast<double>(*thinnest_px) * kPointsPerInch / render.form.print->dpi : kThinnest_pt;
+  if (std::round(100 * thin_pt) >= 100 * kThinnest_pt) return "";
+  const double key = scene::lineWidthKey(render.scene.scene.style) * kThinnest_pt / thin_pt;
+  return line(
+      fmt::format("the thinnest line is {:.2f} pt wide; many journals ask for {} pt: set style.line_width = "
+                  "{:.2f}, or have fewer panels or cells",
+                  thin_pt, kThinnest_pt, std::ceil(100 * key) / 100));
+}
+
 std::string smallTypeNote(const job::RenderRequest& render, const draw::Picture& picture) {
   constexpr double kLegible_px = 7;  // text size at which the letter x is 3 pixels high
   constexpr double kLegible_pt = 5;  // minimum text size that publishers accept
@@ -105,6 +138,7 @@ std::string smallTypeNote(const job::RenderRequest& render, const draw::Picture&
                     100 * share, 100 * stage::kHallType, sweep ? "cells" : "panels or words"));
   if (!sweep && !print) return "";
   const double smallest = print ? smallest_px * kPointsPerInch / print->dpi : smallest_px;
+  if (print && print->type_pt) return fixedTypeNote(*print->type_pt, smallest, picture);
   if (smallest >= (print ? kLegible_pt : kLegible_px)) return "";
   return line(
       fmt::format("the smallest text is {:.2g} {}; a larger {} or fewer {} make it larger", smallest,
@@ -142,7 +176,7 @@ std::string pictureNotes(const job::RenderRequest& render) {
   const draw::Picture picture =
       request::composerOf(render.scene)
           ->compose(moment, size_px, request::sizingOf(render.form, scene.style, size_px));
-  return smallTypeNote(render, picture) + cutOffNote(picture);
+  return smallTypeNote(render, picture) + thinLineNote(render, picture) + cutOffNote(picture);
 }
 
 std::string rendererNotes(const std::set<std::string>& renderers) {

@@ -17,7 +17,8 @@ std::string doubtNotes(const scene::Scene& scene);
 std::string choiceNotes(const scene::Scene& scene, bool film);
 
 /// Returns notes on a picture of the request: text that is too small to read, in a sweep, on paper or in a lecture
-/// hall, and a camera that cuts off a part of the motion.
+/// hall; text that does not fit in its fixed size; lines that are too thin for print; and a camera that cuts off a
+/// part of the motion.
 std::string pictureNotes(const job::RenderRequest& render);
 
 /// Returns a note for each slow renderer whose pictures differ from those of other machines.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "cli/command.h"
 #include "core/error.h"
@@ -44,9 +45,24 @@ struct PaperUnit {
   double unit_mm;
 };
 
-constexpr PaperUnit kUnits[] = {{"mm", 1}, {"cm", 10}, {"in", 25.4}, {"pt", 25.4 / 72.27}};
+constexpr double kTexPoint_mm = 25.4 / 72.27;
+constexpr PaperUnit kUnits[] = {{"mm", 1}, {"cm", 10}, {"in", 25.4}, {"pt", kTexPoint_mm}};
 
 constexpr double kLeastWidth_mm = 15;  // minimum for text in its printed size
+constexpr double kLeastType_pt = 3, kMostType_pt = 40;
+
+/// Parses a number above 0 with a unit. Returns nullopt for other text.
+std::optional<double> parseLength_mm(std::string_view word) {
+  for (const PaperUnit& unit : kUnits) {
+    if (!word.ends_with(unit.name)) continue;
+    std::string_view number = word.substr(0, word.size() - unit.name.size());
+    while (number.ends_with(' ')) number.remove_suffix(1);
+    const auto value = core::parseNumber(number);
+    if (!value || !(*value > 0) || !std::isfinite(*value)) break;
+    return *value * unit.unit_mm;
+  }
+  return std::nullopt;
+}
 
 struct Sides {
   double width, height;
@@ -74,20 +90,24 @@ std::string advice(request::PrintSize print, image::PixelSize proportion, double
 }  // namespace
 
 double parseWidth_mm(const std::string& word) {
-  for (const PaperUnit& unit : kUnits) {
-    if (!word.ends_with(unit.name)) continue;
-    std::string_view number = std::string_view(word).substr(0, word.size() - unit.name.size());
-    while (number.ends_with(' ')) number.remove_suffix(1);
-    const auto value = core::parseNumber(number);
-    if (!value || !(*value > 0) || !std::isfinite(*value)) break;
-    if (*value * unit.unit_mm >= kLeastWidth_mm) return *value * unit.unit_mm;
+  const auto width_mm = parseLength_mm(word);
+  if (!width_mm)
     throw core::usageError(
-        fmt::format("--width '{}': must be at least {} mm, because text does not shrink below its size in points",
-                    core::printable(word), kLeastWidth_mm));
-  }
+        fmt::format("--width '{}': must be a number above 0 with the unit mm, cm, in or pt, such as 86mm",
+                    core::printable(word)));
+  if (*width_mm >= kLeastWidth_mm) return *width_mm;
   throw core::usageError(
-      fmt::format("--width '{}': must be a number above 0 with the unit mm, cm, in or pt, such as 86mm",
-                  core::printable(word)));
+      fmt::format("--width '{}': must be at least {} mm, because text does not shrink below its size in points",
+                  core::printable(word), kLeastWidth_mm));
+}
+
+double parseTypeSize_pt(const std::string& word) {
+  const auto size_mm = parseLength_mm(word);
+  const double size_pt = size_mm.value_or(0) / kTexPoint_mm;
+  // Accepts 3pt and 40pt in spite of rounding.
+  if (size_pt >= kLeastType_pt - 1e-9 && size_pt <= kMostType_pt + 1e-9) return *size_mm / 25.4 * 72;
+  throw core::usageError(fmt::format("--type '{}': must be from {} to {} pt, with the unit, such as 8pt",
+                                     core::printable(word), kLeastType_pt, kMostType_pt));
 }
 
 image::PixelSize printedPixels(const request::PrintSize& print, image::PixelSize proportion,

@@ -29,6 +29,11 @@ std::vector<double> parseTimes_s(std::string_view option, std::string_view words
 /// @throws core::Error(kUsage) if the text is malformed, or the width is less than 15 mm
 double parseWidth_mm(const std::string& word);
 
+/// Parses the size of text on paper: a number with pt, mm, cm or in, such as "8pt". A point is 1/72.27 inch.
+/// @returns the size in points of 1/72 inch
+/// @throws core::Error(kUsage) if the text is malformed, or the size is not from 3 to 40 pt
+double parseTypeSize_pt(const std::string& word);
+
 /// Returns the size in pixels of a picture on paper, with the aspect ratio of `proportion`.
 /// @throws core::Error(kLimit) if a side is too small or too large, naming an allowed --dpi
 image::PixelSize printedPixels(const request::PrintSize& print, image::PixelSize proportion,

@@ -18,12 +18,16 @@ request::PictureOptions printed(request::PictureOptions form, const StillOptions
   if (!options.width.empty()) form.print->width_mm = parseWidth_mm(options.width);
   if (options.dpi && !form.print) throw core::usageError("--dpi needs --width, the width on paper");
   if (options.dpi) form.print->dpi = *options.dpi;
+  if (!options.type.empty() && !form.print) throw core::usageError("--type needs --width, the width on paper");
+  if (!options.type.empty()) form.print->type_pt = parseTypeSize_pt(options.type);
   return form;
 }
 
-/// Computes the size in pixels of a picture on paper. The size in the scene gives only the aspect ratio.
-void setPixels(const request::PictureOptions& form, request::RequestedScene& requested) {
+/// Sets the size in pixels of a picture on paper. The size in the scene gives only the aspect ratio. With --type,
+/// the size of text in the scene has no effect.
+void setSizes(const request::PictureOptions& form, request::RequestedScene& requested) {
   if (!form.print) return;
+  if (form.print->type_pt) requested.setTextSize(1);
   requested.resize(printedPixels(*form.print, requested.size(), requested.request.allowance.limits));
 }
 
@@ -45,6 +49,13 @@ void addStillOptions(const Command& command, StillOptions& options) {
       .type("LENGTH")
       .notEmpty();
   command.option("--dpi", options.dpi, "pixels per inch on paper (default: 600)").type("N").range(1.0, 10000.0);
+  command
+      .option(
+          "--type", options.type,
+          "one size for all small text on paper, such as 8pt, in views and plots of any size; titles are 8/7 and "
+          "the names of L and omega 10/7 as large (default: text is smaller in small views and plots)")
+      .type("LENGTH")
+      .notEmpty();
 }
 
 int makeStill(const RenderOptions& options, const StillOptions& still, request::PictureOptions form,
@@ -60,7 +71,7 @@ int makeStill(const RenderOptions& options, const StillOptions& still, request::
   if (asked_s && !(*asked_s >= 0 && *asked_s <= scene.time.duration_s))
     throw core::usageError(fmt::format("--time {}: the film lasts from 0 to {} s", core::printable(*still.time),
                                        scene.time.duration_s));
-  setPixels(form, requested);
+  setSizes(form, requested);
   const double time_s = asked_s.value_or(scene.time.stillTime_s());
   const request::OutputTarget target = targetOf(scene.name);
   return renderTo(options, {std::move(requested), target, {0, 0}}, {.time_s = time_s, .form = form});

@@ -16,8 +16,9 @@ struct StillOptions {
   std::optional<std::string> time;
   std::string width;
   std::optional<double> dpi;
+  std::string type;  ///< one size for all small text
 
-  bool any() const { return time || !width.empty() || dpi; }
+  bool any() const { return time || !width.empty() || dpi || !type.empty(); }
 };
 
 void addStillOptions(const Command& command, StillOptions& options);

@@ -175,6 +175,15 @@ struct Text {
   float halo_px = 0;
 };
 
+// ---- names: not drawn ----------------------------------------------------------------------------------------
+
+/// Point of the drawing that a figure for LaTeX offers as a coordinate, such as the tip of an arrow. `name` has
+/// ASCII letters, digits and hyphens, and does not begin with a digit. Several points may have the same name.
+struct NamedPoint {
+  std::string name;
+  glm::vec3 at_V{0};
+};
+
 struct DrawList {
   Camera camera;
   Color background{1};
@@ -189,6 +198,7 @@ struct DrawList {
   std::vector<GlassPolygon> glassPolygons;
   std::vector<GridPlane> planes;
   std::vector<Text> texts;
+  std::vector<NamedPoint> points;
   bool isCutOff = false;  ///< whether the camera's zoom or shift leaves out a part of the motion; not drawn
 };
 

@@ -138,7 +138,7 @@ core::Digest PictureDigester::operator()(const Picture& picture) {
   for (const Panel& panel : panels) {
     const auto& [origin, list] = panel;
     const auto& [camera, paper, light, ellipsoids, frustums, boxes, meshes, curves, glassEllipsoids, glassCones,
-                 glassPolygons, planes, labels, isCutOff] = list;  // isCutOff does not change the picture
+                 glassPolygons, planes, labels, points, isCutOff] = list;  // the last two are not drawn
     feed(origin, camera, paper, light, ellipsoids, frustums, boxes, curves, glassEllipsoids, glassCones,
          glassPolygons, planes, labels, std::uint64_t{meshes.size()});
     for (const Mesh& drawn : meshes) {

@@ -5,6 +5,7 @@
 
 #include "figure/ink.h"
 #include "figure/mark.h"
+#include "figure/named_points.h"
 #include "figure/parts.h"
 #include "figure/tex.h"
 #include "figure/writers.h"
@@ -18,6 +19,8 @@ constexpr std::string_view kHead =
 % loaded after it, sets bold Greek in more fonts.
 % By itself: \documentclass{{standalone}} \usepackage{{tikz,amsmath}} \begin{{document}} \input{{NAME}} \end{{document}}
 % From another folder: \graphicspath{{{{folder/}}}}. For larger or smaller labels: \newcommand*\poinsotscale{{1.2}}
+% To draw over the picture, define a command before \input. It applies to the next picture only:
+%   \newcommand\poinsotoverlay{{\draw[->] (0, 0) -- (poinsot-centre);}}
 )";
 
 /// Returns TeX code that makes ASCII symbols ordinary characters until the group ends, except TeX's own symbols.
@@ -62,6 +65,31 @@ std::string node(const draw::Text& label, const std::string& latex, glm::dvec2 a
       scale, colorOf(ink), opacity, at_bp.x, at_bp.y, latex);
 }
 
+std::string coordinates(const std::vector<PlacedPoint>& points, const Figure& figure) {
+  const double scale = figure.pointsPerPixel(), height_px = figure.picture.size_px.y;
+  std::string text;
+  for (const PlacedPoint& point : points)
+    text += fmt::format("  \\coordinate ({}) at ({:.3f}bp, {:.3f}bp);\n", point.name, scale * point.at_px.x,
+                        scale * (height_px - point.at_px.y));
+  return text;
+}
+
+/// Returns a comment that lists the coordinates, in lines of at most 100 characters.
+std::string coordinatesComment(const std::vector<PlacedPoint>& points) {
+  if (points.empty()) return "";
+  constexpr std::size_t kLongest = 100;
+  std::string text, line = "% Coordinates:";
+  for (const PlacedPoint& point : points) {
+    const std::string word = " (" + point.name + ")";
+    if (line.size() + word.size() > kLongest) {
+      text += line + "\n";
+      line = "%  ";
+    }
+    line += word;
+  }
+  return text + line + "\n";
+}
+
 }  // namespace
 
 std::string tikzOf(const Figure& figure, const std::string& imageName) {
@@ -74,16 +102,20 @@ std::string tikzOf(const Figure& figure, const std::string& imageName) {
     nodes += node(label, latex, anchors[k++], figure);
     all += latex;
   }
-  const std::string text = fmt::format(fmt::runtime(kHead), fmt::arg("image", imageName)) +
-                           comment(figure.options.title) + comment(figure.options.description) + "\\begingroup\n" +
-                           ordinarySigns() + "\\providecommand*\\poinsotscale{1}%\n" + latexDefinitionsFor(all) +
-                           fmt::format(
-                               "\\begin{{tikzpicture}}\n"
-                               "  \\path[use as bounding box] (0, 0) rectangle ({0:.3f}bp, {1:.3f}bp);\n"
-                               "  \\node[anchor=south west, inner sep=0pt, outer sep=0pt] at (0, 0)\n"
-                               "    {{\\includegraphics[width={0:.3f}bp, height={1:.3f}bp]{{{2}}}}};\n",
-                               size_bp.x, size_bp.y, imageName) +
-                           nodes + "\\end{tikzpicture}%\n\\endgroup\n";
+  const std::vector<PlacedPoint> points = placedPoints(figure.picture, figure.pointsPerPixel());
+  const std::string text =
+      fmt::format(fmt::runtime(kHead), fmt::arg("image", imageName)) + coordinatesComment(points) +
+      comment(figure.options.title) + comment(figure.options.description) + "\\begingroup\n" + ordinarySigns() +
+      "\\providecommand*\\poinsotscale{1}%\n\\providecommand\\poinsotoverlay{}%\n" + latexDefinitionsFor(all) +
+      fmt::format(
+          "\\begin{{tikzpicture}}\n"
+          "  \\path[use as bounding box] (0, 0) rectangle ({0:.3f}bp, {1:.3f}bp);\n"
+          "  \\node[anchor=south west, inner sep=0pt, outer sep=0pt] at (0, 0)\n"
+          "    {{\\includegraphics[width={0:.3f}bp, height={1:.3f}bp]{{{2}}}}};\n",
+          size_bp.x, size_bp.y, imageName) +
+      nodes + coordinates(points, figure) +
+      "  \\poinsotoverlay\n\\end{tikzpicture}%\n\\endgroup\n"
+      "\\global\\let\\poinsotoverlay\\undefined\n";
   return marked(kTexMark, text);
 }
 

@@ -56,6 +56,7 @@ std::string renderSettings(const RenderRequest& render) {
   if (form.crop) settings["crop"] = true;
   if (form.bits != 8) settings["bits"] = form.bits;
   if (form.print) settings["print"] = {form.print->width_mm, form.print->dpi};
+  if (form.print && form.print->type_pt) settings["type"] = *form.print->type_pt;
   if (render.target.kind != request::OutputKind::kFilm) {
     settings["libpng"] = image::libpngVersion();
     return settings.dump();

@@ -15,6 +15,7 @@ inline constexpr std::size_t kMostPicture = std::size_t{512} << 20;
 struct PrintSize {
   double width_mm = 86;
   double dpi = 600;
+  std::optional<double> type_pt;  ///< one size for all small text, in points of 1/72 inch; nullopt: by layout
 };
 
 struct PictureOptions {

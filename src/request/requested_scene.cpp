@@ -21,6 +21,11 @@ void RequestedScene::resize(image::PixelSize size) {
   for (scene::Scene& cell : cells) set(cell);
 }
 
+void RequestedScene::setTextSize(double factor) {
+  scene.style.textSize = factor;
+  for (scene::Scene& cell : cells) cell.style.textSize = factor;
+}
+
 RequestedScene requestedScene(SceneRequest request) {
   RequestedScene requested{std::move(request)};
   const auto& sweep = requested.request.sweep;
@@ -43,8 +48,9 @@ std::unique_ptr<const stage::Composer> composerOf(const RequestedScene& requeste
 }
 
 stage::Sizing sizingOf(const PictureOptions& form, const scene::Style& style, glm::ivec2 size_px) {
-  return stage::styled(form.print ? stage::printSizing(form.print->dpi) : stage::screenSizing(size_px), style,
-                       size_px);
+  const auto& print = form.print;
+  if (print && print->type_pt) return stage::fixedSizing(print->dpi, *print->type_pt * print->dpi / 72);
+  return stage::styled(print ? stage::printSizing(print->dpi) : stage::screenSizing(size_px), style, size_px);
 }
 
 }  // namespace poinsot::request

@@ -21,6 +21,8 @@ struct RequestedScene {
 
   image::PixelSize size() const { return {scene.output.width, scene.output.height}; }
   void resize(image::PixelSize size);
+  /// Sets style.text_size, the factor on the size of all text.
+  void setTextSize(double factor);
 };
 
 /// Reads all files of the scene and validates the scene. For a sweep, also validates the scenes of all cells and

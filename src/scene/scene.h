@@ -183,6 +183,9 @@ struct Style {
   DecimalSign decimalSign = DecimalSign::kPoint;
 };
 
+/// Returns the value of the key style.line_width: lineWidth without the factors of the theme and the preset.
+double lineWidthKey(const Style& style);
+
 /// Language of the description of a picture. The order is the order of the key's words.
 enum class Language { kEnglish, kGerman };
 

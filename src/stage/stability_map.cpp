@@ -127,7 +127,7 @@ void addName(draw::Picture& picture, const std::string& tex, glm::dvec2 centre_p
 }  // namespace
 
 struct StabilityMap::Pen {
-  double em_px, line_px;
+  double em_px, axisName_px, nameOfL_px, line_px;
 };
 
 struct StabilityMap::Layout {
@@ -153,7 +153,10 @@ draw::Picture StabilityMap::compose(const Moment& moment, glm::ivec2 size_px, co
   picture.background = colors_.paper;
   const PictureWriting writing = pictureWriting(scene_, {}, size_px, sizing, colors_);
   const Sizing type = typeScaled(sizing, scene_.style.textSize);
-  const Pen pen{std::max(kMapType * type.type_px, type.least_px), sizing.line_px * scene_.style.lineWidth};
+  const double em_px = smallSize_px(kMapType, type);
+  const bool isFixed = type.fixed_px > 0;
+  const Pen pen{em_px, (isFixed ? 1 : kMapNames) * em_px, (isFixed ? kFixedArrowName : kMapNames) * em_px,
+                sizing.line_px * scene_.style.lineWidth};
   // Notes at the bottom corners lie beside the sphere, so they do not reduce the room for the sphere.
   const double edge_px = kMapEdge * noteEdge_px(type);
   const Layout layout =
@@ -235,7 +238,7 @@ void StabilityMap::addAxes(draw::Picture& picture, const Globe& globe, const Pen
     add(0, colors_.axis);
     std::string name = scene_.labels[kKeys[static_cast<std::size_t>(axis)]];
     if (signs_[axis] < 0 && !name.empty()) name.insert(0, "$-$");
-    addName(picture, name, glm::dvec2(tip) + kBesideAxis * pen.em_px * along, kMapNames * pen.em_px, colors_.axis,
+    addName(picture, name, glm::dvec2(tip) + kBesideAxis * pen.em_px * along, pen.axisName_px, colors_.axis,
             colors_.paper);
   }
 }
@@ -245,7 +248,7 @@ void StabilityMap::addScenesL(draw::Picture& picture, const Globe& globe, const 
   picture.strokes.push_back(spot(at, (kStartDot + kRing) * pen.line_px, colors_.paper));
   picture.strokes.push_back(spot(at, kStartDot * pen.line_px, colors_.L));
   addName(picture, scene_.labels[scene::LabelName::kL], glm::dvec2(at) + glm::dvec2(1.1, -0.8) * pen.em_px,
-          kMapNames * pen.em_px, colors_.L, colors_.paper);
+          pen.nameOfL_px, colors_.L, colors_.paper);
 }
 
 // Draws the colour bar, whose pointed end stands for all longer times up to infinity.
@@ -265,7 +268,7 @@ void StabilityMap::addBar(draw::Picture& picture, const PixelBox& bar, const Pen
   const double y = share < 1 ? at(share) : std::isfinite(share) ? 0.5 * (top + bar.top) : bar.top;
   const double left = bar.left - kMark * pen.em_px;
   picture.strokes.push_back(stroke({{left, y}, {bar.left, y}}, kMapAxisLine * pen.line_px, colors_.L));
-  addName(picture, scene_.labels[scene::LabelName::kL], {left - kBesideMark * pen.em_px, y}, kMapNames * pen.em_px,
+  addName(picture, scene_.labels[scene::LabelName::kL], {left - kBesideMark * pen.em_px, y}, pen.nameOfL_px,
           colors_.L, colors_.paper);
 }
 

@@ -196,7 +196,7 @@ void Stage::addPlots(draw::Picture& picture, std::span<const Cell> cells, const 
                      double filmTime_s) const {
   double share = 1;
   for (std::size_t i = 0; i < plots_.size(); ++i) share = std::min(share, plots_[i].typeShare(cells[i], own));
-  const Sizing sizing{share * own.type_px, own.line_px, own.least_px, own.floor_px, own.isPrint};
+  const Sizing sizing = inPart(own, share, 1);
   const auto inLine = [](const Cell& a, const Cell& b) {
     return a.origin_px.x == b.origin_px.x && a.size_px.x == b.size_px.x;
   };
@@ -218,12 +218,13 @@ std::vector<PanelFrame> Stage::framesOf(draw::Picture& picture, const std::vecto
     PanelFrame& frame = frames.emplace_back();
     frame.size_px = cells[i].size_px;
     const double share = typeShare(cells[i].size_px, picture.size_px);
-    frame.type_px = share * sizing.type_px;
-    frame.line_px = share * sizing.line_px;
-    frame.least_px = sizing.least_px;
+    const Sizing part = inPart(sizing, share, share);
+    frame.type_px = part.type_px;
+    frame.line_px = part.line_px;
+    frame.least_px = part.least_px;
+    frame.arrowName = arrowNameOf(part);
     if (writesOverView()) makeRoomFor(writing, frame);
-    const Sizing type =
-        typeScaled({frame.type_px, frame.line_px, frame.least_px, sizing.floor_px}, scene_.style.textSize);
+    const Sizing type = typeScaled(part, scene_.style.textSize);
     const double heading_px = addHeading(picture, cells[i], scene_.views[i], type, colors_);
     if (heading_px == 0) continue;
     frame.heading_px = heading_px;

@@ -172,7 +172,7 @@ SweepStage::Grid SweepStage::gridIn(const Cell& room, glm::ivec2 picture_px, con
   grid.rows = (static_cast<int>(cells_.size()) + grid.columns - 1) / grid.columns;
   const glm::ivec2 share_px = glm::max(room.size_px / glm::ivec2(grid.columns, grid.rows), glm::ivec2(1));
   const double share = std::pow(area(share_px) / area(picture_px), kShrinks);
-  grid.sizing = {share * sizing.type_px, share * sizing.line_px, sizing.least_px, sizing.floor_px, sizing.isPrint};
+  grid.sizing = inPart(sizing, share, share);
   grid.label_px = labelSize_px(typeScaled(grid.sizing, written_.style.textSize), share_px, room.size_px);
   const int band_px = static_cast<int>(std::ceil((kOver + kUnder) * grid.label_px));
   const int margin_px = static_cast<int>(std::ceil(margin_em() * grid.label_px));
@@ -190,7 +190,7 @@ SweepStage::Grid SweepStage::gridIn(const Cell& room, glm::ivec2 picture_px, con
 double SweepStage::margin_em() const { return hasRows() ? widest_em(labels_[1].whole) + 2 * kBeside : 0; }
 
 double SweepStage::labelSize_px(const Sizing& type, glm::dvec2 cell_px, glm::dvec2 room_px) const {
-  const double wanted_px = std::max({kLabel * type.type_px, type.least_px, kLeastType_px});
+  const double wanted_px = std::max(smallSize_px(kLabel, type), kLeastType_px);
   return std::min({wanted_px, kAcross * cell_px.x / std::max(widest_em(labels_[0].whole), 1e-9),
                    kMostMargin * room_px.x / std::max(margin_em(), 1e-9),
                    kMostBand * cell_px.y / (kOver + kUnder)});

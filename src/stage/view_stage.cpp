@@ -14,13 +14,13 @@
 #include "stage/figures/construction.h"
 #include "stage/figures/presence.h"
 #include "stage/figures/principal_axes_figure.h"
+#include "stage/figures/stand_figure.h"
 #include "stage/framing.h"
 #include "stage/palette.h"
 #include "stage/picture_motion.h"
 #include "stage/scales.h"
 #include "stage/to_picture.h"
 #include "stage/type/label_layout.h"
-#include "stage/type/lettering.h"
 
 namespace poinsot::stage {
 namespace {
@@ -120,6 +120,7 @@ struct ViewStage::Plan {
     return framing.camera(path.at(filmTime_s), extent, frame.margins, frame.size_px, frame.mostUnit_px);
   }
   draw::Camera cameraAt(double filmTime_s, const PanelFrame& frame, const PictureState& state) const;
+  void nameCentre(const Canvas& canvas, const PictureState& state) const;
   void addActors(const Canvas& canvas, double filmTime_s, const PictureState& state) const;
   double presenceOf(std::string_view thing, double filmTime_s) const;
   /// Returns whether the user enlarges or shifts the picture, which otherwise contains the whole motion.
@@ -138,6 +139,16 @@ double ViewStage::Plan::presenceOf(std::string_view thing, double filmTime_s) co
 draw::Camera ViewStage::Plan::cameraAt(double filmTime_s, const PanelFrame& frame,
                                        const PictureState& state) const {
   return draw::moved(framedCamera(filmTime_s, frame), toPicture(Vector3d(middle_V - heldFlight * state.centre_V)));
+}
+
+/// Names the centre of mass and the point about which a top rotates. The centre of a top is unknown if only its
+/// moments are given.
+void ViewStage::Plan::nameCentre(const Canvas& canvas, const PictureState& state) const {
+  const Vector3d fixed_V = Vector3d::Zero();  // the point about which the body rotates
+  if (!standsOnPivot(scene)) return canvas.point("centre", fixed_V);
+  canvas.point("pivot", fixed_V);
+  if (scene.body.mass)
+    canvas.point("centre", scales.body * state.R_VB * (scene.body.mass->centre_B() - scene.body.fixedPoint_B()));
 }
 
 void ViewStage::Plan::addActors(const Canvas& canvas, double filmTime_s, const PictureState& state) const {
@@ -170,9 +181,17 @@ draw::DrawList ViewStage::compose(const Moment& moment, const PanelFrame& frame)
   const double line_px = frame.line_px * style.lineWidth;
   const double label_px = plan.scene.show.labels ? kLabelSize * frame.type_px * style.textSize : 0;
   std::vector<Label> labels;
-  const Canvas canvas{list,        labels,          plan.colors, plan.scene.labels,
-                      line_px,     style.lineWidth, label_px,    frame.least_px * style.textSize,
+  const Canvas canvas{list,
+                      labels,
+                      plan.colors,
+                      plan.scene.labels,
+                      line_px,
+                      style.lineWidth,
+                      label_px,
+                      frame.least_px * style.textSize,
+                      frame.arrowName,
                       moment.still};
+  plan.nameCentre(canvas, state);
   plan.addActors(canvas, moment.filmTime_s, state);
   addLabels(list, labels, plan.colors.paper, static_cast<float>(frame.heading_px), frame.taken);
   return list;

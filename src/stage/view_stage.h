@@ -10,6 +10,7 @@
 #include "scene/scene.h"
 #include "stage/framing.h"
 #include "stage/moment.h"
+#include "stage/type/lettering.h"
 #include "stage/type/pixel_box.h"
 
 namespace poinsot::stage {
@@ -20,6 +21,7 @@ struct PanelFrame {
   double type_px = 1;  ///< reference size of text; see Sizing in lettering.h
   double line_px = 2;
   double least_px = 0;  ///< smallest size of a label
+  double arrowName = kArrowName;
   Margins margins;
   double heading_px = 0;        ///< height of the heading at the top, which labels avoid
   std::vector<PixelBox> taken;  ///< boxes that labels avoid, relative to the panel's top left corner

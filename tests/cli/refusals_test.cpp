@@ -79,7 +79,7 @@ TEST_F(ErrorMessages, ExplainInvalidSweeps) {
   const std::string speeds = "time.speed=0.5..1:3";
   expectAll({
       {{"sweep", "s.toml", "-D", speeds, "--time", "1", "-o", "a.mp4"},
-       "--time, --width and --dpi are for one picture, not for a film"},
+       "--time, --width, --dpi and --type are for one picture, not for a film"},
       {{"sweep", "s.toml", "-D", speeds, "--frames", "1", "-o", "a.png"},
        "are for films; for one picture, use --time"},
       {{"sweep", "s.toml", "-D", "motion.omega_body=[0..1:3, 0..1:3, 1]", "-o", "a.png"},

@@ -9,14 +9,18 @@ constexpr double kPrintLineWidth = 0.65;
 // Factors for a lecture hall, whose last row sees the picture small.
 constexpr double kHallLineWidth = 1.6, kHallTextSize = 1.2;
 
+double lineWidthOfLook(const Style& style) {
+  return (style.preset == StylePreset::kHall ? kHallLineWidth : 1) *
+         (style.theme == Theme::kPrint ? kPrintLineWidth : 1);
+}
+
 }  // namespace
 
+double lineWidthKey(const Style& style) { return style.lineWidth / lineWidthOfLook(style); }
+
 void finishStyle(Style& style) {
-  if (style.preset == StylePreset::kHall) {
-    style.lineWidth *= kHallLineWidth;
-    style.textSize *= kHallTextSize;
-  }
-  if (style.theme == Theme::kPrint) style.lineWidth *= kPrintLineWidth;
+  if (style.preset == StylePreset::kHall) style.textSize *= kHallTextSize;
+  style.lineWidth *= lineWidthOfLook(style);
 }
 
 }  // namespace poinsot::scene

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "stage/figures/arrow.h"
 #include "stage/to_picture.h"
@@ -94,6 +95,10 @@ void Canvas::labelAt(const std::string& tex, glm::vec2 at_px, glm::vec2 directio
   const auto size_px = static_cast<float>(std::max(size * type_px, least_px));
   labels.push_back(
       {tex, at_px, direction, static_cast<float>(gap) * size_px, size_px, color, still ? 1 : opacity});
+}
+
+void Canvas::point(std::string name, const Vector3d& at_V) const {
+  list.points.push_back({std::move(name), toPicture(at_V)});
 }
 
 glm::vec2 Canvas::at_px(const Vector3d& at_V) const {

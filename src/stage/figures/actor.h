@@ -12,6 +12,7 @@
 #include "stage/picture_motion.h"
 #include "stage/scales.h"
 #include "stage/type/label_layout.h"
+#include "stage/type/lettering.h"
 
 namespace poinsot::stage {
 
@@ -34,6 +35,7 @@ struct Canvas {
   double thickness = 1;  ///< factor on the radii of arrows and tubes
   double type_px = 32;   ///< size of an ordinary label; 0: no labels
   double least_px = 0;
+  double arrowName = kArrowName;
   bool still = false;  ///< labels are either opaque or absent, never faint
 
   /// Adds a flat line.
@@ -76,6 +78,8 @@ struct Canvas {
                double size = 1, double gap = kLabelGap, float opacity = 1) const {
     labelAt(names[name], at_px, direction, color, size, gap, opacity);
   }
+  /// Names a point of the drawing, see draw::NamedPoint.
+  void point(std::string name, const Eigen::Vector3d& at_V) const;
   /// Returns the pixel at which the camera sees a point. A point behind the eye is first moved forward to the
   /// camera's near plane, so its pixel is usually far outside the picture.
   glm::vec2 at_px(const Eigen::Vector3d& at_V) const;

@@ -2,6 +2,7 @@
 #include "stage/figures/axes_figure.h"
 
 #include <array>
+#include <string>
 
 namespace poinsot::stage {
 namespace {
@@ -25,6 +26,7 @@ void SpaceAxesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const Pic
   for (int axis = 0; axis < 3; ++axis) {
     const Vector3d tip = length_ * state.R_VW.col(axis);
     canvas.arrow(tip, kSpaceAxisRadius, canvas.colors.rod);
+    canvas.point(std::string(1, "xyz"[axis]), tip);
     canvas.label(kNames[static_cast<std::size_t>(axis)], tip, Vector3d::Zero(), canvas.colors.quietInk, 0.8);
   }
 }
@@ -48,6 +50,7 @@ void ComponentsFigure::add(const Canvas& canvas, double /*filmTime_s*/, const Pi
   for (int i = 0; i < 3; ++i) {
     const Vector3d part = parts.col(i), second = parts.col((i + 1) % 3), third = parts.col((i + 2) % 3);
     canvas.arrow(part, kComponentRadius, color);
+    canvas.point("omega" + std::to_string(i + 1), part);
     for (const Vector3d& from : {second, third, Vector3d(second + third)})
       canvas.line({from, from + part}, false, color, 0.7);
     if (part.norm() > kLeastNamed)

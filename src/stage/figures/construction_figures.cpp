@@ -110,7 +110,9 @@ ContactFigure::ContactFigure(const Setting& setting)
     : scale_(setting.construction->scale()), radius_(kContactRadius * setting.scene.show.contact.scale) {}
 
 void ContactFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
-  if (!state.atRest()) canvas.dot(scale_ * state.omega_V, radius_, canvas.colors.ink);
+  if (state.atRest()) return;
+  canvas.dot(scale_ * state.omega_V, radius_, canvas.colors.ink);
+  canvas.point("contact", scale_ * state.omega_V);
 }
 
 std::vector<Vector3d> ContactFigure::outermostPoints(const PictureState& state) const {

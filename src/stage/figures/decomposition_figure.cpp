@@ -26,6 +26,8 @@ void DecompositionFigure::add(const Canvas& canvas, double /*filmTime_s*/, const
   const draw::Color& color = canvas.colors.omegaParts;
   canvas.arrow(precession, kPartArrowRadius, color);
   canvas.arrow(spin, kPartArrowRadius, color);
+  canvas.point("precession", precession);
+  canvas.point("spin", spin);
   canvas.dashes(precession, whole, color, 1.2);
   canvas.dashes(spin, whole, color, 1.2);
   canvas.label(scene::LabelName::kOmegaP, 0.8 * precession, 0.8 * whole, color);

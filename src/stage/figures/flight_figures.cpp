@@ -55,6 +55,7 @@ void FlightFigure::add(const Canvas& canvas, double filmTime_s, const PictureSta
   if (position_) {
     const Vector3d origin = origin_V(state);
     canvas.dot(origin, kCentreDot, canvas.colors.ink);
+    canvas.point("origin", origin);
     canvas.label(scene::LabelName::kOrigin, origin, Vector3d::Zero(), canvas.colors.ink);
     canvas.arrowFrom(origin, Vector3d::Zero(), kFlightArrowRadius, canvas.colors.ink);
     const double most = follows_ ? kNearBody / std::max(origin.norm(), kNearBody) : 1;
@@ -63,10 +64,12 @@ void FlightFigure::add(const Canvas& canvas, double filmTime_s, const PictureSta
   }
   if (velocity_ && !state.velocity_V.isZero(0)) {
     canvas.arrow(velocityTip_V(state), kFlightArrowRadius, color);
+    canvas.point("V", velocityTip_V(state));
     canvas.label(scene::LabelName::kV, velocityTip_V(state), Vector3d::Zero(), color);
   }
   if (weight_ && !weight_W_.isZero(0)) {
     canvas.arrow(weightTip_V(state), kFlightArrowRadius, canvas.colors.torque);
+    canvas.point("weight", weightTip_V(state));
     canvas.label(scene::LabelName::kWeight, weightTip_V(state), Vector3d::Zero(), canvas.colors.torque);
   }
 }
@@ -111,11 +114,14 @@ void TotalAngularMomentumFigure::add(const Canvas& canvas, double /*filmTime_s*/
   arrow(origin, corner, parts);
   arrow(corner, tip, parts);
   arrow(origin, tip, canvas.colors.L);
+  canvas.point("orbital-L", corner);
+  canvas.point("total-L", tip);
   canvas.label(scene::LabelName::kOrbitalL, corner, origin, canvas.colors.L);
   canvas.label(scene::LabelName::kTotalL, tip, origin, canvas.colors.L);
   canvas.label(scene::LabelName::kL, corner + kNameOfL * (tip - corner), corner, canvas.colors.L);
   if (!torque_) return;
   arrow(origin, origin + torque_V(state), canvas.colors.torque);
+  canvas.point("torque-about-origin", origin + torque_V(state));
   canvas.label(scene::LabelName::kTorqueAboutOrigin, origin + torque_V(state), origin, canvas.colors.torque);
 }
 

@@ -21,6 +21,7 @@ MainAxisFigure::MainAxisFigure(const Setting& setting) : tip_P_(tip(setting)) {}
 void MainAxisFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
   const Vector3d tip_V = state.R_VP * tip_P_;
   canvas.arrow(tip_V, kAxisRadius, canvas.colors.axis);
+  canvas.point("k", tip_V);
   canvas.label(scene::LabelName::kAxis, tip_V, Vector3d::Zero(), canvas.colors.axis);
 }
 

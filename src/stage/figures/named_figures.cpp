@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stage/figures/point_name.h"
 #include "stage/figures/symmetric_top.h"
 
 namespace poinsot::stage {
@@ -140,12 +141,15 @@ double Directions::length(Direction direction) const {
 }
 
 NamedVectorFigure::NamedVectorFigure(const Setting& setting, const scene::NamedVector& vector)
-    : vector_(vector), arrow_(std::visit(MakeArrow{setting, vector.scale}, vector.what)) {}
+    : vector_(vector),
+      pointName_(pointName(vector.name)),
+      arrow_(std::visit(MakeArrow{setting, vector.scale}, vector.what)) {}
 
 void NamedVectorFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
   const Arrow now = arrow(state);
   const draw::Color color = colorOf(canvas.colors, vector_.color);
   canvas.arrowFrom(now.from_V, now.tip_V, kArrowRadius, color);
+  canvas.point(pointName_, now.tip_V);
   if (now.corner_V) {
     canvas.dashes(now.from_V, *now.corner_V, color);
     canvas.dashes(*now.corner_V, now.tip_V, color);

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "stage/figures/actor.h"
 
@@ -41,6 +42,7 @@ class NamedVectorFigure final : public Actor {
 
  private:
   scene::NamedVector vector_;
+  std::string pointName_;
   std::function<Arrow(const PictureState&)> arrow_;
 };
 

@@ -84,6 +84,7 @@ DrawMark::DrawMark(const draw::DrawList& list, const std::vector<Label>& labels)
       glassPolygons_(list.glassPolygons.size()),
       planes_(list.planes.size()),
       texts_(list.texts.size()),
+      points_(list.points.size()),
       labels_(labels.size()) {}
 
 void DrawMark::fade(draw::DrawList& list, std::vector<Label>& labels, const Eigen::Vector3d& pivot_V,
@@ -121,6 +122,7 @@ void DrawMark::growSolids(draw::DrawList& list, const glm::vec3& pivot_V, float 
     m.axes_V *= p;
     m.edge_px *= p;
   }
+  for (draw::NamedPoint& point : since(list.points, points_)) towards(point.at_V);
 }
 
 void DrawMark::drawLines(draw::DrawList& list, float p) const {

@@ -44,7 +44,7 @@ class DrawMark {
   void thinGlass(draw::DrawList& list, float presence) const;
 
   std::size_t ellipsoids_, frustums_, boxes_, meshes_, curves_, glassEllipsoids_, glassCones_, glassPolygons_,
-      planes_, texts_, labels_;
+      planes_, texts_, points_, labels_;
 };
 
 }  // namespace poinsot::stage

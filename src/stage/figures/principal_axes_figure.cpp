@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <glm/common.hpp>
+#include <string>
 
 #include "stage/figures/stand_figure.h"
 #include "stage/to_picture.h"
@@ -50,6 +51,7 @@ void PrincipalAxesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const
   for (const int axis : axes_) {
     const Vector3d tip_V = lengths_[axis] * state.R_VP.col(axis);
     canvas.arrow(tip_V, kAxisRadius, canvas.colors.axis);
+    canvas.point("e" + std::to_string(axis + 1), tip_V);
     const scene::LabelName name = kAxisNames[static_cast<std::size_t>(axis)];
     if (canvas.type_px == 0 || canvas.names[name].empty()) continue;
     // An axis that points at the eye has no direction in the picture, so its label leans upwards.

@@ -12,7 +12,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kVectorRadius = 0.019;
-constexpr double kNameSize = 1.15;
 constexpr double kLongestTorque = 0.9;
 constexpr double kAlongShaft = 0.62;  // position of omega's label along the shaft
 constexpr double kFarRight = 0.9;     // distance right of L at which omega's label changes sides, in text sizes
@@ -39,8 +38,10 @@ void AngularMomentumFigure::add(const Canvas& canvas, double /*filmTime_s*/, con
   const Vector3d tip_V = scale_ * state.L_V;
   if (tip_V.isZero(0)) return;
   canvas.arrow(tip_V, kVectorRadius, canvas.colors.L);
+  canvas.point("L", tip_V);
   const glm::vec2 tip = canvas.at_px(tip_V), along = softUnit(tip - canvas.at_px(Vector3d::Zero()), 1);
-  canvas.labelAt(scene::LabelName::kL, tip, besideTip(along), canvas.colors.L, kNameSize, kLabelGap / kNameSize);
+  canvas.labelAt(scene::LabelName::kL, tip, besideTip(along), canvas.colors.L, canvas.arrowName,
+                 kLabelGap / canvas.arrowName);
 }
 
 std::vector<Vector3d> AngularMomentumFigure::outermostPoints(const PictureState& state) const {
@@ -54,6 +55,7 @@ AngularVelocityFigure::AngularVelocityFigure(const Setting& setting)
 void AngularVelocityFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {
   if (state.atRest()) return;
   canvas.arrow(scale_ * state.omega_V, kVectorRadius, canvas.colors.omega);
+  canvas.point("omega", scale_ * state.omega_V);
   addName(canvas, scale_ * state.omega_V);
 }
 
@@ -65,7 +67,7 @@ void AngularVelocityFigure::add(const Canvas& canvas, double /*filmTime_s*/, con
 void AngularVelocityFigure::addName(const Canvas& canvas, const Vector3d& tip_V) const {
   using enum scene::LabelName;
   const glm::vec2 centre = canvas.at_px(Vector3d::Zero());
-  const double gap = kLabelGap / kNameSize;
+  const double gap = kLabelGap / canvas.arrowName;
   if (inConstruction_) {
     const glm::vec2 beside = canvas.at_px(kAlongShaft * tip_V);
     const double off = (beside.x - centre.x) / canvas.type_px;
@@ -74,12 +76,12 @@ void AngularVelocityFigure::addName(const Canvas& canvas, const Vector3d& tip_V)
     const float head_px = headRadius_px(canvas, tip_V);
     const double there = canvas.still ? 1 : std::min(1.0, std::abs(off - kFarRight) / kFading);
     canvas.labelAt(kOmega, place + glm::vec2(right ? head_px : -head_px, 0), {right ? 1 : -1, 0},
-                   canvas.colors.omega, kNameSize, 0.5 * gap, static_cast<float>(there));
+                   canvas.colors.omega, canvas.arrowName, 0.5 * gap, static_cast<float>(there));
     return;
   }
   const glm::vec2 tip = canvas.at_px(tip_V);
   const double lean = std::clamp((tip.x - centre.x) / (2 * canvas.type_px), -1.0, 1.0);
-  canvas.labelAt(kOmega, tip, {lean, -1.1}, canvas.colors.omega, kNameSize, gap);
+  canvas.labelAt(kOmega, tip, {lean, -1.1}, canvas.colors.omega, canvas.arrowName, gap);
 }
 
 std::vector<Vector3d> AngularVelocityFigure::outermostPoints(const PictureState& state) const {
@@ -97,7 +99,8 @@ void TorqueFigure::add(const Canvas& canvas, double /*filmTime_s*/, const Pictur
   const Vector3d tip_V = scale_ * state.torque_V;
   if (tip_V.isZero(0)) return;
   canvas.arrow(tip_V, kVectorRadius, canvas.colors.torque);
-  canvas.label(scene::LabelName::kTorque, tip_V, Vector3d::Zero(), canvas.colors.torque, kNameSize);
+  canvas.point("torque", tip_V);
+  canvas.label(scene::LabelName::kTorque, tip_V, Vector3d::Zero(), canvas.colors.torque, canvas.arrowName);
 }
 
 std::vector<Vector3d> TorqueFigure::outermostPoints(const PictureState& state) const {

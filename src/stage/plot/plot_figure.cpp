@@ -165,11 +165,12 @@ double PlotFigure::Plan::rightRoom(const PlotPen& pen) const {
 }
 
 double PlotFigure::Plan::type_px(const Sizing& sizing) const {
-  return style.textSize * std::max(kType * sizing.type_px, sizing.least_px);
+  return style.textSize * smallSize_px(kType, sizing);
 }
 
 PlotPen PlotFigure::Plan::pen(const Sizing& sizing, glm::vec2 panel_px) const {
   PlotPen pen{colors, type_px(sizing), sizing.line_px * style.lineWidth, style.decimalSign};
+  if (sizing.fixed_px > 0) pen.title = kFixedTitle;
   const PixelBox panel{0, 0, static_cast<double>(panel_px.x), static_cast<double>(panel_px.y)};
   const auto small = [&] {
     PlotFrame any = frame;

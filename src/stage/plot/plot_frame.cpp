@@ -13,7 +13,7 @@ namespace {
 constexpr double kDigit = 0.67;
 constexpr double kTick = 0.28, kTickGap = 0.35;  // length of a tick; gap between axis and number
 constexpr double kLabelRise = 0.95, kLabelAscent = 0.8;
-constexpr double kTitleSize = 1.1, kTitleRow = 1.6;
+constexpr double kTitleRow = 1.6;
 constexpr double kTickRow = 1.15, kLabelRow = 2.45, kBelowLabels = 0.3;  // distances of rows below the x axis
 constexpr double kLabelsApart = 0.8;                                     // gap between numbers at the x axis
 constexpr double kRowApart = 1.7;                                        // distance of baselines at the y axis
@@ -150,7 +150,7 @@ void addFrame(draw::Picture& picture, const PixelBox& panel, const PixelBox& are
            pen.colors.ink);
   if (!frame.title.empty())
     addLabel(picture, "\\textbf{" + frame.title + "}", left,
-             panel.top + (kPlotEdge + kLabelAscent * kTitleSize) * em, Align::kLeft, room, kTitleSize * em,
+             panel.top + (kPlotEdge + kLabelAscent * pen.title) * em, Align::kLeft, room, pen.title * em,
              pen.colors.ink);
 }
 

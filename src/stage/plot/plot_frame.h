@@ -19,6 +19,7 @@ struct PlotPen {
   double em_px = 24;
   double line_px = 2;
   scene::DecimalSign decimalSign = scene::DecimalSign::kPoint;
+  double title = 1.1;  ///< size of the title, em
 };
 
 enum class Align { kLeft, kCentre, kRight };

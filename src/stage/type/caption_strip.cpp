@@ -73,7 +73,7 @@ double CaptionStrip::height_em(const std::vector<Line>& lines) {
 
 double CaptionStrip::height_px(glm::vec2 size_px, const Sizing& sizing) const {
   if (!isDrawn(sizing)) return 0;
-  const double em_px = std::max(kSize * sizing.type_px, sizing.least_px), room_em = kRoom * size_px.x / em_px;
+  const double em_px = smallSize_px(kSize, sizing), room_em = kRoom * size_px.x / em_px;
   double tallest = 0;
   for (const Entry& entry : entries_) tallest = std::max(tallest, height_em(linesOf(entry, room_em)));
   return tallest > 0 ? em_px * tallest + (kAbove + kBelow) * sizing.type_px : 0;
@@ -95,7 +95,7 @@ void CaptionStrip::add(draw::Picture& picture, const Moment& moment, const Sizin
   const auto entry =
       std::ranges::find_if(entries_, [&](const Entry& e) { return opacity(e.caption, moment) > 0; });
   if (entry == entries_.end()) return;
-  const double wanted_px = std::max(kSize * sizing.type_px, sizing.least_px), room_px = kRoom * picture.size_px.x;
+  const double wanted_px = smallSize_px(kSize, sizing), room_px = kRoom * picture.size_px.x;
   const std::vector<Line> lines = linesOf(*entry, room_px / wanted_px);
   double widest = 0;
   for (const Line& line : lines) widest = std::max(widest, line.width_em);

@@ -29,9 +29,35 @@ Sizing printSizing(double pixelsPerInch) {
 }
 
 Sizing typeScaled(const Sizing& sizing, double factor) {
-  return {factor * sizing.type_px, sizing.line_px, std::max(factor * sizing.least_px, sizing.floor_px),
-          sizing.floor_px, sizing.isPrint};
+  Sizing result = sizing;
+  result.type_px *= factor;
+  result.least_px = std::max(factor * sizing.least_px, sizing.floor_px);
+  return result;
 }
+
+Sizing fixedSizing(double pixelsPerInch, double small_px) {
+  Sizing sizing = printSizing(pixelsPerInch);
+  sizing.type_px = small_px / kLabelSize;
+  sizing.least_px = sizing.floor_px = sizing.fixed_px = small_px;
+  return sizing;
+}
+
+Sizing inPart(const Sizing& sizing, double type, double line) {
+  Sizing part = sizing;
+  if (!(sizing.fixed_px > 0)) part.type_px *= type;
+  part.line_px *= line;
+  return part;
+}
+
+double smallSize_px(double share, const Sizing& sizing) {
+  return sizing.fixed_px > 0 ? sizing.fixed_px : std::max(share * sizing.type_px, sizing.least_px);
+}
+
+double titleSize_px(double share, const Sizing& sizing) {
+  return sizing.fixed_px > 0 ? kFixedTitle * sizing.fixed_px : smallSize_px(share, sizing);
+}
+
+double arrowNameOf(const Sizing& sizing) { return sizing.fixed_px > 0 ? kFixedArrowName : kArrowName; }
 
 Sizing styled(const Sizing& sizing, const scene::Style& style, glm::vec2 size_px) {
   Sizing result = sizing;

@@ -21,7 +21,10 @@ constexpr double kRowCapHeight = 0.7, kRowDescent = 0.2, kRowLeading = 0.3;
 constexpr double kRowEquals = 0.3;  // gap between "=" and a value
 constexpr double kReadout = 0.5;    // space between rows of read-outs, whose digits are all tall
 
-double sizeOf(double share, const Sizing& sizing) { return std::max(share * sizing.type_px, sizing.least_px); }
+double noteSize_px(const scene::Note& note, const Sizing& sizing) {
+  if (sizing.fixed_px > 0) return std::max(note.size, 1.0) * sizing.fixed_px;
+  return smallSize_px(note.size * kNote, sizing);
+}
 
 void growTo(NoteRow& row, const std::string& tex, double size_px, double leading) {
   const text::GlyphRun run = text::setTex(tex);
@@ -44,9 +47,10 @@ NoteRow lineRow(const std::string& tex, double size_px, double room_px, const dr
 void addTitle(NoteBlock& block, const std::string& title, const std::string& subtitle, double titleShare,
               double subtitleShare, const Sizing& sizing, double room_px, const Palette& colors) {
   if (!title.empty())
-    block.rows.push_back(lineRow("\\textbf{" + title + "}", sizeOf(titleShare, sizing), room_px, colors.ink));
+    block.rows.push_back(
+        lineRow("\\textbf{" + title + "}", titleSize_px(titleShare, sizing), room_px, colors.ink));
   if (!subtitle.empty())
-    block.rows.push_back(lineRow(subtitle, sizeOf(subtitleShare, sizing), room_px, colors.quietInk));
+    block.rows.push_back(lineRow(subtitle, smallSize_px(subtitleShare, sizing), room_px, colors.quietInk));
 }
 
 // Writes 200000 as "200 000". A number with decimals is not grouped.
@@ -97,7 +101,7 @@ void addReadouts(NoteBlock& block, const std::vector<ReadoutText>& readouts, con
   for (const ReadoutText& readout : readouts)
     if (readout.at == block.at) here.push_back(readout);
   const Columns columns(here);
-  const double size_px = std::min(sizeOf(kNote, sizing), room_px / std::max(columns.width(), 1e-9));
+  const double size_px = std::min(smallSize_px(kNote, sizing), room_px / std::max(columns.width(), 1e-9));
   for (const ReadoutText& readout : here) block.rows.push_back(readoutRow(readout, columns, size_px));
 }
 
@@ -106,7 +110,7 @@ void addNotes(NoteBlock& block, const scene::Scene& scene, const Sizing& sizing,
   for (const scene::Note& note : scene.notes) {
     if (note.at != block.at) continue;
     for (const std::string& line : note.lines)
-      block.rows.push_back(lineRow(line, sizeOf(note.size * kNote, sizing), room_px, colors.ink));
+      block.rows.push_back(lineRow(line, noteSize_px(note, sizing), room_px, colors.ink));
   }
 }
 
@@ -130,7 +134,8 @@ std::vector<NoteBlock> pictureBlocks(const scene::Scene& scene, const WrittenThi
     for (std::size_t i = notes; i < block.rows.size(); ++i)
       block.rows[i].opacity = i < readouts ? things.notesThere : things.readoutsThere;
     if (block.at == Spot::kBottomLeft && scene.show.exaggerateAngles > 1)
-      block.rows.push_back(lineRow(exaggerationText(scene), sizeOf(kFootnote, sizing), room_px, colors.quietInk));
+      block.rows.push_back(
+          lineRow(exaggerationText(scene), smallSize_px(kFootnote, sizing), room_px, colors.quietInk));
     if (!block.rows.empty()) blocks.push_back(std::move(block));
   }
   return blocks;
