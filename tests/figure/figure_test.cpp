@@ -355,6 +355,60 @@ TEST_F(FigureTest, TikzCompiles) {
   EXPECT_EQ(said.status, 0) << said.text;
 }
 
+/// Compiles a document in a folder. Returns what pdflatex prints.
+std::string compiled(const std::filesystem::path& folder, const std::string& name, const std::string& document) {
+  const Spoken said = spoken("cd '" + folder.string() + "' && pdflatex -interaction=nonstopmode -halt-on-error " +
+                             "-jobname " + name + " '" + document + "' && test -s " + name + ".pdf");
+  EXPECT_EQ(said.status, 0) << said.text;
+  return said.text;
+}
+
+// The author draws an arrow to the tip of L in the first of two pictures, and asks TeX for its place, in points of
+// 1/72.27 inch.
+TEST_F(FigureTest, TikzTakesDrawingsOfTheAuthor) {
+  if (!present("pdflatex")) GTEST_SKIP() << "pdflatex is not installed";
+  const draw::Picture picture = sceneAt("poinsot_rolling", 7);
+  const auto file = written(picture, "overlaid.tex");
+  written(sceneAt("football_two_views", 2), "second.tex");
+  const std::string text = compiled(
+      file.parent_path(), "overlaiddoc",
+      R"(\documentclass{article}\usepackage{tikz,amsmath}\begin{document}\begin{figure})"
+      R"(\newcommand\poinsotoverlay{\draw[->, thick] (3, 1) node[below] {my arrow} -- (poinsot-L);)"
+      R"(\path (poinsot-L);\pgfgetlastxy\X\Y\typeout{TIP: \X, \Y.}}\input{overlaid}\end{figure})"
+      R"(\input{second}\newcommand\poinsotoverlay{\draw (poinsot-2-L) circle (1);\typeout{SECOND}}\input{second})"
+      R"(\end{document})");
+  const std::regex form(R"(TIP: ([-0-9.]+)pt, ([-0-9.]+)pt\.)");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(text, found, form)) << text;
+  EXPECT_EQ(text.find("TIP", static_cast<std::size_t>(found.position()) + 3), text.npos);
+  EXPECT_NE(text.find("SECOND"), text.npos);
+  const draw::DrawList& list = picture.panels.at(0).list;
+  const auto L = std::ranges::find(list.points, "L", &draw::NamedPoint::name);
+  ASSERT_NE(L, list.points.end());
+  // The camera's formula, worked here: pixels per length over the depth.
+  const glm::dvec3 p_C = glm::dvec3(L->at_V - list.camera.eye_V) * glm::dmat3(list.camera.R_VC);
+  const double scale = 0.5 * kHeight / static_cast<double>(list.camera.tanHalfFovY) / -p_C.z;
+  const double point_px = kWidth / (kWidth_mm / 25.4 * 72.27);
+  EXPECT_NEAR(std::stod(found[1]), (list.camera.centre_px.x + scale * p_C.x) / point_px, 0.02);
+  EXPECT_NEAR(std::stod(found[2]), (kHeight - list.camera.centre_px.y + scale * p_C.y) / point_px, 0.02);
+}
+
+// Languages whose active characters TikZ needs itself. A language that is not installed is left out.
+TEST_F(FigureTest, TikzTakesDrawingsInOtherLanguages) {
+  if (!present("pdflatex")) GTEST_SKIP() << "pdflatex is not installed";
+  const auto file = written(sceneAt("poinsot_rolling", 7), "language.tex");
+  const std::pair<std::string, std::string> kLanguages[] = {
+      {"ngerman", "ngermanb"}, {"french", "french"}, {"turkish", "turkish"}};
+  for (const auto& [language, style] : kLanguages) {
+    if (spoken("kpsewhich " + style + ".ldf").status != 0) continue;
+    compiled(file.parent_path(), language + "doc",
+             R"(\documentclass{article}\usepackage[T1]{fontenc}\usepackage[)" + language +
+                 R"(]{babel}\usepackage{tikz,amsmath}\begin{document})"
+                 R"(\newcommand\poinsotoverlay{\draw[->, line width=1pt] (3, 1) -- (poinsot-L) )"
+                 R"(node[right] {a: b; c?};}\input{language}\end{document})");
+  }
+}
+
 // Babel's active characters are those that its language files declare (grep initiate@active@char *.ldf, TeX Live
 // 2022).
 TEST_F(FigureTest, TikzPrintsSpecialCharactersInEveryLanguage) {

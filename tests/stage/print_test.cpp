@@ -67,6 +67,18 @@ TEST(Print, TextSizeOfTheStyleScalesAllText) {
   for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_NEAR(large[i], 1.25 * plain[i], 0.01);
 }
 
+// The sizes are worked here: 8/7 and 10/7 of the small size.
+TEST(Print, FixedTextHasThreeSizes) {
+  const Stage stage(scene::parseScene(
+      std::string(kTop) + "[[view]]\n[[plot]]\nquantities = ['L_1']\nat = [1, 0]\n", "top.toml"));
+  for (const glm::ivec2 size_px : {glm::ivec2(1000, 500), glm::ivec2(2000, 700)})
+    for (const draw::Text& text : textsOf(stage.compose(1, size_px, fixedSizing(300, 30)))) {
+      const auto size = static_cast<double>(text.size_px);
+      const double nearest = size < 32 ? 30 : size < 38 ? 30 * 8.0 / 7 : 30 * 10.0 / 7;
+      EXPECT_NEAR(size, nearest, 1e-4) << text.tex;
+    }
+}
+
 TEST(Print, NoLabelRunsIntoTheTitle) {
   const draw::Picture picture = printed(300);
   ASSERT_EQ(picture.texts.size(), 2u);
