@@ -6,7 +6,7 @@
 namespace poinsot::stage {
 namespace {
 
-// Commands that change how letters look, and spaces. They are no part of a name.
+// Commands that change how letters look, and spaces. Names leave them out.
 constexpr std::string_view kLooks[] = {"mathbf", "boldsymbol", "mathrm", "mathit", "text", "textbf",
                                        "hat",    "dot",        "ddot",   "bar",    "vec",  "tilde",
                                        "frac",   "dfrac",      "sqrt",   "quad",   "qquad"};
