@@ -49,7 +49,10 @@ std::unique_ptr<const stage::Composer> composerOf(const RequestedScene& requeste
 
 stage::Sizing sizingOf(const PictureOptions& form, const scene::Style& style, glm::ivec2 size_px) {
   const auto& print = form.print;
-  if (print && print->type_pt) return stage::fixedSizing(print->dpi, *print->type_pt * print->dpi / 72);
+  if (print && print->type_pt) {
+    const double dpi = 25.4 * size_px.x / print->width_mm;  // pixels are whole, so this is not exactly print->dpi
+    return stage::fixedSizing(dpi, *print->type_pt * dpi / 72);
+  }
   return stage::styled(print ? stage::printSizing(print->dpi) : stage::screenSizing(size_px), style, size_px);
 }
 

@@ -19,6 +19,8 @@ constexpr double kLabelsApart = 0.8;                                     // gap 
 constexpr double kRowApart = 1.7;                                        // distance of baselines at the y axis
 constexpr double kAxisLine = 0.6, kZeroLine = 0.45;  // line widths, as multiples of an ordinary line
 
+constexpr double kLeastLabel = 0.1;  // smallest size of a label that has no room, em
+
 std::string tickTex(const Ticks& ticks, std::int64_t i, const PlotPen& pen) {
   return numberTex(tickDigits(ticks, i), pen.decimalSign);
 }
@@ -88,7 +90,8 @@ void addZeroLines(draw::Picture& picture, const PixelBox& area, const PlotFrame&
 void addLabel(draw::Picture& picture, const std::string& tex, double x, double baseline, Align align, double room,
               double em_px, const draw::Color& color) {
   const double width = widthOf(tex, em_px);
-  addLine(picture, tex, x, baseline, align, width > room ? em_px * room / width : em_px, color);
+  const double size = width > room ? std::max(room / width, kLeastLabel) : 1;
+  addLine(picture, tex, x, baseline, align, size * em_px, color);
 }
 
 }  // namespace
