@@ -52,10 +52,10 @@ TEST(ThinnestLine, IgnoresTubesAndInvisibleLines) {
   DrawList& list = picture.panels[0].list;
   list.ellipsoids.emplace_back();             // without markings
   list.meshes.emplace_back().edge_px = 0.5f;  // null mesh
-  list.curves.push_back({.width_px = 0.5f, .radius_V = 0.1f});
+  list.curves.push_back({.points_V = {}, .width_px = 0.5f, .radius_V = 0.1f, .material = {}});
   list.planes.push_back({.lineOpacity = 0, .lineWidth_px = 0.5f});
   list.glassCones.push_back({.lineOpacity = 0, .lineWidth_px = 0.5f});
-  picture.strokes.push_back({.width_px = 0.5f, .opacity = 0});
+  picture.strokes.push_back({.points_px = {}, .width_px = 0.5f, .opacity = 0});
   EXPECT_EQ(thinnestLine_px(picture), 9.0f);
 }
 
