@@ -26,6 +26,7 @@ struct Plot {
   std::optional<PlotRange> range;  ///< range of the vertical axis; nullopt for a range that fits the film
   PlotTime time = PlotTime::kMotion;
   bool future = true;  ///< whether the curve after the current instant is drawn too, faintly
+  bool cursor = true;  ///< whether the current instant is marked; if not, the whole curve counts as travelled
   GridPlace place;
 };
 

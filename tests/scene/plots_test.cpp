@@ -38,18 +38,19 @@ TEST(Plots, AreAbsentByDefault) {
 TEST(Plots, ReadTheirKeysAndDefaults) {
   const Scene scene = sceneWith(
       "[[plot]]\nquantities = [\"omega_3\", \"omega_1\"]\n[[plot]]\nquantities = [\"theta\"]\nx = \"omega\"\n"
-      "title = \"A\"\nrange = [-5, 30.5]\nfuture = false\n[[plot]]\nquantities = [\"T\"]\ntime = \"film\"\n");
+      "title = \"A\"\nrange = [-5, 30.5]\nfuture = false\ncursor = false\n[[plot]]\nquantities = [\"T\"]\ntime = "
+      "\"film\"\n");
   ASSERT_EQ(scene.plots.size(), 3u);
   const Plot &first = scene.plots[0], &second = scene.plots[1];
   EXPECT_THAT(namesOf(first.quantities), ElementsAre("omega_3", "omega_1"));
   EXPECT_FALSE(first.x || first.range);
-  EXPECT_TRUE(first.future && first.title.empty());
+  EXPECT_TRUE(first.future && first.cursor && first.title.empty());
   EXPECT_EQ(first.time, PlotTime::kMotion);
   EXPECT_EQ(stateQuantity(second.x.value()).name, "omega");
   EXPECT_EQ(second.title, "A");
   EXPECT_EQ(second.range->low, -5);
   EXPECT_EQ(second.range->high, 30.5);
-  EXPECT_FALSE(second.future);
+  EXPECT_FALSE(second.future || second.cursor);
   EXPECT_EQ(scene.plots[2].time, PlotTime::kFilm);
 }
 

@@ -275,6 +275,44 @@ TEST(PlotFigure, ValuesDoNotJitter) {
   EXPECT_EQ(values, 3);
 }
 
+TEST(PlotFigure, WithoutACursorTheWholeCurveIsStrong) {
+  const scene::Scene scene = sample(kTenSeconds);
+  scene::Plot plot = plotOf({"omega_1"});
+  const auto tone = quantityColors(palette(scene.style.theme), plot.quantities).at(0);
+  const draw::Picture marked = drawn(scene, plot, 2);
+  plot.cursor = false;
+  const draw::Picture plain = drawn(scene, plot, 2), later = drawn(scene, plot, 9);
+  EXPECT_TRUE(dots(plain).empty());
+  EXPECT_EQ(marked.strokes.size() - plain.strokes.size(),
+            3u);  // the line, the dot and the faint part of the curve
+  const auto curve = lines(plain, tone);
+  ASSERT_EQ(curve.size(), 1u);
+  const Axes axes = axesOf(plain, "$2$", "$8$", 6, "$-1$", "$1$", -1, 1);
+  EXPECT_NEAR(curve[0]->points_px.front().x, axes.x0 - 2 * axes.perX, 1);
+  EXPECT_NEAR(curve[0]->points_px.back().x, axes.x0 + 8 * axes.perX, 1);
+  for (const draw::Text& text : plain.texts) EXPECT_EQ(text.tex.find("="), std::string::npos) << text.tex;
+  ASSERT_EQ(plain.strokes.size(), later.strokes.size());
+  for (std::size_t i = 0; i < plain.strokes.size(); ++i)
+    EXPECT_EQ(plain.strokes[i].points_px, later.strokes[i].points_px);
+  expectInside(plain);
+  expectDisjoint(plain);
+}
+
+TEST(PlotFigure, WithoutACursorSeveralCurvesKeepTheirNames) {
+  const scene::Scene scene = sample(kTenSeconds);
+  scene::Plot plot = plotOf({"omega_1", "omega_2"}), portrait = plotOf({"omega_2"});
+  plot.cursor = portrait.cursor = false;
+  portrait.x = indexOf("omega_1");
+  const draw::Picture picture = drawn(scene, plot, 2);
+  EXPECT_EQ(textsWith(picture, "$\\omega_1$").size(), 1u);
+  EXPECT_EQ(textsWith(picture, "$\\omega_2$").size(), 1u);
+  expectInside(picture);
+  expectDisjoint(picture);
+  const draw::Picture phase = drawn(scene, portrait, 2);
+  EXPECT_TRUE(dots(phase).empty());
+  for (const draw::Text& text : phase.texts) EXPECT_EQ(text.tex.find("="), std::string::npos) << text.tex;
+}
+
 TEST(PlotFigure, WritesTheDecimalSignOfTheStyle) {
   scene::Scene scene = sample(kTenSeconds);
   scene.style.decimalSign = scene::DecimalSign::kComma;

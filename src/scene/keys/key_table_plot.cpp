@@ -72,6 +72,13 @@ std::vector<Key> axisKeys() {
        .help = "Whether the part of the curve that is still to come is also drawn, as a faint line. The default "
                "is true.",
        .put = intoPlot([](PlotDraft& p) { return &p.plot.future; })},
+      {.path = "plot[].cursor",
+       .type = kBool,
+       .example = "false",
+       .help = "Whether the plot marks the instant of the picture, with a line, a dot and the value beside the "
+               "curve. If false, the whole curve is drawn in its full colour, as in a printed figure. The default "
+               "is true.",
+       .put = intoPlot([](PlotDraft& p) { return &p.plot.cursor; })},
       cellKey("plot[].at", kCellNumber, "[1, 1]",
               "Column and row of the plot's top left cell, counted in the same grid as the panels. By default, "
               "the plot is to the right of the panel before.",

@@ -140,6 +140,7 @@ struct PlotFigure::Plan {
   }
 
   std::vector<PlotValue> values(double filmTime_s) const;
+  std::optional<ValueFormat> format(const PlotPen& pen) const;
   double type_px(const Sizing& sizing) const;
   PlotPen pen(const Sizing& sizing, glm::vec2 panel_px) const;
   double rightRoom(const PlotPen& pen) const;
@@ -153,6 +154,7 @@ struct PlotFigure::Plan {
 
 std::vector<PlotValue> PlotFigure::Plan::values(double filmTime_s) const {
   std::vector<PlotValue> all;
+  if (!plot.cursor && plot.quantities.size() == 1) return all;  // the vertical axis names the only curve
   for (std::size_t i = 0; i < plot.quantities.size(); ++i) {
     const double end = curves[i].empty() ? 0 : curves[i].back().back().y;
     all.push_back({track.tex(i), tones[i], frame.y.unit.written(track.at(i, filmTime_s)), end});
@@ -160,8 +162,13 @@ std::vector<PlotValue> PlotFigure::Plan::values(double filmTime_s) const {
   return all;
 }
 
+/// Returns the format of the values beside the curves. Without a cursor, there are no values.
+std::optional<ValueFormat> PlotFigure::Plan::format(const PlotPen& pen) const {
+  return plot.cursor ? std::optional(valueFormat(frame.y, pen.decimalSign)) : std::nullopt;
+}
+
 double PlotFigure::Plan::rightRoom(const PlotPen& pen) const {
-  return isPortrait() ? 0 : valuesWidth(values(0), valueFormat(frame.y, pen.decimalSign), pen);
+  return isPortrait() ? 0 : valuesWidth(values(0), format(pen), pen);
 }
 
 double PlotFigure::Plan::type_px(const Sizing& sizing) const {
@@ -199,8 +206,8 @@ void PlotFigure::Plan::addPath(draw::Picture& picture, const std::vector<PlotPoi
 
 void PlotFigure::Plan::addCurves(draw::Picture& picture, const PixelBox& area, double filmTime_s,
                                  const PlotPen& pen) const {
-  // In a film that repeats, the complete curve counts as travelled.
-  const double travelled_s = repeats ? track.duration_s() : filmTime_s;
+  // In a film that repeats, and without a cursor, the complete curve counts as travelled.
+  const double travelled_s = repeats || !plot.cursor ? track.duration_s() : filmTime_s;
   std::vector<PlotPoint> at;
   for (std::size_t i = 0; i < curves.size(); ++i) at.push_back(cursor(i, travelled_s));
   for (std::size_t i = 0; plot.future && i < curves.size(); ++i)
@@ -283,7 +290,7 @@ void PlotFigure::add(draw::Picture& picture, const Cell& cell, const Sizing& siz
     area.right = std::min(area.right, panel.right - least.right);
   }
   addFrame(picture, panel, area, fitted(plan.frame, area, pen), pen);
-  if (!plan.isPortrait()) {
+  if (plan.plot.cursor && !plan.isPortrait()) {
     draw::Stroke line;
     const auto x = static_cast<float>(area.x(plan.x(filmTime_s, 0)));
     line.points_px = {{x, static_cast<float>(area.top)}, {x, static_cast<float>(area.bottom)}};
@@ -292,11 +299,11 @@ void PlotFigure::add(draw::Picture& picture, const Cell& cell, const Sizing& siz
     picture.strokes.push_back(std::move(line));
   }
   plan.addCurves(picture, area, filmTime_s, pen);
-  plan.addCursor(picture, area, filmTime_s, pen);
-  if (plan.isPortrait())
+  if (plan.plot.cursor) plan.addCursor(picture, area, filmTime_s, pen);
+  if (!plan.isPortrait())
+    addValues(picture, panel, area, plan.values(filmTime_s), plan.format(pen), pen);
+  else if (plan.plot.cursor)
     plan.addPair(picture, panel, area, filmTime_s, pen);
-  else
-    addValues(picture, panel, area, plan.values(filmTime_s), valueFormat(plan.frame.y, pen.decimalSign), pen);
 }
 
 }  // namespace poinsot::stage

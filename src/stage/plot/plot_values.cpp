@@ -13,12 +13,18 @@ constexpr double kEquals = 0.3;  // gap between "=" and value
 constexpr double kRow = 1.3;     // distance of baselines
 constexpr double kMiddle = 0.3;  // height of a letter's middle above its baseline
 
-std::string nameTex(const PlotValue& value) { return "$" + value.tex + "\\,=$"; }
+/// Returns the name of a quantity, with an equals sign if its value follows.
+std::string nameTex(const PlotValue& value, bool hasValue) { return "$" + value.tex + (hasValue ? "\\,=$" : "$"); }
 
-double namesWidth(const std::vector<PlotValue>& values, double em_px) {
+double namesWidth(const std::vector<PlotValue>& values, bool haveValues, double em_px) {
   double widest = 0;
-  for (const PlotValue& value : values) widest = std::max(widest, widthOf(nameTex(value), em_px));
+  for (const PlotValue& value : values) widest = std::max(widest, widthOf(nameTex(value, haveValues), em_px));
   return widest;
+}
+
+/// Returns the width of "= 1.23" after a gap; the gap alone without values.
+double digitsWidth_em(const std::optional<ValueFormat>& format, double gap_em) {
+  return format ? gap_em + kEquals + format->width_em : gap_em;
 }
 
 }  // namespace
@@ -31,8 +37,10 @@ ValueFormat valueFormat(const PlotAxis& axis, scene::DecimalSign sign) {
   return format;
 }
 
-double valuesWidth(const std::vector<PlotValue>& values, const ValueFormat& format, const PlotPen& pen) {
-  return namesWidth(values, pen.em_px) + (kGap + kEquals + format.width_em) * pen.em_px;
+double valuesWidth(const std::vector<PlotValue>& values, const std::optional<ValueFormat>& format,
+                   const PlotPen& pen) {
+  if (values.empty()) return 0;
+  return namesWidth(values, format.has_value(), pen.em_px) + digitsWidth_em(format, kGap) * pen.em_px;
 }
 
 std::vector<double> spread(const std::vector<double>& wanted, double apart, double low, double high) {
@@ -54,9 +62,12 @@ std::vector<double> spread(const std::vector<double>& wanted, double apart, doub
 }
 
 void addValues(draw::Picture& picture, const PixelBox& panel, const PixelBox& area,
-               const std::vector<PlotValue>& values, const ValueFormat& format, const PlotPen& pen) {
+               const std::vector<PlotValue>& values, const std::optional<ValueFormat>& format,
+               const PlotPen& pen) {
+  if (values.empty()) return;
+  const bool haveValues = format.has_value();
   const double em = pen.em_px, names = area.right + kGap * em;
-  const double right = names + namesWidth(values, em) + (kEquals + format.width_em) * em;
+  const double right = names + namesWidth(values, haveValues, em) + digitsWidth_em(format, 0) * em;
   std::vector<double> wanted;
   for (const PlotValue& value : values)
     wanted.push_back(area.y(std::clamp(value.endShare, 0.0, 1.0)) + kMiddle * em);
@@ -66,8 +77,9 @@ void addValues(draw::Picture& picture, const PixelBox& panel, const PixelBox& ar
   const double last = std::min(std::max(area.bottom + kMiddle * em, first + rows), panel.bottom - 0.5 * em);
   const std::vector<double> baselines = spread(wanted, kRow * em, first, last);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    addLine(picture, nameTex(values[i]), names, baselines[i], Align::kLeft, em, values[i].color);
-    const std::string digits = fixedDigits(values[i].value, format.decimals);
+    addLine(picture, nameTex(values[i], haveValues), names, baselines[i], Align::kLeft, em, values[i].color);
+    if (!format) continue;
+    const std::string digits = fixedDigits(values[i].value, format->decimals);
     addLine(picture, numberTex(digits, pen.decimalSign), right, baselines[i], Align::kRight, em, values[i].color);
   }
 }

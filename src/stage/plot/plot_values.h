@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,11 +25,14 @@ struct ValueFormat {
 
 ValueFormat valueFormat(const PlotAxis& axis, scene::DecimalSign sign);
 
-double valuesWidth(const std::vector<PlotValue>& values, const ValueFormat& format, const PlotPen& pen);
+/// Returns the width of names and values. @param format  nullopt for names without values
+double valuesWidth(const std::vector<PlotValue>& values, const std::optional<ValueFormat>& format,
+                   const PlotPen& pen);
 
 /// Adds names and values, each beside the end of its curve. They do not overlap, and their digits are aligned.
+/// @param format  nullopt for names without values
 void addValues(draw::Picture& picture, const PixelBox& panel, const PixelBox& area,
-               const std::vector<PlotValue>& values, const ValueFormat& format, const PlotPen& pen);
+               const std::vector<PlotValue>& values, const std::optional<ValueFormat>& format, const PlotPen& pen);
 
 /// Returns positions near the wanted positions, in the same order. Positions are at least `apart` from each other.
 /// They are between `low` and `high` if there is room.
