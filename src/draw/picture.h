@@ -18,6 +18,7 @@ struct Stroke {
   float dash_px = 0;
   Color color{0};
   float opacity = 1;
+  int plot = 0;  ///< number of the plot that the line belongs to, from 1; 0 if none; does not change the picture
 };
 
 struct Area {

@@ -106,7 +106,7 @@ class Feed {
     (*this)(tex, baseline, size, color, opacity, halo, halo_px);
   }
   void add(const Stroke& stroke) {
-    const auto& [points, closed, width, dash, color, opacity] = stroke;
+    const auto& [points, closed, width, dash, color, opacity, plot] = stroke;  // plot does not change the picture
     (*this)(points, closed, width, dash, color, opacity);
   }
   void add(const Area& area) {

@@ -43,6 +43,7 @@ struct FigureOptions {
   double width_mm = 86;  ///< printed width of the complete picture; its width in pixels then gives the resolution
   std::string title;     ///< title in UTF-8; empty if there is none
   std::string description;  ///< description in words for readers who cannot see the picture; empty if none
+  bool svgText = false;     ///< writes the labels of an SVG as text in Latin Modern, which other programs can edit
 };
 
 /// Returns the part of the picture that the figure contains as an image. Render this part and pass the result to

@@ -2,7 +2,7 @@
 // Writes SVG figures. Glyphs are drawn as outlines with <use>. The same text lies over them invisibly, so that it
 // can be selected, searched and read aloud.
 // An embedded web font could do both, but librsvg, Inkscape and Cairo ignore @font-face. They would use another
-// font.
+// font. With FigureOptions::svgText, the visible text is text, in fonts that the viewer's machine must have.
 #include <fmt/format.h>
 
 #include <set>
@@ -12,6 +12,8 @@
 #include "figure/ink.h"
 #include "figure/mark.h"
 #include "figure/parts.h"
+#include "figure/svg_names.h"
+#include "figure/svg_text.h"
 #include "figure/writers.h"
 #include "image/png_file.h"
 #include "text/glyph_outline.h"
@@ -39,13 +41,6 @@ std::string escaped(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20 && c != '\n') c = ' ';
   return core::xmlAttribute(text);
-}
-
-std::string number(double v) {
-  std::string text = fmt::format("{:.3f}", v);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
 }
 
 template <typename Points>
@@ -119,8 +114,10 @@ class SvgDocument {
     addImage();
     for (const PanelCurves& panel : curvesOf(figure_.picture)) add(panel);
     for (const draw::Area& area : figure_.picture.areas) add(area);
-    for (const draw::Stroke& stroke : figure_.picture.strokes) add(stroke);
+    addStrokes();
+    body_ += fmt::format("<g id=\"{}\">\n", names_.take("labels"));
     for (const draw::Text& label : labelsOf(figure_.picture)) add(label);
+    body_ += "</g>\n";
     return marked(kSvgMark, head() + glyphs() + body_ + "</svg>\n");
   }
 
@@ -146,17 +143,18 @@ class SvgDocument {
 
   void addImage() {
     body_ += fmt::format(
-        "<image width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" "
+        "<image id=\"surfaces\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" "
         "xlink:href=\"data:image/png;base64,{}\"/>\n",
         figure_.picture.size_px.x, figure_.picture.size_px.y, base64(image::encodePng(figure_.imagePart)));
   }
 
   void add(const PanelCurves& panel) {
+    const std::string name = fmt::format("view-{}", ++views_);
     if (panel.lines.empty()) return;
     body_ += fmt::format(
-        "<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" "
+        "<svg id=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" "
         "stroke-linejoin=\"round\">\n",
-        panel.origin_px.x, panel.origin_px.y, panel.size_px.x, panel.size_px.y);
+        name, panel.origin_px.x, panel.origin_px.y, panel.size_px.x, panel.size_px.y);
     for (const SeenLine& line : panel.lines)
       body_ += fmt::format("<path{} stroke-width=\"{}\" d=\"{}\"/>\n",
                            paintedBy("stroke", inkOver(paper_, line.color, 1)), number(line.width_px),
@@ -167,6 +165,22 @@ class SvgDocument {
   void add(const draw::Area& area) {
     body_ += fmt::format("<path{} d=\"{}\"/>\n", paintedBy("fill", inkOver(paper_, area.color, area.opacity)),
                          pathData(area.points_px, true));
+  }
+
+  /// Adds the lines, with a group for each plot.
+  void addStrokes() {
+    int plot = 0;
+    const auto enter = [&](int next) {
+      if (next == plot) return;
+      if (plot > 0) body_ += "</g>\n";
+      if (next > 0) body_ += fmt::format("<g id=\"{}\">\n", names_.take(fmt::format("plot-{}", next)));
+      plot = next;
+    };
+    for (const draw::Stroke& stroke : figure_.picture.strokes) {
+      enter(stroke.plot);
+      add(stroke);
+    }
+    enter(0);
   }
 
   void add(const draw::Stroke& stroke) {
@@ -183,19 +197,55 @@ class SvgDocument {
 
   void add(const draw::Text& label) {
     const text::GlyphRun run = text::setTex(label.tex);
-    const double size = static_cast<double>(label.size_px);
-    body_ += fmt::format("<g transform=\"translate({} {}) scale({})\">\n",
-                         number(static_cast<double>(label.baseline_px.x)),
-                         number(static_cast<double>(label.baseline_px.y)), fmt::format("{:.6f}", size / 1000));
+    const std::string word = wordOf(label.tex);
+    body_ += fmt::format(
+        "<g id=\"{}\" transform=\"translate({} {})\">\n", names_.take(word.empty() ? "label" : "label-" + word),
+        number(static_cast<double>(label.baseline_px.x)), number(static_cast<double>(label.baseline_px.y)));
+    if (figure_.options.svgText)
+      addText(label, run);
+    else
+      addOutlines(label, run);
+    body_ += "</g>\n";
+  }
+
+  /// Opens a group in thousandths of the label's em.
+  void beginThousandths(double size_px) {
+    body_ += fmt::format("<g transform=\"scale({:.6f})\">\n", size_px / 1000);
+  }
+
+  void addHalo(const draw::Text& label, const text::GlyphRun& run) {
     if (figure_.hasPaper() && label.halo && label.halo_px > 0) {
       const double width = 2000 * static_cast<double>(label.halo_px / label.size_px);
       addGlyphs(run, paintedBy("stroke", inkOver(paper_, *label.halo, label.opacity)) + " fill=\"none\"", width);
     }
+  }
+
+  void addOutlines(const draw::Text& label, const text::GlyphRun& run) {
+    beginThousandths(static_cast<double>(label.size_px));
+    addHalo(label, run);
     addGlyphs(run, paintedBy("fill", inkOver(paper_, label.color, label.opacity)), 0);
     body_ += fmt::format(
         "<text font-family=\"serif\" font-size=\"1000\" fill-opacity=\"0\" textLength=\"{}\" "
         "lengthAdjust=\"spacingAndGlyphs\">{}</text>\n</g>\n",
         number(1000 * run.width_em), escaped(run.plainText));
+  }
+
+  /// Adds a label as text. Only its halo, its rules and the glyphs that no character gives are outlines.
+  void addText(const draw::Text& label, const text::GlyphRun& run) {
+    const double size_px = static_cast<double>(label.size_px);
+    const SvgLine line = svgLine(run, size_px);
+    const std::string fill = paintedBy("fill", inkOver(paper_, label.color, label.opacity));
+    text::GlyphRun rest;
+    rest.glyphs = line.rest;
+    rest.rules = run.rules;
+    beginThousandths(size_px);
+    addHalo(label, run);
+    if (!rest.glyphs.empty() || !rest.rules.empty()) addGlyphs(rest, fill, 0);
+    body_ += "</g>\n";
+    if (line.tspans.empty()) return;
+    body_ += fmt::format(
+        "<text xml:space=\"preserve\" text-rendering=\"geometricPrecision\" font-size=\"{}\"{}>{}</text>\n",
+        number(size_px), fill, line.tspans);
   }
 
   // Adds glyphs, scaled to thousandths of the label's em. The scale of a script also shrinks the stroke of its
@@ -222,6 +272,8 @@ class SvgDocument {
   const Figure& figure_;
   draw::Color paper_;
   std::set<FontGlyph> glyphs_;
+  SvgNames names_;
+  int views_ = 0;
   std::string body_;
 };
 

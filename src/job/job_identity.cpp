@@ -54,6 +54,7 @@ std::string renderSettings(const RenderRequest& render) {
                                   {"reproducible", render.reproducible}};
   if (form.transparent) settings["transparent"] = true;
   if (form.crop) settings["crop"] = true;
+  if (form.svgText) settings["svg_text"] = true;
   if (form.bits != 8) settings["bits"] = form.bits;
   if (form.print) settings["print"] = {form.print->width_mm, form.print->dpi};
   if (form.print && form.print->type_pt) settings["type"] = *form.print->type_pt;

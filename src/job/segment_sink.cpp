@@ -76,9 +76,9 @@ std::unique_ptr<output::FrameSink> pictureSink(const WorkerTask& task, SceneFram
   const auto [title, description] = describe::pictureWords(render.scene);
   const request::PrintSize print = render.form.print.value_or(request::PrintSize{});
   if (render.target.kind == request::OutputKind::kFigure)
-    return std::make_unique<SingleFigure>(path, stagedFiles(task.workFolder, render.target),
-                                          figure::FigureOptions{print.width_mm, title, description}, frames,
-                                          steps);
+    return std::make_unique<SingleFigure>(
+        path, stagedFiles(task.workFolder, render.target),
+        figure::FigureOptions{print.width_mm, title, description, render.form.svgText}, frames, steps);
   auto texts = figure::pngTexts(title, description);
   auto digestOf = [&frames](std::int64_t k) { return core::toHex(frames.digest(k)); };
   if (render.target.kind == request::OutputKind::kPicture) texts.push_back({"Renderer", frames.renderer()});

@@ -23,6 +23,7 @@ struct PictureOptions {
   bool transparent = false;        ///< without the paper's colour behind the picture
   int bits = 8;                    ///< bits per sample, 8 or 16; 16 only if takesDeepPictures()
   bool crop = false;               ///< without empty borders
+  bool svgText = false;            ///< writes the labels of an SVG as text and not as outlines
 };
 
 }  // namespace poinsot::request

@@ -207,7 +207,10 @@ void Stage::addPlots(draw::Picture& picture, std::span<const Cell> cells, const 
       const PlotSides sides = plots_[k].sides(cells[k], sizing);
       least = {std::max(least.left, sides.left), std::max(least.right, sides.right)};
     }
+    const std::size_t before = picture.strokes.size();
     plots_[i].add(picture, cells[i], sizing, filmTime_s, least);
+    for (std::size_t k = before; k < picture.strokes.size(); ++k)
+      picture.strokes[k].plot = static_cast<int>(i) + 1;
   }
 }
 

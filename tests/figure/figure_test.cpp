@@ -8,6 +8,7 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include "compare/flip.h"
@@ -178,6 +179,48 @@ TEST_F(FigureTest, SvgTextCanBeSelected) {
   EXPECT_THAT(svg, Not(HasSubstr("@font-face")));
 }
 
+FigureOptions asText() {
+  FigureOptions options;
+  options.svgText = true;
+  return options;
+}
+
+std::vector<std::string> idsIn(const std::string& svg) {
+  const std::regex id("id=\"([^\"]*)\"");
+  std::vector<std::string> ids;
+  for (std::sregex_iterator i(svg.begin(), svg.end(), id), end; i != end; ++i) ids.push_back((*i)[1]);
+  return ids;
+}
+
+TEST_F(FigureTest, SvgGroupsAreNamedAfterTheirContents) {
+  draw::Picture picture = sceneAt("football_two_views", 2);
+  for (const int plot : {1, 2}) {
+    draw::Stroke& line = picture.strokes.emplace_back();
+    line.points_px = {{1, 1}, {9, 9}};
+    line.plot = plot;
+  }
+  for (const FigureOptions& options : {FigureOptions(), asText()}) {
+    const auto ids = idsIn(content(written(picture, "names.svg", options)));
+    for (const char* name : {"surfaces", "view-1", "view-2", "plot-1", "plot-2", "labels", "label-In-space",
+                             "label-omega", "label-omega-2"})
+      EXPECT_THAT(ids, testing::Contains(name));
+    EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), ids.size());
+  }
+}
+
+TEST_F(FigureTest, SvgTextIsEditable) {
+  draw::Picture picture = plot();
+  picture.texts.front().tex = R"(Spin $\boldsymbol{\omega}_{12}$, \textbf{fixed} \& $t = 0.9\,\mathrm{s}$)";
+  const std::string svg = content(written(picture, "editable.svg", asText()));
+  EXPECT_THAT(svg, HasSubstr(">Spin "));
+  EXPECT_THAT(svg, HasSubstr("𝝎</tspan>"));  // U+1D74E, which Latin Modern Math has
+  EXPECT_THAT(svg, HasSubstr(">12</tspan>"));
+  EXPECT_THAT(svg, HasSubstr("font-weight=\"bold\">f\u200Cixed</tspan>"));
+  EXPECT_THAT(svg, HasSubstr("&amp;"));
+  EXPECT_THAT(svg, HasSubstr("0.9"));
+  EXPECT_THAT(svg, Not(HasSubstr("fill-opacity=\"0\"")));
+}
+
 // ---- places of the labels
 
 struct Ink {
@@ -229,6 +272,28 @@ TEST_F(FigureTest, LabelsAreWhereThePngHasThem) {
   }
 }
 
+// With the fonts of fonts-lmodern, text lies where the outlines lie. The last letter shows the sum of all shifts.
+// Labels are as large as 10 pt at 600 dpi. Accents and root signs are outlines in both figures.
+TEST_F(FigureTest, SvgTextLiesWhereTheOutlinesLie) {
+  POINSOT_NEEDS("rsvg-convert");
+  if (spoken("fc-list 'LM Roman 7' | grep -q .").status != 0) GTEST_SKIP() << "fonts-lmodern is not installed";
+  for (const char* tex :
+       {R"($\boldsymbol{\omega}$)", R"($\mathbf{L}$)", R"($\hat{\mathbf e}_3$)", "invariable plane",
+        R"($t = 0.9\,\mathrm{s}$)", R"(\textbf{The fixed axis})", R"($\frac{2T}{L}$)", R"($I_1\omega_1^2$)",
+        R"($\omega_1\,/\,(\mathrm{rad/s})$)", "Tennis, AVATAR: official", R"($-1{,}25\degree$)"}) {
+    draw::Picture picture = oneLabel(tex, {11.37f, 160.81f});
+    picture.size_px = {1000, 300};
+    picture.texts.front().size_px = 83;
+    const Ink outlines = inkOf(seen(written(picture, "outlines.svg"), picture, 4), false);
+    const Ink text = inkOf(seen(written(picture, "text.svg", asText()), picture, 4), false);
+    printf("text %s %.3f %.3f px, ink %.4f\n", tex, (text.x - outlines.x) / 4, (text.y - outlines.y) / 4,
+           text.mass / outlines.mass);
+    EXPECT_NEAR(text.x / 4, outlines.x / 4, 0.5) << tex;
+    EXPECT_NEAR(text.y / 4, outlines.y / 4, 0.5) << tex;
+    EXPECT_NEAR(text.mass / outlines.mass, 1, 0.05) << tex;
+  }
+}
+
 std::vector<glm::dvec2> pairsIn(const std::string& text, const char* pattern) {
   const std::regex expression(pattern);
   std::vector<glm::dvec2> found;
@@ -245,7 +310,7 @@ TEST_F(FigureTest, AnchorsInTheFilesAreThoseOfThePicture) {
     const auto labels = labelsOf(picture);
     ASSERT_GT(labels.size(), 2u);
     const auto svg = pairsIn(content(written(picture, "anchors.svg")),
-                             R"re(<g transform="translate\(([\d.-]+) ([\d.-]+)\) scale)re");
+                             R"re(<g id="label[^"]*" transform="translate\(([\d.-]+) ([\d.-]+)\)">)re");
     const auto tikz = pairsIn(content(written(picture, "anchors.tex")),
                               R"re(base west[\s\S]*? at \(([\d.-]+)bp, ([\d.-]+)bp\))re");
     ASSERT_EQ(svg.size(), labels.size());
