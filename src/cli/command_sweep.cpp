@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <set>
@@ -14,10 +15,12 @@
 #include "cli/option_values.h"
 #include "cli/still_options.h"
 #include "core/error.h"
+#include "core/text.h"
 #include "job/work_left.h"
 #include "output/film_format.h"
 #include "output/frame_pattern.h"
 #include "request/sweep_cells.h"
+#include "scene/sweep.h"
 
 namespace poinsot::cli {
 namespace {
@@ -38,6 +41,27 @@ request::OutputTarget pictureTarget(const SweepOptions& options, const std::stri
   return request::parseStillTarget(options.output.empty() ? ofItself : options.output);
 }
 
+bool setsInstant(const std::string& override) {
+  return core::trimmed(std::string_view(override).substr(0, override.find('='))) == scene::kInstantKey;
+}
+
+void checkTimes(const SweepOptions& options) {
+  if (options.times.empty()) return;
+  instantsOverride(options.times);  // throws for wrong times, before the scene is read
+  if (options.still.time)
+    throw core::usageError("--times and --time: give only one of them; --times gives each cell its own time");
+  if (std::ranges::any_of(options.overrides, setsInstant))
+    throw core::usageError(
+        fmt::format("--times and -D {}: give only one of them; both set the time of a cell", scene::kInstantKey));
+  if (options.series || options.asked.map)
+    throw core::usageError(
+        fmt::format("--times: makes a sheet of one scene; leave out {}", options.series ? "--series" : "--map"));
+  if (isFilm(options))
+    throw core::usageError(
+        "--times: a sheet of several instants is one picture, not a film; use -o NAME.png, NAME.pdf, NAME.svg or "
+        "NAME.tex");
+}
+
 void checkWords(const SweepOptions& options) {
   const PartsOptions& parts = options.parts;
   if (isFilm(options)) {
@@ -46,6 +70,8 @@ void checkWords(const SweepOptions& options) {
           "--map: a map is one picture, not a film; use -o NAME.png, NAME.pdf, NAME.svg or NAME.tex");
     if (options.still.any())
       throw core::usageError("--time, --width, --dpi and --type are for one picture, not for a film");
+    if (options.still.svgText)
+      throw core::usageError("--svg-text: possible only for a figure NAME.svg, not a film");
     return;
   }
   if (!options.frames.empty() || !options.format.empty() || !options.maxSize.empty() || parts.resume ||
@@ -113,6 +139,7 @@ int makeSeries(const SweepOptions& options) {
 }
 
 int sweep(SweepOptions options) {
+  checkTimes(options);
   checkSeries(options);
   if (options.series) return options.parts.shardsLeft > 0 ? listSeriesLeft(options) : makeSeries(options);
   checkWords(options);
@@ -151,6 +178,12 @@ void addSweep(const Command& program) {
   command.remove("--loop");  // removed, because --loop would change each motion separately
   addPartsOptions(command, options->parts);
   addStillOptions(command, options->still);
+  command
+      .option("--times", options->times,
+              "film times of a sheet of one scene, one cell each, such as 0,0.9,1.8 or 0..3.6:5; each cell is "
+              "labelled with the time of the motion")
+      .type("T1,T2,...")
+      .notEmpty();
   command.flag("--map", options->asked.map,
                "instead of the grid, draw the sphere of directions of L in the body, coloured by the time from "
                "flip to flip, with the separatrix");
@@ -163,6 +196,7 @@ void addSweep(const Command& program) {
       "Examples:\n"
       "  poinsot sweep scenes/tennis_racket.toml -D 'motion.omega_body=[0.01..0.41:9, 4.2, 0]' -o out/grid.mp4\n"
       "  poinsot sweep scenes/football.toml -D 'time.start=0..2 s:6' -o out/sheet.pdf\n"
+      "  poinsot sweep scenes/football.toml --times 0,0.4,0.8 -o out/instants.pdf\n"
       "  poinsot sweep scenes/tennis_racket.toml --map -o out/map.pdf\n"
       "  poinsot sweep scenes/football.toml --series -D 'time.start=0..2 s:3' -o 'out/football_{value}.mp4'");
   command.does(

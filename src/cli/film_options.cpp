@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/frame_clock.h"
 #include "output/film_format.h"
+#include "request/sweep_cells.h"
 #include "scene/sweep.h"
 
 namespace poinsot::cli {
@@ -154,6 +155,7 @@ RequestedFilm requestedFilm(const FilmOptions& options, const scene::Allowance& 
   const auto named = namedTarget(options);
   checkBits(options.bits, named.value_or(request::OutputTarget{}));  // if no output is named, the output is a film
   auto requested = requestedScene(options, allowance);
+  request::expectFilm(requested.request);
   const scene::Scene& scene = requested.scene;
   const auto target = named ? *named : request::parseTarget("out/" + scene.name + ".mp4");
   const auto frames = request::selectFrames(core::frameCount(scene.time.duration_s, scene.time.fps), asked);

@@ -12,6 +12,7 @@
 #include "core/text.h"
 #include "figure/figure.h"
 #include "scene/limits.h"
+#include "scene/sweep.h"
 #include "scene/units.h"
 
 namespace poinsot::cli {
@@ -36,6 +37,44 @@ std::vector<double> parseTimes_s(std::string_view option, std::string_view words
     if (!last) words.remove_prefix(comma + 1);
   }
   return times_s;
+}
+
+namespace {
+
+/// Returns the times of a range such as "0..3.6:5".
+std::vector<double> spreadTimes_s(const std::string& times) try {
+  const std::string override = fmt::format("{}={}", scene::kInstantKey, times);
+  std::vector<double> times_s;
+  for (const scene::SweepValue& value : scene::sweepAxis(override).value().values)
+    times_s.push_back(parseTime_s("--times", value.text));
+  return times_s;
+} catch (const core::Error& error) {
+  std::string message = error.message();
+  const std::string key = fmt::format("-D {}:", scene::kInstantKey);
+  if (message.starts_with(key)) message.replace(0, key.size(), "--times");
+  throw core::usageError(message);
+}
+
+}  // namespace
+
+std::string instantsOverride(const std::string& times) {
+  const auto refuse = [&](const std::string& why) {
+    throw core::usageError(fmt::format("--times '{}': {}", core::printable(times), why));
+  };
+  const bool isRange = times.find("..") != std::string::npos;
+  const std::vector<double> times_s = isRange ? spreadTimes_s(times) : parseTimes_s("--times", times);
+  if (times_s.size() < 2 || times_s.size() > static_cast<std::size_t>(scene::kMostCells))
+    refuse(fmt::format("a sheet has from 2 to {} instants, got {}; for one instant, use --time", scene::kMostCells,
+                       times_s.size()));
+  std::string text;
+  for (std::size_t i = 0; i < times_s.size(); ++i) {
+    if (!std::isfinite(times_s[i]) || times_s[i] < 0)
+      refuse(fmt::format("{} s: a film begins at 0 s; choose times from 0 to its end", times_s[i]));
+    if (i > 0 && times_s[i] <= times_s[i - 1])
+      refuse(fmt::format("{} s comes after {} s; the times must increase", times_s[i], times_s[i - 1]));
+    text += fmt::format("{}{}", i == 0 ? "" : "|", times_s[i]);
+  }
+  return fmt::format("{}={}", scene::kInstantKey, text);
 }
 
 namespace {

@@ -24,6 +24,11 @@ double parseTime_s(std::string_view option, const std::string& word);
 /// @throws core::Error(kUsage) naming the option
 std::vector<double> parseTimes_s(std::string_view option, std::string_view words);
 
+/// Converts the value of --times, such as "0,0.9,1.8" or "0..3.6:5", to an override with a range of
+/// scene::kInstantKey.
+/// @throws core::Error(kUsage) if a time is malformed or negative, or if the times do not increase
+std::string instantsOverride(const std::string& times);
+
 /// Parses a width on paper: a number with mm, cm, in or pt, such as "86mm" or "3.4 in". A point is 1/72.27 inch as
 /// in TeX, so users can copy the value of \the\columnwidth.
 /// @throws core::Error(kUsage) if the text is malformed, or the width is less than 15 mm

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include "cli/command.h"
+#include "cli/option_values.h"
 #include "core/error.h"
 #include "core/number.h"
 #include "core/text.h"
 #include "scene/document/problem.h"
 #include "scene/limits.h"
+#include "scene/sweep.h"
 
 namespace poinsot::cli {
 namespace {
@@ -37,6 +39,7 @@ struct Override {
 
 std::vector<Override> overridesOf(const RenderOptions& options) {
   std::vector<Override> overrides;
+  if (!options.times.empty()) overrides.push_back({instantsOverride(options.times), "--times " + options.times});
   for (const std::string& text : qualityOverrides(options.quality))
     overrides.push_back({text, "-q " + options.quality});
   for (const std::string& text : options.overrides) overrides.push_back({text, "-D " + text});
@@ -45,13 +48,18 @@ std::vector<Override> overridesOf(const RenderOptions& options) {
   return overrides;
 }
 
+/// Returns whether an override, or the value of a cell in its range, is the place of a problem.
+bool isOf(const Override& override, const std::string& place) {
+  if (place == core::printable("-D " + override.text)) return true;
+  return override.typed.starts_with("--times") && place.starts_with(fmt::format("-D {}=", scene::kInstantKey));
+}
+
 /// Throws the errors again, with options as the user typed them. In the original errors, all options look like -D.
 [[noreturn]] void throwAsTyped(const scene::SceneErrors& errors, const std::vector<Override>& overrides) {
   std::vector<scene::Problem> problems = errors.problems();
   for (scene::Problem& problem : problems)
     for (const Override& override : overrides)
-      if (problem.where.file == core::printable("-D " + override.text))
-        problem.where.file = core::printable(override.typed);
+      if (isOf(override, problem.where.file)) problem.where.file = core::printable(override.typed);
   throw scene::SceneErrors(std::move(problems), errors.omitted());
 }
 

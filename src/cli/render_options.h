@@ -20,6 +20,7 @@ struct RenderOptions : SceneOptions {
   int view = 0;  ///< number of the view to draw, from 1; 0 draws all
   bool force = false, quiet = false, reproducible = false, stats = false, dryRun = false, loop = false;
   std::string progress = "auto", backend = "auto";
+  std::string times;  ///< instants of the cells of a sweep; empty for one instant
   std::optional<request::SweepRequest> sweep;
 };
 

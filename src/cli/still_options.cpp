@@ -7,6 +7,8 @@
 #include "cli/option_values.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "figure/figure.h"
+#include "request/sweep_cells.h"
 
 namespace poinsot::cli {
 namespace {
@@ -20,6 +22,7 @@ request::PictureOptions printed(request::PictureOptions form, const StillOptions
   if (options.dpi) form.print->dpi = *options.dpi;
   if (!options.type.empty() && !form.print) throw core::usageError("--type needs --width, the width on paper");
   if (!options.type.empty()) form.print->type_pt = parseTypeSize_pt(options.type);
+  form.svgText = options.svgText;
   return form;
 }
 
@@ -48,6 +51,9 @@ void addStillOptions(const Command& command, StillOptions& options) {
               "only the aspect ratio (default for PDF, SVG and TeX: 86mm)")
       .type("LENGTH")
       .notEmpty();
+  command.flag("--svg-text", options.svgText,
+               "write the labels of an SVG as text in Latin Modern and not as outlines, to edit them in a drawing "
+               "program");
   command.option("--dpi", options.dpi, "pixels per inch on paper (default: 600)").type("N").range(1.0, 10000.0);
   command
       .option(
@@ -62,6 +68,9 @@ int makeStill(const RenderOptions& options, const StillOptions& still, request::
               const StillTarget& targetOf) {
   const auto named = targetOf("SCENE");  // checked now, to report a wrong name before the scene is read
   checkBits(form.bits, named);
+  if (still.svgText && figure::figureMedium(named.path) != figure::FigureMedium::kSvg)
+    throw core::usageError(fmt::format("--svg-text: possible only for a figure NAME.svg, got {}",
+                                       core::printable(named.path.string())));
   form = printed(form, still, named.kind);
   if (form.print && !options.quality.empty())
     throw core::usageError("-q: not possible for a picture on paper; set its pixels with --width and --dpi");
@@ -71,6 +80,9 @@ int makeStill(const RenderOptions& options, const StillOptions& still, request::
   if (asked_s && !(*asked_s >= 0 && *asked_s <= scene.time.duration_s))
     throw core::usageError(fmt::format("--time {}: the film lasts from 0 to {} s", core::printable(*still.time),
                                        scene.time.duration_s));
+  if (asked_s && requested.request.sweep && request::SweepGrid(requested.request).variesInstant())
+    throw core::usageError(fmt::format(
+        "--time: the range of {} gives each cell its own time; leave out one of them", scene::kInstantKey));
   setSizes(form, requested);
   const double time_s = asked_s.value_or(scene.time.stillTime_s());
   const request::OutputTarget target = targetOf(scene.name);

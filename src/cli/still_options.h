@@ -17,6 +17,7 @@ struct StillOptions {
   std::string width;
   std::optional<double> dpi;
   std::string type;  ///< one size for all small text
+  bool svgText = false;
 
   bool any() const { return time || !width.empty() || dpi || !type.empty(); }
 };

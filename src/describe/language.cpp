@@ -253,6 +253,8 @@ constexpr Translation kGerman[] = {
     {"{} from left to right, {} from top to bottom", "{} von links nach rechts, {} von oben nach unten"},
     {"{} pictures of one scene side by side, at one instant: {}. The first: {}",
      "{} Bilder einer Szene nebeneinander, in einem Augenblick: {}. Das erste: {}"},
+    {"{} pictures of one scene side by side, at several instants: {}. The first: {}",
+     "{} Bilder einer Szene nebeneinander, in mehreren Augenblicken: {}. Das erste: {}"},
     {"A map of how long the body takes from flip to flip, for every direction of L in it: a sphere of directions, "
      "from {} in dark colours at the axes {} and {}, the stable ones, to {} and more in pale ones near {}, the "
      "unstable "

@@ -18,14 +18,16 @@ std::string rangeWords(const stage::SweepLabels& labels) {
   return say("{} from {} to {}", plain(labels.name), plain(labels.values.front()), plain(labels.values.back()));
 }
 
+/// @param scene  scene of the first cell, with its final speed
 std::string gridWords(const request::SceneRequest& request, const scene::Scene& scene) {
   const request::SweepGrid grid(request);
   const auto labels = stage::sweepLabels(grid.axes, request.sweep->labels, scene);
   const std::string ranges = labels.size() == 1 ? rangeWords(labels[0])
                                                 : say("{} from left to right, {} from top to bottom",
                                                       rangeWords(labels[0]), rangeWords(labels[1]));
-  return say("{} pictures of one scene side by side, at one instant: {}. The first: {}", grid.cells, ranges,
-             altText(scene));
+  return say(grid.variesInstant() ? "{} pictures of one scene side by side, at several instants: {}. The first: {}"
+                                  : "{} pictures of one scene side by side, at one instant: {}. The first: {}",
+             grid.cells, ranges, altText(scene));
 }
 
 std::string mapWords(const scene::Scene& scene) {
@@ -52,7 +54,7 @@ PictureWords pictureWords(const request::RequestedScene& requested) {
   const scene::Scene& scene = requested.scene;
   const std::string& title = scene.show.title;
   return {title.empty() ? core::printable(scene.name) : text::setTex(title).plainText,
-          description(requested.request, scene)};
+          description(requested.request, requested.cells.empty() ? scene : requested.cells.front())};
 }
 
 }  // namespace poinsot::describe

@@ -43,8 +43,9 @@ std::unique_ptr<const stage::Composer> composerOf(const RequestedScene& requeste
   if (!request.sweep) return std::make_unique<stage::Stage>(scene, steps);
   if (request.sweep->map) return std::make_unique<stage::StabilityMap>(scene);
   const SweepGrid grid(request);
-  return std::make_unique<stage::SweepStage>(cells, stage::sweepLabels(grid.axes, request.sweep->labels, scene),
-                                             request.sweep->columns, steps);
+  return std::make_unique<stage::SweepStage>(
+      cells, stage::sweepLabels(grid.axes, request.sweep->labels, cells.at(0)), request.sweep->columns,
+      grid.variesInstant() ? stage::CellTime::kOfScene : stage::CellTime::kOfPicture, steps);
 }
 
 stage::Sizing sizingOf(const PictureOptions& form, const scene::Style& style, glm::ivec2 size_px) {

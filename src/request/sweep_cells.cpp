@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/error.h"
 #include "core/expect.h"
 #include "core/text.h"
 #include "request/memory.h"
 #include "scene/motion/make_motion.h"
+#include "stage/picture_motion.h"
 
 namespace poinsot::request {
 namespace {
@@ -36,12 +38,41 @@ void expectGrid(const SceneRequest& request, const SweepGrid& grid) {
   }
   if (ranges == 0)
     throw core::usageError(
-        "a sweep has one range or two: -D KEY=FROM..TO:COUNT, such as -D 'time.start=0..4 s:9'; --map has none");
+        "a sweep has one range or two: -D KEY=FROM..TO:COUNT, such as -D 'time.start=0..4 s:9'; or --times; --map "
+        "has none");
   if (ranges > kMostAxes) throw core::usageError(fmt::format("a sweep has one range or two, got {}", ranges));
   if (grid.cells > scene::kMostCells)
     throw core::usageError(fmt::format("{} x {} are {} cells: a sweep has at most {}", grid.axes[0].values.size(),
                                        grid.axes.back().values.size(), grid.cells, scene::kMostCells));
   for (const scene::SweepAxis& axis : grid.axes) expectOneFilm(axis);
+  for (const scene::SweepAxis& axis : grid.axes)
+    if (axis.variesInstant() && axis.isWords)
+      throw core::usageError(fmt::format("-D {}: a range has times, such as 0|0.9|1.8", axis.key));
+}
+
+/// Checks that the instants of a sheet are times of its film.
+void expectInstants(const std::vector<scene::Scene>& cells) {
+  for (const scene::Scene& cell : cells)
+    if (const double still_s = cell.time.still_s.value_or(0); still_s > cell.time.duration_s)
+      throw core::usageError(
+          fmt::format("a cell at {} s: the film lasts from 0 to {} s; choose times of the film, or a longer film "
+                      "with -D time.duration",
+                      still_s, cell.time.duration_s));
+}
+
+/// Checks that all cells of one instant have the same time of the motion, because they share a label.
+void expectSharedTimes(const std::vector<scene::Scene>& cells, const SweepGrid& grid, std::size_t axis) {
+  std::map<std::size_t, double> times_s;  // by the index of the value
+  for (int i = 0; i < grid.cells; ++i) {
+    const scene::Scene& cell = cells[static_cast<std::size_t>(i)];
+    const double t_s = stage::filmClock(cell).motionTime_s(cell.time.stillTime_s());
+    if (times_s.try_emplace(grid.valueOf(axis, i), t_s).first->second != t_s)
+      throw core::usageError(
+          fmt::format("-D {}: changes the time of the motion, so that the cells of one instant show different "
+                      "times; leave out "
+                      "this range or the times",
+                      grid.axes[1 - axis].key));
+  }
 }
 
 void shareSpeed(std::vector<scene::Scene>& cells) {
@@ -62,6 +93,14 @@ void expectOnce(const std::vector<std::string>& overrides, const std::string& ke
   };
   if (std::ranges::count_if(overrides, isOfKey) > 1)
     throw core::usageError(fmt::format("-D {}: given more than once", key));
+}
+
+void expectFilm(const SceneRequest& request) {
+  if (request.sweep && SweepGrid(request).variesInstant())
+    throw core::usageError(
+        fmt::format("-D {}: a sheet of several instants is one picture, not a film; use -o NAME.png, NAME.pdf, "
+                    "NAME.svg or NAME.tex",
+                    scene::kInstantKey));
 }
 
 bool hasRanges(const std::vector<std::string>& overrides) {
@@ -85,6 +124,8 @@ SweepGrid::SweepGrid(const SceneRequest& request) {
   }
   expectGrid(request, *this);
 }
+
+bool SweepGrid::variesInstant() const { return std::ranges::any_of(axes, &scene::SweepAxis::variesInstant); }
 
 std::size_t SweepGrid::valueOf(std::size_t axis, int cell) const {
   const auto inRow = static_cast<int>(axes.at(0).values.size());
@@ -112,6 +153,9 @@ std::vector<scene::Scene> loadCells(const SceneRequest& request, const SweepGrid
     throw core::usageError(
         "a sweep cannot repeat: leave out --loop, which would change the motion of each cell in its own way");
   shareSpeed(cells);
+  if (grid.variesInstant()) expectInstants(cells);
+  for (std::size_t axis = 0; axis < grid.axes.size(); ++axis)
+    if (grid.axes[axis].variesInstant()) expectSharedTimes(cells, grid, axis);
   return cells;
 }
 

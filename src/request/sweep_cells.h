@@ -21,6 +21,9 @@ struct SweepGrid {
   int cells = 1;
 
   std::size_t valueOf(std::size_t axis, int cell) const;
+  /// Returns whether a range varies scene::kInstantKey. Each cell then shows its own film time, so that the grid
+  /// can only be drawn as one picture.
+  bool variesInstant() const;
 
  private:
   friend SceneRequest cellRequest(const SceneRequest& request, const SweepGrid& grid, int cell);
@@ -30,6 +33,9 @@ struct SweepGrid {
 /// Rejects a key that is given twice. Only the last override has an effect, so one of the values would be lost.
 /// @throws core::Error(kUsage)
 void expectOnce(const std::vector<std::string>& overrides, const std::string& key);
+
+/// Rejects a sweep that varies the instant, because a film shows all instants. @throws core::Error(kUsage)
+void expectFilm(const SceneRequest& request);
 
 bool hasRanges(const std::vector<std::string>& overrides);
 
@@ -41,10 +47,12 @@ void askForSweep(SceneRequest& request);
 SceneRequest cellRequest(const SceneRequest& request, const SweepGrid& grid, int cell);
 
 /// Loads the scenes of all cells, which form one film. Cells that give no speed get a common speed. It is the
-/// slowest speed that would be chosen for any of these cells, so that no cell is too fast to watch.
+/// slowest speed that would be chosen for any of these cells, so that no cell is too fast to watch. If the cells
+/// are instants of a film, checks that they are within the film, and that a second range does not change their
+/// times.
 /// @param first  scene of the first cell, from loadRequested(request)
-/// @throws scene::SceneErrors for problems of another cell; core::Error(kUsage) if the scene loops;
-/// core::Error(kLimit) if the meshes would exceed Limit::kMemory, checked before they are loaded.
+/// @throws scene::SceneErrors for problems of another cell; core::Error(kUsage) if the scene loops or for such
+/// times; core::Error(kLimit) if the meshes would exceed Limit::kMemory, checked before they are loaded.
 std::vector<scene::Scene> loadCells(const SceneRequest& request, const SweepGrid& grid, const scene::Scene& first);
 
 }  // namespace poinsot::request

@@ -12,6 +12,9 @@ namespace poinsot::scene {
 /// Largest number of scenes in one picture. Each needs a motion of its own, and each panel must be recognisable.
 inline constexpr int kMostCells = 100;
 
+/// Key whose range makes a sheet of one scene at several instants: each cell shows its own film time.
+inline constexpr std::string_view kInstantKey = "time.still";
+
 struct SweepValue {
   std::string text;    ///< value as written in a scene, such as "10 rpm"
   std::string number;  ///< number with as many decimals as its neighbours, such as "10.0"; or a word
@@ -27,6 +30,7 @@ struct SweepAxis {
   std::string before, after;  ///< text of the override before and after the range
 
   std::string override(std::size_t value) const;
+  bool variesInstant() const { return key == kInstantKey; }
 };
 
 /// Returns whether an override contains a range, valid or not.

@@ -42,7 +42,8 @@ scene::Scene writingOf(scene::Scene scene) {
   return scene;
 }
 
-void addAt(draw::Picture& picture, draw::Picture cell, glm::ivec2 origin_px) {
+/// Adds the picture of a cell. @param plotsBefore  number of plots in the cells before it
+void addAt(draw::Picture& picture, draw::Picture cell, glm::ivec2 origin_px, int plotsBefore) {
   const glm::vec2 origin(origin_px);
   const auto shift = [&](std::vector<glm::vec2>& points) {
     for (glm::vec2& p : points) p += origin;
@@ -57,6 +58,7 @@ void addAt(draw::Picture& picture, draw::Picture cell, glm::ivec2 origin_px) {
   }
   for (draw::Stroke& each : cell.strokes) {
     shift(each.points_px);
+    if (each.plot > 0) each.plot += plotsBefore;
     picture.strokes.push_back(std::move(each));
   }
   for (draw::Text& each : cell.texts) {
@@ -109,10 +111,11 @@ double widest_em(const std::vector<std::string>& lines) {
 }  // namespace
 
 SweepStage::SweepStage(std::vector<scene::Scene> cells, std::vector<SweepLabels> labels, int columns,
-                       core::StepLedger* steps)
+                       CellTime time, core::StepLedger* steps)
     : written_(writingOf(cells.at(0))),
       labels_(std::move(labels)),
       columns_(columns),
+      time_(time),
       colors_(palette(written_.style)),
       presence_(written_.timeline),
       captions_(written_) {
@@ -123,6 +126,10 @@ SweepStage::SweepStage(std::vector<scene::Scene> cells, std::vector<SweepLabels>
   const FilmRanges ranges = commonRanges(cells, motions);
   for (std::size_t i = 0; i < cells.size(); ++i)
     cells_.emplace_back(withoutWriting(std::move(cells[i])), motions[i], ranges);
+}
+
+Moment SweepStage::momentOf(const Stage& cell, const Moment& picture) const {
+  return time_ == CellTime::kOfPicture ? picture : Moment(cell.scene().time.stillTime_s(), picture.still);
 }
 
 draw::Picture SweepStage::compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing) const {
@@ -140,9 +147,12 @@ draw::Picture SweepStage::compose(const Moment& moment, glm::ivec2 size_px, cons
   const PictureLayout whole(std::vector<scene::GridPlace>(1));
   const Grid grid = gridIn(whole.cells(free_px, writing.reach).front(), size_px, sizing);
   const std::vector<double> metres_px = mostMetre_px(grid);
-  for (std::size_t i = 0; i < cells_.size(); ++i)
-    addAt(picture, cells_[i].compose(moment, grid.cell_px, grid.sizing, metres_px),
-          grid.originOf(static_cast<int>(i)));
+  const int plots = static_cast<int>(written_.plots.size());
+  for (int i = 0; i < static_cast<int>(cells_.size()); ++i) {
+    const Stage& cell = cells_[static_cast<std::size_t>(i)];
+    addAt(picture, cell.compose(momentOf(cell, moment), grid.cell_px, grid.sizing, metres_px), grid.originOf(i),
+          i * plots);
+  }
   addLabels(picture, grid);
   addBlocks(picture, writing.blocks, writing.boxes);
   captions_.add(picture, moment, type, colors_);

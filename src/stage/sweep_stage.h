@@ -15,8 +15,14 @@
 
 namespace poinsot::stage {
 
-/// Composer of small multiples: scenes that differ in one or two values, side by side at one instant. Title, notes
-/// and captions come from the first scene and appear once. If one value differs, each cell is labelled with its
+/// Film time that the cells of a sweep show.
+enum class CellTime {
+  kOfPicture,  ///< all cells show the moment of the picture
+  kOfScene,    ///< each cell shows time.still of its scene, so that the cells are instants of one film
+};
+
+/// Composer of small multiples: scenes that differ in one or two values, side by side. Title, notes and captions
+/// come from the first scene and appear once. If one value differs, each cell is labelled with its
 /// value. If two values differ, the columns and rows are labelled. Bodies have one scale if possible, and plots
 /// have the same axes.
 class SweepStage final : public Composer {
@@ -24,11 +30,12 @@ class SweepStage final : public Composer {
   /// @param cells  scenes of the cells, row by row; all have the same duration, size and paper
   /// @param labels  labels of one range, or of two ranges with the columns' range first
   /// @param columns  number of columns for one range; 0: the number that makes the cells largest
+  /// @param time  film time of the cells
   /// @param steps  ledger for the time spent on the motions, or null; with a ledger, only one thread may use the
   /// stage
   /// @throws core::Error(kPhysics) if a cell shows something that its motion does not have.
   SweepStage(std::vector<scene::Scene> cells, std::vector<SweepLabels> labels, int columns,
-             core::StepLedger* steps = nullptr);
+             CellTime time = CellTime::kOfPicture, core::StepLedger* steps = nullptr);
 
   using Composer::compose;
   draw::Picture compose(const Moment& moment, glm::ivec2 size_px, const Sizing& sizing) const override;
@@ -48,6 +55,8 @@ class SweepStage final : public Composer {
   /// Returns true if a second range varies from row to row. Labels are then at the columns and rows, not at each
   /// cell.
   bool hasRows() const { return labels_.size() == 2; }
+  /// Returns the moment that a cell shows in a picture of the given moment.
+  Moment momentOf(const Stage& cell, const Moment& picture) const;
   double margin_em() const;
   double labelSize_px(const Sizing& type, glm::dvec2 cell_px, glm::dvec2 room_px) const;
   int columnsFor(glm::ivec2 size_px) const;
@@ -58,6 +67,7 @@ class SweepStage final : public Composer {
   scene::Scene written_;
   std::vector<SweepLabels> labels_;
   int columns_;
+  CellTime time_;
   Palette colors_;
   PresencePlan presence_;
   CaptionStrip captions_;

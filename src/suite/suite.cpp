@@ -131,6 +131,11 @@ Drawing drawingOf(const GoldenCase& one, std::size_t place, const GoldenRequest&
   request::SceneRequest asked = request::readSceneRequest(one.test.scene, one.test.overrides, golden.allowance);
   request::askForSweep(asked);
   request::RequestedScene requested = request::requestedScene(std::move(asked));
+  if (one.time_s && requested.request.sweep && request::SweepGrid(requested.request).variesInstant())
+    throw core::Error(core::ErrorKind::kScene,
+                      fmt::format("times: the range of {} gives each cell its own time; leave out one of the two",
+                                  scene::kInstantKey),
+                      one.test.timesAt);
   requested.resize(sizeOf(one.test, requested.scene, golden.allowance.limits));
   const job::RenderChoices choices{.time_s = timeOf(one, requested.scene),
                                    .backend = golden.backend,

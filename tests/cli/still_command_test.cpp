@@ -160,6 +160,13 @@ TEST_F(StillCommand, CropsFiguresToTheirOwnSize) {
   EXPECT_LT(widthOf("part.svg"), 0.7 * widthOf("whole.svg"));
 }
 
+TEST_F(StillCommand, WritesTheLabelsOfAnSvgAsText) {
+  good("text.svg", {"--svg-text"});
+  good("outlines.svg");
+  EXPECT_THAT(bytes("text.svg"), HasSubstr("font-family=\"Latin Modern Math"));
+  EXPECT_THAT(bytes("outlines.svg"), Not(HasSubstr("Latin Modern Math")));
+}
+
 TEST_F(StillCommand, TheSameCommandGivesTheSameBytes) {
   for (const std::string name : {"a.png", "a.pdf"}) {
     good(name);
@@ -216,6 +223,8 @@ TEST_F(StillCommand, RejectsInvalidArgumentsWithAnExplanation) {
        "--width '5mm': must be at least 15 mm, because text does not shrink below its size in points"},
       {{"--width", "1e300mm"}, "sides must be from 16 to 8192 pixels"},
       {{"--dpi", "300"}, "--dpi needs --width"},
+      {{"--svg-text"}, "--svg-text: possible only for a figure NAME.svg, got out/SCENE.png"},
+      {{"--svg-text", "-o", "a.pdf"}, "--svg-text: possible only for a figure NAME.svg, got a.pdf"},
       {{"--width", "86mm", "-q", "4k"},
        "-q: not possible for a picture on paper; set its pixels with --width and --dpi"},
       {{"--width", "86mm", "--dpi", "0"}, "not in range"},

@@ -70,6 +70,40 @@ TEST_F(SweepCommand, DrawsASheetLikeTheFrameOfTheFilm) {
   EXPECT_FALSE(image::readPng(folder_ / "sheet.png") == image::readPng(folder_ / "f/2.png"));
 }
 
+TEST_F(SweepCommand, DrawsInstantsOfOneScene) {
+  good({"--times", "0,0.5,1 s", "-D", "time.speed=1", "-o", "list.png", "--size", "300x120"});
+  good({"--times", "0..1:3", "-D", "time.speed=1", "-o", "range.png", "--size", "300x120"});
+  EXPECT_TRUE(image::readPng(folder_ / "list.png") == image::readPng(folder_ / "range.png"));
+  good({"--times", "0,0.5,1", "-D", "time.speed=1", "--label", "time", "--columns", "1", "-o", "sheet.svg"});
+  for (const char* label : {">time = 0.0 s</text>", ">time = 0.5 s</text>", ">time = 1.0 s</text>"})
+    EXPECT_THAT(bytes("sheet.svg"), HasSubstr(label));
+  good({"--times", "0,1", "-D", "motion.omega_body=[1..2:2, 1, 1]", "--dry-run"});
+}
+
+TEST_F(SweepCommand, RejectsTimesThatMakeNoSheet) {
+  refused({"--times", "0,1", "--time", "1"}, "--times and --time: give only one of them");
+  refused({"--times", "0,1", "-D", "time.still=1"}, "--times and -D time.still: give only one of them");
+  refused({"--times", "0,1", "-o", "a.mp4"}, "--times: a sheet of several instants is one picture, not a film");
+  refused({"--times", "0,1", "-o", "f/{frame}.png"}, "one picture, not a film");
+  refused({"--times", "0,1", "--map"}, "--times: makes a sheet of one scene; leave out --map");
+  refused({"--times", "0,1", "--series"}, "leave out --series");
+  refused({"--times", "0,99"}, "a cell at 99 s: the film lasts from 0 to 4 s");
+  refused({"--times", "0,1,1"}, "--times '0,1,1': 1 s comes after 1 s; the times must increase");
+  refused({"--times", "2,1"}, "--times '2,1': 1 s comes after 2 s; the times must increase");
+  refused({"--times=-1,1"}, "--times '-1,1': -1 s: a film begins at 0 s");
+  refused({"--times", "0,nan"}, "a film begins at 0 s");
+  refused({"--times", "0,soon"}, "--times 'soon': ");
+  refused({"--times", "1"}, "a sheet has from 2 to 100 instants, got 1; for one instant, use --time");
+  refused({"--times", "0..x:3"}, "--times '0..x:3': a range is FROM..TO:COUNT");
+  refused({"--times", "0..1"}, "--times '0..1': the number of values is missing");
+  refused({"--times", ""}, "--times: is empty");
+  refused({"--times", "0,1", "-D", "time.speed=1..2:2"}, "-D time.speed: changes the time of the motion");
+  refused({"--times", "0,1", "-D", kRange, "-D", "camera.azimuth=0..1:2"}, "one range or two, got 3");
+  refused({"-D", "time.still=0|1", "-o", "a.mp4"}, "-D time.still: a sheet of several instants is one picture");
+  refused({"-D", "time.still=0|1", "--time", "1"}, "--time: the range of time.still gives each cell its own time");
+  EXPECT_THAT(namesIn(folder_.path()), ElementsAre("a.toml"));
+}
+
 TEST_F(SweepCommand, NamesPicturesAfterTheSceneByDefault) {
   good({"-D", kRange, "-D", "time.start=0..1 s:2"});
   good({"--map"});

@@ -26,6 +26,9 @@ TEST(PictureWords, DescribeSweepsAndMaps) {
   EXPECT_THAT(words,
               HasSubstr("6 pictures of one scene side by side, at one instant: ω₁ from 0.1 rad/s to 0.3 rad/s "
                         "from left to right, speed from 1 to 2 from top to bottom."));
+  const auto instants = asked({"time.still=0|0.5|2", "time.speed=1"});
+  EXPECT_THAT(pictureWords(request::requestedScene(instants)).description,
+              HasSubstr("3 pictures of one scene side by side, at several instants: t from 0.0 s to 2.0 s."));
   const auto map = asked({}, {.map = true});
   // Half periods 2K/lambda in the limit of small swings: pi/(w sqrt((I_k - I_i)(I_k - I_j)/(I_i I_j))), with
   // w = |L|/I_k and |L| = 4.00125.

@@ -85,6 +85,24 @@ TEST(SweepCells, RejectTooManyCellsOrRanges) {
   EXPECT_THAT(refusal(asked({kOne}, {.map = true})).what(), HasSubstr("--map shows one body"));
 }
 
+TEST(SweepCells, OfInstantsAreWithinTheFilm) {
+  const auto cells = cellsOf(asked({"time.still=0|1.5|4"}));
+  ASSERT_EQ(cells.size(), 3u);
+  EXPECT_EQ(cells[1].time.stillTime_s(), 1.5);
+  EXPECT_THAT(refusal(asked({"time.still=0|1.5|4.1"})).what(),
+              HasSubstr("a cell at 4.1 s: the film lasts from 0 to 4 s"));
+  EXPECT_THAT(refusal(asked({"time.still=auto|auto"})).what(), HasSubstr("a range has times"));
+}
+
+TEST(SweepCells, OfAnInstantHaveOneTimeOfTheMotion) {
+  EXPECT_EQ(cellsOf(asked({"time.still=0|1.5", kOne})).size(), 6u);
+  for (const char* range : {"time.speed=1..2:2", "time.start=0..2:3"}) {
+    const core::Error error = refusal(asked({"time.still=1|1.5", range}));
+    EXPECT_EQ(error.kind(), core::ErrorKind::kUsage);
+    EXPECT_THAT(error.what(), HasSubstr("changes the time of the motion")) << range;
+  }
+}
+
 // The last override of a key wins, so that a range before it would give equal cells.
 TEST(SweepCells, RejectASecondOverrideOfAKeyWithARange) {
   for (const char* other : {"time.speed=3", " time.speed =3", "time.speed=3..4:2"}) {

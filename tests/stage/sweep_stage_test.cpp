@@ -36,7 +36,9 @@ Made swept(const std::string& extra, const std::vector<std::string>& words, int 
                             "sample.toml", overrides));
     }
   auto labels = sweepLabels(axes, {}, cells[0]);
-  return {axes, SweepStage(std::move(cells), std::move(labels), columns)};
+  const bool instants = std::ranges::any_of(axes, &scene::SweepAxis::variesInstant);
+  return {axes, SweepStage(std::move(cells), std::move(labels), columns,
+                           instants ? CellTime::kOfScene : CellTime::kOfPicture)};
 }
 
 const std::string kWritten =
@@ -193,6 +195,67 @@ TEST(SweepStage, GridOfOneRangeHasTheRequestedOrBestColumns) {
   EXPECT_EQ(columnsOf(swept("", kTwo, 1).stage.compose(0, {1280, 720})), 3u);  // of two ranges it is the first's
 }
 
+// A cell is as large as its shorter side: four cells in 1600 x 300 are 300 high in one row, and 150 in two.
+TEST(SweepStage, ColumnsFollowTheProportionsOfThePicture) {
+  const auto columnsOf = [](int cells, glm::ivec2 size) {
+    const draw::Picture picture =
+        swept("", {"motion.omega_body=[0.1..0.9:" + std::to_string(cells) + ", 1, 0]"}).stage.compose(0, size);
+    std::set<int> left;
+    for (const draw::Panel& panel : picture.panels) left.insert(panel.origin_px.x);
+    return static_cast<int>(left.size());
+  };
+  for (const int cells : {4, 5, 6}) EXPECT_EQ(columnsOf(cells, {1600, 300}), cells);
+  EXPECT_EQ(columnsOf(5, {1000, 250}), 5);
+  EXPECT_EQ(columnsOf(4, {600, 600}), 2);
+  EXPECT_EQ(columnsOf(5, {300, 1600}), 1);
+}
+
+const char* const kInstants = "time.still=0|0.9|1.8|2.7|3.6";
+
+// Oracle: the picture of the scene alone at each film time.
+TEST(SweepStage, CellsOfInstantsShowTheSceneAtTheirOwnFilmTimes) {
+  const std::string plot = "[[view]]\n[[plot]]\nquantities = [\"omega_1\"]\n";
+  const Made made = swept(plot, {kInstants});
+  const draw::Picture picture = made.stage.compose({0, true}, {1600, 500});
+  const Stage alone(scene::parseScene(
+      "[body]\nshape = 'box'\nsize = [3, 2, 1]\nmass = 1\n[time]\nduration = 10\nspeed = 1\n[motion]\n"
+      "omega_body = [1, 0.5, 1.6]\n" +
+          plot,
+      "sample.toml"));
+  ASSERT_EQ(picture.panels.size(), 5u);
+  const draw::Picture any = made.stage.compose({7, true}, {1600, 500});
+  std::vector<float> cursors;  // x of the dots, from the left end of their cells
+  for (const draw::Stroke& stroke : picture.strokes)
+    if (stroke.closed)
+      cursors.push_back(stroke.points_px.at(0).x -
+                        static_cast<float>(picture.panels[static_cast<std::size_t>(stroke.plot - 1)].origin_px.x));
+  ASSERT_EQ(cursors.size(), 5u);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const double t_s = 0.9 * static_cast<double>(i);
+    const draw::Box& box = picture.panels[i].list.boxes.at(0);
+    const draw::Picture single = alone.compose({t_s, true}, glm::ivec2(400, 400));
+    const glm::mat3 wanted = single.panels.at(0).list.boxes.at(0).halfAxes_V;
+    for (int k = 0; k < 3; ++k) EXPECT_LT(glm::length(box.halfAxes_V[k] - wanted[k]), 1e-6f) << i;
+    EXPECT_EQ(any.panels[i].list.boxes.at(0).halfAxes_V, box.halfAxes_V);  // the picture's own time has no effect
+    EXPECT_EQ(picture.panels[i].list.camera.centre_px, picture.panels[0].list.camera.centre_px);
+    EXPECT_EQ(picture.panels[i].list.camera.tanHalfFovY, picture.panels[0].list.camera.tanHalfFovY);
+    // Equal steps of time are equal steps on the common time axis.
+    EXPECT_NEAR(cursors[i] - cursors[0], static_cast<float>(i) * (cursors[1] - cursors[0]), 0.01f) << i;
+  }
+  EXPECT_GT(cursors[1] - cursors[0], 1);
+}
+
+TEST(SweepStage, NumbersThePlotsOfAllCells) {
+  const draw::Picture picture =
+      swept("[[plot]]\nquantities = [\"omega_1\"]\n[[plot]]\nquantities = [\"T\"]\n", {kInstants})
+          .stage.compose(2, {1600, 500});
+  std::set<int> plots;
+  for (const draw::Stroke& stroke : picture.strokes) plots.insert(stroke.plot);
+  plots.erase(0);
+  EXPECT_EQ(plots.size(), 10u);
+  EXPECT_EQ(*plots.rbegin(), 10);
+}
+
 TEST(SweptName, IsATextbookSymbolOrTheWordsOfTheKey) {
   const scene::Scene aligned = sample();
   const auto name = [&](const std::string& word) { return sweptName(scene::sweepAxis(word).value(), aligned); };
@@ -220,6 +283,43 @@ TEST(SweepLabels, TypesetNumbersWithUprightUnits) {
   EXPECT_EQ(last("body.mass=1e-9..3e-9:2:log"), "$3\\times 10^{-9}\\,\\mathrm{kg}$");
   EXPECT_EQ(last("show.plane.opacity=10..30 %:2"), "$30\\,\\mathrm{\\%}$");
   EXPECT_EQ(last("time.speed=1..2.5:2"), "$2.5$");
+}
+
+std::vector<std::string> instantLabels(const std::string& range, const std::string& more) {
+  const scene::Scene scene = sample("[time]\nduration = 20\n" + more);
+  return sweepLabels({scene::sweepAxis("time.still=" + range).value()}, {}, scene)[0].whole;
+}
+
+// Motion time = start + speed * film time.
+TEST(SweepLabels, WriteInstantsAsTimesOfTheMotion) {
+  using testing::ElementsAre;
+  EXPECT_THAT(instantLabels("0|0.9|10", "speed = 1\n"),
+              ElementsAre("$t = 0.0\\,\\mathrm{s}$", "$t = 0.9\\,\\mathrm{s}$", "$t = 10.0\\,\\mathrm{s}$"));
+  EXPECT_THAT(instantLabels("1 s|2 s", "speed = 0.5\nstart = 3\n"),
+              ElementsAre("$t = 3.5\\,\\mathrm{s}$", "$t = 4.0\\,\\mathrm{s}$"));
+  EXPECT_THAT(instantLabels("500 ms|2000 ms", "speed = 1\n[style]\ndecimal_sign = \"comma\"\n"),
+              ElementsAre("$t = 0{,}5\\,\\mathrm{s}$", "$t = 2{,}0\\,\\mathrm{s}$"));
+  // The motion is shown a thousand times slower, so that a read-out of t is in milliseconds.
+  EXPECT_THAT(instantLabels("0|4", "speed = 0.001\n"),
+              ElementsAre("$t = 0\\,\\mathrm{ms}$", "$t = 4\\,\\mathrm{ms}$"));
+}
+
+// A hundredth of the step of 0.31415926 s is 0.003 s.
+TEST(SweepLabels, RoundLongTimesWithoutMakingThemEqual) {
+  EXPECT_THAT(
+      instantLabels("1|2|3", "speed = 0.31415926\n"),
+      testing::ElementsAre("$t = 0.31\\,\\mathrm{s}$", "$t = 0.63\\,\\mathrm{s}$", "$t = 0.94\\,\\mathrm{s}$"));
+  EXPECT_THAT(instantLabels("1|1.00012345", "speed = 1\n"),
+              testing::ElementsAre("$t = 1.000000\\,\\mathrm{s}$", "$t = 1.000123\\,\\mathrm{s}$"));
+}
+
+// The timeline halves the speed after 2 s of film; it takes a moment to change.
+TEST(SweepLabels, FollowTheSlowMotionOfTheTimeline) {
+  const auto labels = instantLabels("2|10|12", "speed = 1\n[[timeline]]\nat = 2\nspeed = 0.5\nover = 1\n");
+  EXPECT_EQ(labels[0], "$t = 2.00\\,\\mathrm{s}$");
+  // From 2 to 3 s of film, the mean speed is 0.75: t = 2 + 0.75 + 0.5 * 7.
+  EXPECT_EQ(labels[1], "$t = 6.25\\,\\mathrm{s}$");
+  EXPECT_EQ(labels[2], "$t = 7.25\\,\\mathrm{s}$");
 }
 
 }  // namespace

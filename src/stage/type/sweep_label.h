@@ -21,7 +21,13 @@ struct SweepLabels {
 /// @param scene  scene of a cell
 std::string sweptName(const scene::SweepAxis& axis, const scene::Scene& scene);
 
-/// Returns the labels of each range.
+/// Returns the times of the motion at the film times in a range of scene::kInstantKey, in s. A film time after the
+/// end of the film counts as the end.
+std::vector<double> instants_s(const scene::SweepAxis& axis, const scene::Scene& scene);
+
+/// Returns the labels of each range. Instants are labelled with the time of the motion, which a read-out of t
+/// shows.
+/// @param scene  scene of the first cell, with its final speed
 /// @param names  names given by the user, for the first range, the second and so on; a range without one is named
 /// by sweptName()
 /// @throws core::Error(kUsage) if a name is not TeX.
