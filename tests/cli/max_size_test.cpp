@@ -111,12 +111,14 @@ TEST_F(MaxSize, KeepsWhatTheUserFixes) {
   const auto most = sizeAsAsked("asked.gif") * 4 / 5;
   const RunResult result =
       render({"-o", "o.gif", "--max-size", limitOf(most), "--size", "480x270", "--fps", "30"});
-  EXPECT_THAT(result.err, HasSubstr("480x270, 30 frames/s, 128 colours: "));
+  EXPECT_THAT(result.err, HasSubstr("replace --max-size by -D output.colors="));
   const RunResult fixed = render({"-o", "p.gif", "--max-size", limitOf(most), "--size", "480x270", "--frames",
                                   "0-29", "-D", "output.colors=255"},
                                  2);
   EXPECT_THAT(fixed.err, HasSubstr("do not fix its size, frame rate, colours, or allow --max-size "));
   EXPECT_FALSE(fs::exists(folder_ / "p.gif"));
+  const RunResult quality = render({"-o", "q.mp4", "--max-size", "1kB", "-q", "preview", "--fps", "30"}, 2);
+  EXPECT_THAT(quality.err, HasSubstr("do not fix its size, frame rate, quality, or allow --max-size "));
 }
 
 TEST_F(MaxSize, LeavesAnEarlierFilmIfNoFilmFits) {
