@@ -15,7 +15,7 @@
 #include "scene/document/document.h"
 #include "scene/document/text_lines.h"
 #include "scene/keys/check.h"
-#include "scene/keys/unknown_names.h"
+#include "scene/keys/value_advice.h"
 #include "scene/motion/film_loop.h"
 #include "scene/motion/film_pace.h"
 #include "scene/sweep.h"
@@ -92,9 +92,7 @@ Draft checkedDraft(Leaves& leaves, Draft draft, Paths& refused, Problems& proble
       key.put(draft, elementOf(path), *value);
     } else {
       refused.insert(path);
-      if (node.as<Node::Array>() && key.type == ValueType::kNumber)
-        problems.addToLast(
-            adviceFor(path, node, leaves));  // three numbers for L are a vector, which has another key
+      problems.lastMessage() = withAdvice(problems.lastMessage(), path, node, leaves);
     }
   }
   return draft;

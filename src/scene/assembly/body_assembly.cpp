@@ -65,7 +65,9 @@ class BodyAssembly {
     for (const char* path : {"body", "body.principal_moments", "body.inertia", "body.shape", "body.catalogue",
                              "body.part", "body.point_mass"})
       if (findings_.misspelt(path)) return;
-    findings_.refuse("body", fmt::format("the body is missing; give {}", kWays));
+    findings_.refuse("body", fmt::format("the body is missing; give {}. For example, in [body]:\n    shape = "
+                                         "\"box\"\n    size = [0.3, 0.2, 0.05]\n    mass = 1",
+                                         kWays));
   }
 
   std::vector<std::string> waysGiven() const {

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "scene/assembly/torque_table.h"
+#include "scene/keys/shape_advice.h"
 
 namespace poinsot::scene {
 namespace {
@@ -85,7 +86,9 @@ class ForcingAssembly {
           fmt::format("{}, and body.pivot; or give motion.gravity.mgr_body instead", kNeedsMass));
     if (!body_->pivot_B)
       return findings_.refuse("motion.gravity.g",
-                              "body.pivot is missing: about its centre of mass a body's weight has no moment");
+                              "body.pivot is missing: about its centre of mass a body's weight has no moment (a "
+                              "thrown body has [motion.flight] instead). For example, in [body]:\n    pivot = " +
+                                  pivotText(findings_.leaves()));
     forcing_.gravity_B = body_->mass->mass_kg() * *draft_.g * lever_B();
   }
 

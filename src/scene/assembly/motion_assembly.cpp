@@ -12,6 +12,7 @@
 #include "physics/mean_periods.h"
 #include "physics/start.h"
 #include "scene/assembly/top_start.h"
+#include "scene/keys/shape_advice.h"
 #include "scene/keys/start_ways.h"
 #include "scene/limits.h"
 #include "scene/shapes.h"
@@ -148,7 +149,12 @@ class StartAssembly {
     const std::vector<std::string_view> together(
         needed.keys.begin(), needed.keys.begin() + static_cast<std::ptrdiff_t>(needed.required));
     findings_.refuseMissing(pathOf(missing), firstGiven(given),
-                            fmt::format("{} is missing: give {} together", pathOf(missing), listed(together)));
+                            fmt::format("{} is missing: give {} together. For example:\n    {} = {}",
+                                        pathOf(missing), listed(together), missing, exampleOf(missing)));
+  }
+
+  std::string exampleOf(std::string_view name) const {
+    return name == "spin_axis" ? spinAxisText(findings_.leaves()) : std::string(findKey(pathOf(name))->example);
   }
 
   void refuseNoRotation() {
@@ -212,7 +218,8 @@ class StartAssembly {
       findings_.refuseMissing(
           "motion.spin_axis", "motion.lean",
           "motion.spin_axis is missing: it names the axis that leans; without gravity, no axis "
-          "is marked");
+          "is marked. For example:\n    spin_axis = " +
+              exampleOf("spin_axis"));
     return std::nullopt;
   }
 

@@ -16,8 +16,8 @@ std::vector<std::string> givenWays(const std::string& path, const Findings& find
 void checkWays(const std::string& path, const VectorDraft& draft, Findings& findings) {
   const std::vector<std::string> given = givenWays(path, findings);
   if (given.empty())
-    return findings.refuse(path + ".components",
-                           "a vector needs components, position_of or velocity_of; give one of them");
+    return findings.refuseMissing(path + ".components", path + ".components",
+                                  "a vector needs components, position_of or velocity_of; give one of them");
   for (std::size_t i = 1; i < given.size(); ++i)
     findings.refuse(given[i], fmt::format("cannot be combined with {}; give one of them", given[0]));
   if (draft.components && draft.components->isZero(0))

@@ -72,7 +72,7 @@ bool PieceReader::massFits() {
     if (!findings_.misspelt(path("density")))
       findings_.refuseMissing(path("mass"), has("shape") ? path("shape") : lengthPath(),
                               fmt::format("{} is missing: a shape and its mass (or density) set the moments "
-                                          "together",
+                                          "together. For example:\n    mass = 1",
                                           path("mass")));
     return false;
   }

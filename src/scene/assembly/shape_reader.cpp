@@ -62,19 +62,66 @@ std::string ShapeReader::lengthPath() const {
 /// equally near, returns the first of them.
 const KeyNames& ShapeReader::nearestWay() const {
   const auto lacks = [this](const KeyNames& way) {
-    return std::count_if(way.begin(), way.end(), [this](std::string_view name) { return !has(name); });
+    return std::count_if(way.begin(), way.end(),
+                         [this](std::string_view name) { return !has(name) && !findings_.misspelt(path(name)); });
   };
   return *std::min_element(kind().ways.begin(), kind().ways.end(),
                            [&](const KeyNames& a, const KeyNames& b) { return lacks(a) < lacks(b); });
 }
 
+std::string ShapeReader::lineFor(std::string_view name) const {
+  const bool flat = name == "size" && kind().extents == 2;
+  return fmt::format("\n    {} = {}", name, flat ? "[0.3, 0.2]" : findKey(path(name))->example);
+}
+
+/// Returns advice for lengths that the shape does not take: the key that it takes instead, with their values.
+std::string ShapeReader::adviceFor(const KeyNames& foreign, const KeyNames& missing) const {
+  if (missing.size() != 1 || foreign.empty()) return "";
+  std::string value;
+  if (foreign.size() == 1 && missing[0] != "size") value = findings_.textOf(path(foreign[0]));
+  if (missing[0] == "size" && foreign.size() == kind().extents)
+    for (const std::string_view name : {"length", "width", "height"})
+      if (holds(foreign, name)) value += (value.empty() ? "[" : ", ") + findings_.textOf(path(name));
+  if (value.empty()) return "";
+  if (missing[0] == "size") value += "]";
+  return fmt::format(". For example, in place of {}:\n    {} = {}", listed(foreign), missing[0], value);
+}
+
+KeyNames ShapeReader::missingOf(const KeyNames& way) const {
+  KeyNames missing;
+  for (const std::string_view name : way)
+    if (!has(name) && !findings_.misspelt(path(name))) missing.push_back(name);
+  return missing;
+}
+
+/// Returns advice for a shape whose lengths are missing: lines with examples, or the body of the catalogue.
+std::string ShapeReader::adviceForMissing(const KeyNames& missing) const {
+  std::string text = ". For example:";
+  for (const std::string_view name : missing) text += lineFor(name);
+  if (!isInCatalogue() || sized()) return text;
+  return text +
+         fmt::format("\n  or, in place of shape and mass, the body of the catalogue:\n    catalogue = \"{}\"",
+                     kind().word);
+}
+
+bool ShapeReader::isInCatalogue() const {
+  const Key& catalogue = *findKey("body.catalogue");
+  return path("shape") == "body.shape" &&
+         std::find(catalogue.words.begin(), catalogue.words.end(), kind().word) != catalogue.words.end();
+}
+
 bool ShapeReader::refuseForeign(const KeyNames& way) {
+  KeyNames names;
+  for (const std::string_view name : shapeKeyNames())
+    if (has(name) && !holds(way, name) && !holds(kind().optional, name)) names.push_back(name);
+  const std::string advice = adviceFor(names, missingOf(way));
+  hasAdvice_ = !advice.empty();
   bool foreign = false;
   for (const std::string_view name : shapeKeyNames()) {
     if (!has(name) || holds(way, name) || holds(kind().optional, name)) continue;
     foreign = true;
-    findings_.refuse(path(name),
-                     fmt::format("is not allowed here: shape \"{}\" takes {}", kind().word, described(kind())));
+    findings_.refuse(path(name), fmt::format("is not allowed here: shape \"{}\" takes {}{}", kind().word,
+                                             described(kind()), name == names[0] ? advice : ""));
   }
   return foreign;
 }
@@ -86,8 +133,9 @@ bool ShapeReader::refuseMissing(const KeyNames& way) {
   if (missing.empty()) return false;
   std::erase_if(missing, [this](std::string_view name) { return findings_.misspelt(path(name)); });
   if (missing.empty()) return true;
-  findings_.refuse(path("shape"), fmt::format("\"{}\" takes {}; {} missing", kind().word, described(kind()),
-                                              listed(missing) + (missing.size() == 1 ? " is" : " are")));
+  findings_.refuse(path("shape"), fmt::format("\"{}\" takes {}; {} missing{}", kind().word, described(kind()),
+                                              listed(missing) + (missing.size() == 1 ? " is" : " are"),
+                                              adviceForMissing(missing)));
   return true;
 }
 
@@ -100,7 +148,8 @@ bool ShapeReader::sizeFits() {
 
 bool ShapeReader::keysFit() {
   const KeyNames& way = nearestWay();
-  const bool foreign = refuseForeign(way), missing = refuseMissing(way);
+  const bool foreign = refuseForeign(way);
+  const bool missing = !hasAdvice_ ? refuseMissing(way) : !missingOf(way).empty();
   if (foreign || missing) return false;
   const auto passed = [this](std::string_view name) { return !findings_.failed(path(name)); };
   return std::all_of(way.begin(), way.end(), passed) &&

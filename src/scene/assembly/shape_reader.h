@@ -43,6 +43,11 @@ class ShapeReader {
   const KeyNames& nearestWay() const;
   std::string lastPath() const;
   bool keysFit();
+  std::string lineFor(std::string_view name) const;
+  std::string adviceFor(const KeyNames& foreign, const KeyNames& missing) const;
+  KeyNames missingOf(const KeyNames& way) const;
+  std::string adviceForMissing(const KeyNames& missing) const;
+  bool isInCatalogue() const;
   bool refuseForeign(const KeyNames& way);
   bool refuseMissing(const KeyNames& way);
   bool sizeFits();
@@ -53,6 +58,7 @@ class ShapeReader {
   std::string table_;
   Findings& findings_;
   const SceneFolder& folder_;
+  bool hasAdvice_ = false;  ///< whether the advice for a key that is not allowed gives the missing key
 };
 
 bool extentsSuit(const NamedShape& kind, const std::vector<double>& size);

@@ -53,6 +53,8 @@ class Converter {
     const bool oneLine = region.end.line == region.begin.line && region.end.column > region.begin.column;
     const std::string_view line = source_.line(static_cast<int>(region.begin.line));
     const auto end = oneLine ? region.end.column : static_cast<toml::source_index>(line.size()) + 1;
+    if (region.begin.column > line.size() + 1)  // a mended line may be longer than that of the source
+      return {&source_, static_cast<int>(region.begin.line), 1, 1};
     const auto length = end > region.begin.column ? end - region.begin.column : 1;
     return {&source_, static_cast<int>(region.begin.line), static_cast<int>(region.begin.column),
             static_cast<int>(length)};
@@ -72,6 +74,23 @@ SyntaxProblem problemOf(const toml::parse_error& error, const Source& source, co
   const toml::source_position at = error.source().begin;
   return syntaxProblem(source, static_cast<int>(at.line), static_cast<int>(at.column), error.description(),
                        limits);
+}
+
+/// Returns whether a line is valid TOML by itself.
+bool isToml(const std::string& line) {
+  if (line.empty()) return false;
+  try {
+    return !toml::parse(std::string_view(line)).empty();
+  } catch (const toml::parse_error&) {
+    return false;
+  }
+}
+
+/// Returns the text of a source with another text in place of one line.
+std::string withLine(const Source& source, int number, const std::string& line) {
+  std::string text = source.text();
+  const std::string_view old = source.line(number);
+  return text.replace(static_cast<std::size_t>(old.data() - source.text().data()), old.size(), line);
 }
 
 std::string tomlString(std::string_view text) {
@@ -112,9 +131,11 @@ PartialDocument parseValidParts(const Source& source, const Limits& limits, Prob
       SyntaxProblem problem = problemOf(error, rest, limits);
       const BrokenLines broken = brokenLines(rest, problem.place.line, limits);
       problem.place.source = &source;
+      const bool mends = broken.first == broken.last && isToml(problem.mended);
+      if (mends) problem.message += ". For example:\n    " + core::printable(problem.mended);
       problems.add(problem.place, problem.message);
-      partial.broken.insert(broken.table);
-      text = withoutLines(rest, broken);
+      if (!mends) partial.broken.insert(broken.table);
+      text = mends ? withLine(rest, broken.first, problem.mended) : withoutLines(rest, broken);
       if (text == rest.text()) break;
     }
   }

@@ -54,8 +54,8 @@ core::SourceLocation locationOf(const Place& place);
 class Problems {
  public:
   void add(const Place& place, std::string message);
-  /// Adds text to the end of the last problem's message.
-  void addToLast(std::string_view text) { found_.back().message += text; }
+  /// Returns the message of the last problem, for a change. @pre it is not a message that is computed later
+  std::string& lastMessage() { return found_.back().message; }
   /// Adds a problem whose message takes long to compute. The message is computed only if the problem is reported.
   /// @pre everything that `message` refers to lives until throwIfAny().
   void addLater(const Place& place, std::function<std::string()> message);

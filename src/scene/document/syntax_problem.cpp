@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 #include <regex>
 
@@ -106,6 +107,91 @@ std::string messageOf(const Source& source, int lineNumber, std::string_view des
   return "not TOML: " + text;
 }
 
+/// Value of a line "key = value", with the text before and behind it.
+struct GivenValue {
+  std::string before, value, behind;
+};
+
+/// Returns the parts of a line with a key and a value; the behind may be a comment. A colon counts as the equals
+/// sign, as in YAML.
+std::optional<GivenValue> givenValue(std::string_view line) {
+  constexpr std::size_t kLongest = 200;
+  const std::size_t equals = line.find_first_of("=:");
+  if (line.size() > kLongest || equals == line.npos || isHeader(line) || core::trimmed(line).starts_with('#'))
+    return std::nullopt;
+  const std::string_view key = core::trimmed(line.substr(0, equals));
+  if (key.empty() || key.find_first_of(" \t\"'[]{}(),") != key.npos) return std::nullopt;
+  std::size_t comment = line.size();
+  char quote = 0;
+  for (std::size_t i = equals; i < line.size() && comment == line.size(); ++i) {
+    if (quote ? line[i] == quote : line[i] == '"' || line[i] == '\'') quote = quote ? 0 : line[i];
+    if (!quote && (line[i] == '#' || line.substr(i, 2) == "//")) comment = i;
+  }
+  std::string_view value = core::trimmed(line.substr(equals + 1, comment - equals - 1));
+  while (value.ends_with(',') || value.ends_with(';')) value = core::trimmed(value.substr(0, value.size() - 1));
+  return GivenValue{std::string(key) + " = ", std::string(value), std::string(line.substr(comment))};
+}
+
+/// Returns a text without typographic quotes, which become straight ones.
+std::string straight(std::string text) {
+  for (const std::string_view quote : {"\u201c", "\u201d", "\u2018", "\u2019"})
+    for (std::size_t at = text.find(quote); at != text.npos; at = text.find(quote))
+      text.replace(at, quote.size(), "\"");
+  return text;
+}
+
+bool isWordOrNumber(std::string_view text) {
+  return !text.empty() && text.find_first_of("\"'[]{}()=#,;\\") == text.npos;
+}
+
+/// Returns a single value of an array or of a key in TOML: in quotes if it is neither a number nor a flag.
+std::string inToml(std::string_view given) {
+  const std::string text(core::trimmed(given)), small = core::lowered(text);
+  if (small == "true" || small == "yes" || small == "on" || small == "ja") return "true";
+  if (small == "false" || small == "no" || small == "off" || small == "nein" || small == "none" || small == "null")
+    return "false";
+  if (matches(text, R"([-+]?\d+(\.\d*)?([eE][-+]?\d+)?|[-+]?\.\d+)")) {
+    std::string number = text;
+    if (number.ends_with('.')) number += '0';
+    if (const std::size_t point = number.find('.');
+        point == 0 || (point == 1 && !std::isdigit(static_cast<unsigned char>(number[0]))))
+      number.insert(point, "0");
+    return number;
+  }
+  return isWordOrNumber(text) ? "\"" + text + "\"" : text;
+}
+
+/// Returns the elements of an array in TOML, from text without its brackets.
+std::string arrayInToml(std::string_view elements) {
+  std::string array;
+  while (true) {
+    const std::size_t comma = std::min(elements.find(','), elements.size());
+    if (const std::string_view one = core::trimmed(elements.substr(0, comma)); !one.empty())
+      array += (array.empty() ? "" : ", ") + inToml(one);
+    if (comma == elements.size()) return "[" + array + "]";
+    elements.remove_prefix(comma + 1);
+  }
+}
+
+/// Returns a line in TOML for a line that is not, if its mistake is one of: a decimal comma, a tuple, numbers
+/// without brackets, text without quotes or with typographic quotes, a colon, a comma at the end. Otherwise empty.
+std::string mendedLine(std::string_view line) {
+  auto given = givenValue(straight(std::string(line)));
+  if (!given) return "";
+  std::string& value = given->value;
+  const bool parentheses = value.starts_with('(') && value.ends_with(')') && value.size() > 2;
+  const bool brackets = value.starts_with('[') && value.ends_with(']') && value.find('[', 1) == value.npos;
+  if (matches(value, R"([-+]?\d+,\d+)"))
+    std::ranges::replace(value, ',', '.');
+  else if (parentheses || brackets)
+    value = arrayInToml(std::string_view(value).substr(1, value.size() - 2));
+  else if (value.find(',') != value.npos && value.find_first_of("\"'[]{}()") == value.npos)
+    value = arrayInToml(value);
+  else if (value.find_first_of("\"'[]{}()") == value.npos)
+    value = inToml(value);
+  return given->before + value + (given->behind.starts_with('#') ? "  " + given->behind : "");
+}
+
 /// Returns whether a line begins a table or defines a key. No line inside an array does so.
 bool beginsAnew(std::string_view line) {
   return matches(line, R"(\s*(\[{1,2}\s*[A-Za-z][\w.\s]*\]|[\w.\s-]+=).*)");
@@ -126,7 +212,10 @@ SyntaxProblem syntaxProblem(const Source& source, int line, int column, std::str
                             const Limits& limits) {
   if (const auto bracket = unclosedArray(source, line, description, limits))
     return {*bracket, "not TOML: the array that begins here has no closing ]"};
-  return {placeOf(source, line, column, description), messageOf(source, line, description)};
+  SyntaxProblem problem{placeOf(source, line, column, description), messageOf(source, line, description)};
+  const bool isValue = description.find("cannot redefine") == description.npos;
+  if (isValue && !openArrayAtLine(source, limits, line)) problem.mended = mendedLine(source.line(line));
+  return problem;
 }
 
 }  // namespace poinsot::scene

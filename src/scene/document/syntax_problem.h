@@ -11,7 +11,8 @@ namespace poinsot::scene {
 
 struct SyntaxProblem {
   Place place;
-  std::string message;  ///< text of the error for the author of the scene; names the most likely mistake
+  std::string message;   ///< text of the error for the author of the scene; names the most likely mistake
+  std::string mended{};  ///< the line in TOML, if the mistake has one likely correction; otherwise empty
 };
 
 /// Converts a syntax error of toml++ into a problem of the scene.

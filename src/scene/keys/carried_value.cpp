@@ -6,90 +6,22 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
+#include "core/number.h"
 #include "core/text.h"
 #include "scene/keys/check.h"
+#include "scene/keys/value_forms.h"
 
 namespace poinsot::scene {
 namespace {
 
-bool isNumber(const Node& node) { return node.as<std::int64_t>() || node.as<double>(); }
-bool isScalar(const Node& node) { return isNumber(node) || node.as<std::string>(); }
-
-double numberOf(const Node& node) {
-  const auto* integer = node.as<std::int64_t>();
-  return integer ? static_cast<double>(*integer) : *node.as<double>();
-}
+bool isScalar(const Node& node) { return numberIn(node) || node.as<std::string>(); }
 
 Node zeroAt(const Place& place) { return {std::int64_t{0}, place}; }
-
-Node listOf(std::vector<Node> elements, const Place& place) { return {Node::Array(std::move(elements)), place}; }
-
-/// Returns a bare number, or an array of them, with a unit. Leaves other values and SI units as they are.
-Node withUnit(const Node& given, std::string_view unit, Dimension dimension) {
-  if (unit.empty() || parseQuantity(fmt::format("1 {}", unit), dimension).value == 1) return given;
-  if (const auto* array = given.as<Node::Array>()) {
-    std::vector<Node> elements;
-    for (const Node& element : *array) elements.push_back(withUnit(element, unit, dimension));
-    return listOf(std::move(elements), given.place);
-  }
-  return isNumber(given) ? Node{fmt::format("{} {}", describe(given), unit), given.place} : given;
-}
-
-/// Returns two integers for a text such as "1920x1080".
-std::optional<Node> sidesIn(const Node& given) {
-  const auto* text = given.as<std::string>();
-  const std::size_t cross = text ? text->find_first_of("x*") : std::string::npos;
-  if (cross == std::string::npos) return std::nullopt;
-  std::vector<Node> sides;
-  for (const std::string_view part : {core::trimmed(std::string_view(*text).substr(0, cross)),
-                                      core::trimmed(std::string_view(*text).substr(cross + 1))}) {
-    std::int64_t side = 0;
-    if (std::from_chars(part.data(), part.data() + part.size(), side).ptr != part.data() + part.size())
-      return std::nullopt;
-    sides.push_back({side, given.place});
-  }
-  return listOf(std::move(sides), given.place);
-}
-
-/// Returns the magnitude of a vector with a single component that is not zero: 9.81 for gravity [0, 0, -9.81].
-std::optional<Node> onlyComponent(const Node& given) {
-  const auto* array = given.as<Node::Array>();
-  if (!array || !std::ranges::all_of(*array, isNumber)) return std::nullopt;
-  double only = 0;
-  for (const Node& element : *array) {
-    if (only != 0 && numberOf(element) != 0) return std::nullopt;
-    if (numberOf(element) != 0) only = std::abs(numberOf(element));
-  }
-  return Node{only, given.place};
-}
-
-/// Returns a word in the spelling of this program: "box" for "cuboid", "#ffffff" for "white".
-std::optional<Node> inOurWords(const Key& key, const Node& given) {
-  const auto* text = given.as<std::string>();
-  if (!text) return std::nullopt;
-  const std::string small = core::lowered(*text);
-  const std::string_view word = key.type == ValueType::kColor ? namedColor(small) : wordElsewhere(small);
-  return Node{word.empty() ? small : std::string(word), given.place};
-}
-
-/// Returns the forms of a value to try for a key, its own form first.
-std::vector<Node> formsOf(const Key& key, const Node& given) {
-  std::vector<Node> forms{given};
-  const auto add = [&](std::optional<Node> form) {
-    if (form) forms.push_back(std::move(*form));
-  };
-  if (key.type == ValueType::kVector && isScalar(given)) {
-    add(listOf({zeroAt(given.place), zeroAt(given.place), given}, given.place));
-    add(listOf({given, given, given}, given.place));
-  }
-  if (key.type == ValueType::kPixels) add(sidesIn(given));
-  if (key.dimension == Dimension::kAcceleration) add(onlyComponent(given));
-  if (key.type == ValueType::kWord || key.type == ValueType::kColor) add(inOurWords(key, given));
-  return forms;
-}
 
 std::vector<KeyLine> lineOf(const Key& key, const std::optional<std::string>& value) {
   if (!value) return {};
@@ -109,51 +41,139 @@ std::optional<Node> tensorOf(const std::vector<const Node*>& six) {
       const Node* element = six[kPlaces[3 * row + column]];
       elements.push_back(element ? *element : zeroAt(place));
     }
-    rows.push_back(listOf(std::move(elements), place));
+    rows.push_back(arrayOf(std::move(elements), place));
   }
-  return listOf(std::move(rows), place);
+  return arrayOf(std::move(rows), place);
 }
 
 std::optional<Node> listFrom(const std::vector<const Node*>& values) {
   if (std::ranges::find(values, nullptr) != values.end()) return std::nullopt;
   std::vector<Node> elements;
   for (const Node* value : values) elements.push_back(*value);
-  return listOf(std::move(elements), values[0]->place);
-}
-
-/// Returns a number times a factor. The number may have a unit.
-Node scaled(const Node& given, double factor) {
-  if (factor == 1) return given;
-  if (const auto* array = given.as<Node::Array>()) {
-    std::vector<Node> elements;
-    for (const Node& element : *array) elements.push_back(scaled(element, factor));
-    return listOf(std::move(elements), given.place);
-  }
-  if (isNumber(given)) return {factor * numberOf(given), given.place};
-  const auto* text = given.as<std::string>();
-  double number = 0;
-  const char* end = text ? std::from_chars(text->data(), text->data() + text->size(), number).ptr : nullptr;
-  if (!text || end == text->data()) return given;
-  return {fmt::format("{:.6g}{}", factor * number, std::string_view(end, text->data() + text->size() - end)),
-          given.place};
+  return arrayOf(std::move(elements), values[0]->place);
 }
 
 std::optional<Node> below(const Node& distance) {
   if (!isScalar(distance)) return std::nullopt;
-  return listOf({zeroAt(distance.place), zeroAt(distance.place), scaled(distance, -1)}, distance.place);
+  return arrayOf({zeroAt(distance.place), zeroAt(distance.place), scaled(distance, -1)}, distance.place);
+}
+
+/// Returns the vector [a, a, c] of two values.
+std::optional<Node> symmetric(const std::vector<const Node*>& two) {
+  if (two.size() != 2 || !two[0] || !two[1] || !isScalar(*two[0]) || !isScalar(*two[1])) return std::nullopt;
+  return arrayOf({*two[0], *two[0], *two[1]}, two[0]->place);
+}
+
+/// Returns a vector of a magnitude and a direction, which may be a vector or the name of an axis.
+std::optional<Node> directed(const std::vector<const Node*>& two) {
+  if (two.size() != 2 || !two[0] || !two[1] || !isScalar(*two[0])) return std::nullopt;
+  Node direction = *two[1];
+  if (const auto* text = direction.as<std::string>(); text && !numbersIn(direction)) {
+    const char last = text->empty() ? ' ' : text->back();
+    const std::size_t axis = std::string_view("xyz123").find(last);
+    if (axis == std::string_view::npos) return std::nullopt;
+    std::vector<Node> unit(3, zeroAt(direction.place));
+    unit[axis % 3] = {std::int64_t{1}, direction.place};
+    direction = arrayOf(std::move(unit), direction.place);
+  } else if (text) {
+    direction = *numbersIn(direction);
+  }
+  const auto* array = direction.as<Node::Array>();
+  if (!array || array->size() != 3) return std::nullopt;
+  double squares = 0;
+  for (const Node& element : *array) {
+    const auto number = numberIn(element);
+    if (!number) return std::nullopt;
+    squares += *number * *number;
+  }
+  if (!(squares > 0) || !std::isfinite(squares)) return std::nullopt;
+  std::vector<Node> elements;
+  for (const Node& element : *array) {
+    Node one = scaled(*two[0], *numberIn(element) / std::sqrt(squares));
+    if (const auto number = numberIn(one))
+      one = {std::strtod(fmt::format("{:.6g}", *number).c_str(), nullptr), one.place};
+    elements.push_back(std::move(one));
+  }
+  return arrayOf(std::move(elements), two[0]->place);
+}
+
+std::optional<Node> reversed(const Node& given) {
+  const auto* array = given.as<Node::Array>();
+  if (!array || array->size() != 3) return std::nullopt;
+  return arrayOf({(*array)[2], (*array)[1], (*array)[0]}, given.place);
+}
+
+/// Returns a rate of one turn per period, in the unit of the period.
+std::optional<Node> rateOf(const Node& period, std::string_view unit) {
+  std::string ofTime(unit.empty() ? "s" : unit);
+  auto time = numberIn(period);
+  if (const auto* text = period.as<std::string>()) {
+    double number = 0;
+    const auto read = std::from_chars(text->data(), text->data() + text->size(), number);
+    if (read.ec != std::errc() || !parseQuantity(*text, Dimension::kTime).ok()) return std::nullopt;
+    time = number;
+    ofTime = core::trimmed(std::string_view(read.ptr, text->data() + text->size()));
+  }
+  if (!time || !(*time > 0)) return std::nullopt;
+  return Node{fmt::format("{:.6g} rev/{}", 1 / *time, ofTime), period.place};
+}
+
+/// Returns the number 1/n as text of few digits; empty for other values.
+std::optional<Node> inverse(const Node& given, double numerator) {
+  const auto number = numberIn(given);
+  if (!number || !(*number > 0)) return std::nullopt;
+  return Node{std::strtod(fmt::format("{:.6g}", numerator / *number).c_str(), nullptr), given.place};
+}
+
+/// Returns the speed for a factor by which a film is slower. A factor below 1 is already the speed.
+std::optional<Node> speedOf(const Key& key, const Node& slowness) {
+  for (const Node& form : formsOf(key, slowness))
+    if (const auto number = numberIn(form); number && *number > 0)
+      return *number > 1 ? inverse(form, 1) : std::optional(form);
+  return std::nullopt;
+}
+
+std::optional<Node> spanOf(const Node& given) {
+  const auto* array = given.as<Node::Array>();
+  if (!array || array->size() < 2) return std::nullopt;
+  const auto from = numberIn(array->front()), to = numberIn(array->back());
+  if (from && to) return Node{*to - *from, given.place};
+  if (from && *from == 0) return array->back();
+  return std::nullopt;
+}
+
+std::vector<KeyLine> orbitLines(const Node& given) {
+  const auto* array = given.as<Node::Array>();
+  if (!array || array->size() != 2 || !numberIn((*array)[0]) || !numberIn((*array)[1])) return {};
+  const double from = *numberIn((*array)[0]), to = *numberIn((*array)[1]);
+  if (!(std::abs(from) <= 360) || !(std::abs(to - from) <= 36000)) return {};
+  return {{"azimuth", fmt::format("\"{:g} deg\"", from)}, {"orbit", fmt::format("\"{:g} deg\"", to - from)}};
+}
+
+std::vector<KeyLine> frameLines(const Node& given) {
+  const auto* flag = given.as<bool>();
+  if (!flag) return {};
+  return {{"frame", *flag ? "\"body\"" : "\"space\""}};
+}
+
+const Node* firstOf(const std::vector<const Node*>& values) {
+  const auto found = std::ranges::find_if(values, [](const Node* value) { return value != nullptr; });
+  return found == values.end() ? nullptr : *found;
 }
 
 std::optional<Node> scalarFirst(const Node& given) {
   const auto* array = given.as<Node::Array>();
   if (!array || array->size() != 4) return std::nullopt;
-  return listOf({(*array)[3], (*array)[0], (*array)[1], (*array)[2]}, given.place);
+  return arrayOf({(*array)[3], (*array)[0], (*array)[1], (*array)[2]}, given.place);
 }
 
 /// Returns the azimuth and the elevation of a camera at a position.
 std::vector<KeyLine> directionOf(const Node& position) {
   const auto* array = position.as<Node::Array>();
-  if (!array || array->size() != 3 || !std::ranges::all_of(*array, isNumber)) return {};
-  const double x = numberOf((*array)[0]), y = numberOf((*array)[1]), z = numberOf((*array)[2]);
+  if (!array || array->size() != 3 ||
+      !std::ranges::all_of(*array, [](const Node& n) { return numberIn(n).has_value(); }))
+    return {};
+  const double x = *numberIn((*array)[0]), y = *numberIn((*array)[1]), z = *numberIn((*array)[2]);
   const double across = std::hypot(x, y), degrees = 180 / std::numbers::pi;
   if (!std::isfinite(across) || !std::isfinite(z) || std::hypot(across, z) == 0) return {};
   return {{"azimuth", fmt::format("\"{:.4g} deg\"", std::atan2(y, x) * degrees)},
@@ -192,8 +212,86 @@ std::vector<KeyLine> carriedLines(const ForeignNames& row, const Key& key, const
       return carried(below(*values[0]));
     case Carry::kPosition:
       return directionOf(*values[0]);
+    case Carry::kSymmetric:
+      return carried(symmetric(values));
+    case Carry::kDirected:
+      return carried(directed(values));
+    case Carry::kReversed:
+      return carried(reversed(*values[0]));
+    case Carry::kPeriod: {
+      const auto rate = rateOf(*values[0], row.unit);
+      return rate ? lineOf(key, carriedValue(key, *rate, limits)) : std::vector<KeyLine>();
+    }
+    case Carry::kSlowness:
+      return carried(speedOf(key, *values[0]));
+    case Carry::kInterval: {
+      const auto rate = inverse(*values[0], row.unit == "ms" && numberIn(*values[0]).value_or(0) >= 1 ? 1000 : 1);
+      return rate ? lineOf(key, carriedValue(key, *rate, limits)) : std::vector<KeyLine>();
+    }
+    case Carry::kEuler:
+      return eulerLines(key, *values[0], limits);
+    case Carry::kSpan:
+      return carried(spanOf(*values[0]));
+    case Carry::kOrbit:
+      return orbitLines(*values[0]);
+    case Carry::kFrame:
+      return frameLines(*values[0]);
+    case Carry::kEither: {
+      const Node* first = firstOf(values);
+      return first ? lineOf(key, carriedValue(key, *first, limits)) : std::vector<KeyLine>();
+    }
+    case Carry::kFilm:    // needs other values of the scene
+    case Carry::kShown:   // becomes keys of several tables
+    case Carry::kPlot:    // becomes a table
+    case Carry::kArrow:   // becomes a key of [show]
+    case Carry::kPoints:  // becomes several tables
+    case Carry::kRemove:
+      return {};
   }
   return {};
+}
+
+std::vector<KeyLine> eulerLines(const Key& key, const Node& three, const Limits& limits) {
+  Key vector = key;  // reads a table or a text of three values
+  vector.type = ValueType::kVector;
+  for (const Node& form : formsOf(vector, three)) {
+    const auto* array = form.as<Node::Array>();
+    if (!array || array->size() != 3) continue;
+    std::vector<KeyLine> lines;
+    for (std::size_t i = 0; i < 3; ++i) {
+      constexpr std::array<std::string_view, 3> kNames{"precession", "nutation", "spin"};
+      const Key* one = findKey(pathBelow(tableOf(key.path), kNames[i]));
+      Problems ignored;
+      if (one && check(*one, one->path, (*array)[i], ignored, limits))
+        lines.push_back({std::string(kNames[i]), tomlText((*array)[i])});
+    }
+    if (lines.size() == 3) return lines;
+  }
+  return {};
+}
+
+std::optional<double> secondsIn(const Node* given) {
+  if (!given) return std::nullopt;
+  if (const auto number = numberIn(*given)) return number;
+  const auto* text = given->as<std::string>();
+  if (!text) return std::nullopt;
+  const Quantity time = parseQuantity(*text, Dimension::kTime);
+  return time.ok() && std::isfinite(time.value) ? std::optional(time.value) : std::nullopt;
+}
+
+std::optional<double> dateIn(const Node* given) {
+  const auto* text = given ? given->as<std::string>() : nullptr;
+  if (!text || text->size() < 10 || text->size() > 40) return std::nullopt;
+  const auto part = [&](std::size_t begin, std::size_t count) {
+    return begin + count <= text->size() ? core::parseInteger<int>(text->substr(begin, count)) : std::nullopt;
+  };
+  const auto year = part(0, 4), month = part(5, 2), day = part(8, 2);
+  if (!year || !month || !day || (*text)[4] != '-' || (*text)[7] != '-') return std::nullopt;
+  if (*month < 1 || *month > 12 || *day < 1 || *day > 31 || *year < 1) return std::nullopt;
+  const std::chrono::sys_days days = std::chrono::year(*year) / std::chrono::month(static_cast<unsigned>(*month)) /
+                                     std::chrono::day(static_cast<unsigned>(*day));
+  return 86400.0 * static_cast<double>(days.time_since_epoch().count()) + 3600 * part(11, 2).value_or(0) +
+         60 * part(14, 2).value_or(0) + part(17, 2).value_or(0);
 }
 
 std::string unitInName(std::string_view suffix, Dimension dimension) {

@@ -16,6 +16,7 @@ namespace poinsot::scene {
 /// Line "name = value" of a table, in TOML.
 struct KeyLine {
   std::string name, value;
+  std::string table{};  ///< path of the table, if it is not the table of the key for which the lines stand
 };
 
 /// Returns a value as TOML in the first form that a key accepts, such as "[0, 0, 3]" for the number 3 and a key
@@ -28,6 +29,17 @@ std::optional<std::string> carriedValue(const Key& key, const Node& given, const
 /// @param values  the value of each name of the row; null for a missing name. For a single name, one value.
 std::vector<KeyLine> carriedLines(const ForeignNames& row, const Key& key, const std::vector<const Node*>& values,
                                   const Limits& limits);
+
+/// Returns the values of the keys of motion.euler, or of its rates, for three values in their order. Other orders
+/// are those of "321", "zyx" and "xyz", whose key is motion.roll_pitch_yaw.
+/// @param key  motion.euler.precession or motion.euler_rates.precession
+std::vector<KeyLine> eulerLines(const Key& key, const Node& three, const Limits& limits);
+
+/// Returns a time in seconds; empty for other values.
+std::optional<double> secondsIn(const Node* given);
+
+/// Returns the seconds since 1970 for a text such as "2014-08-06T12:00:00"; empty for other texts.
+std::optional<double> dateIn(const Node* given);
 
 /// Returns the unit at the end of a name, such as "kg/m3" for "density_kg_m3" and a key that takes a density;
 /// empty if the name does not end with a unit for this key.

@@ -37,6 +37,11 @@ bool Findings::isUnsure(std::string_view path) const {
   return failed(path) || misspelt(path) || misspelt(tableOf(path));
 }
 
+std::string Findings::textOf(std::string_view path) const {
+  const auto found = given_.values.find(path);
+  return found == given_.values.end() || found->second.as<DateOrTime>() ? "" : tomlText(found->second);
+}
+
 Place Findings::placeOf(std::string_view path) const {
   for (const std::string& given : {std::string(path), std::string(path) + ".visible"})
     if (const auto leaf = given_.values.find(given); leaf != given_.values.end()) return leaf->second.place;

@@ -37,6 +37,9 @@ class Findings {
   /// Returns whether a value is unreliable, because the value was rejected or because its key or its table is
   /// probably misspelt. The mistake is already reported.
   bool isUnsure(std::string_view path) const;
+  /// Returns a given value as TOML; empty if the scene does not give it.
+  std::string textOf(std::string_view path) const;
+  const Leaves& leaves() const { return given_; }
   std::size_t count(std::string_view array) const { return given_.count(array); }
 
   /// Reports the problem "path: message" at the position of the path. Reports nothing if a syntax error left out

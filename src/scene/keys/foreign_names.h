@@ -12,24 +12,42 @@ namespace poinsot::scene {
 
 /// How the values of foreign names become the value of a key.
 enum class Carry {
-  kValue,     ///< the value of one name, as it is or in the form that the key needs
-  kNothing,   ///< the value has another meaning or another scale; an example replaces it
-  kList,      ///< one value for each name, in the order of the names
-  kTensor,    ///< Ixx, Ixy, Ixz, Iyy, Iyz, Izz, in this order; missing products are 0
-  kXyzw,      ///< quaternion with the scalar last
-  kBelow,     ///< a distance l, which becomes the vector [0, 0, -l]
-  kPosition,  ///< position of a camera, which becomes the key and camera.elevation
+  kValue,      ///< the value of one name, as it is or in the form that the key needs
+  kNothing,    ///< the value has another meaning or another scale; an example replaces it
+  kList,       ///< one value for each name, in the order of the names
+  kTensor,     ///< Ixx, Ixy, Ixz, Iyy, Iyz, Izz, in this order; missing products are 0
+  kXyzw,       ///< quaternion with the scalar last
+  kBelow,      ///< a distance l, which becomes the vector [0, 0, -l]
+  kPosition,   ///< position of a camera, which becomes the key and camera.elevation
+  kSymmetric,  ///< a value across the axis of symmetry and one along it, which become [a, a, c]
+  kDirected,   ///< a magnitude and a direction, which become a vector
+  kReversed,   ///< three values in the opposite order
+  kPeriod,     ///< time of a turn, which becomes a rate
+  kSlowness,   ///< a factor by which a film is slower, which becomes a speed
+  kInterval,   ///< time from frame to frame, which becomes frames per second
+  kEuler,      ///< three Euler angles or their rates, which become three keys
+  kSpan,       ///< start and end of a time, which become a duration
+  kFilm,       ///< time of the motion that the film shows, which becomes a speed
+  kOrbit,      ///< first and last azimuth of a camera, which become an azimuth and an orbit
+  kFrame,      ///< true for a camera in the frame of the body
+  kEither,     ///< the value of any of the names
+  kShown,      ///< names of things that are drawn, each of which becomes a key of [show]
+  kPlot,       ///< quantities, which become a [[plot]]
+  kArrow,      ///< the name of an arrow that [show] draws
+  kPoints,     ///< masses and positions, which become tables
+  kRemove,     ///< nothing stands for the name, which is to be left out; the row has no key
 };
 
 /// Names in textbooks or in other programs, and the corresponding key of this program.
 struct ForeignNames {
   std::string_view names;   ///< separated by blanks; "camera.eye" is the name "eye" in the table [camera] only
-  std::string_view key;     ///< path of the key
+  std::string_view key;     ///< path of the key; empty for kRemove
   std::string_view with{};  ///< other keys of the same table that the key needs, "name = value", separated by ";"
   std::string_view note{};  ///< sentence for the message
   Carry carry = Carry::kValue;
   std::string_view unit{};  ///< unit that the names imply for a bare number, such as "rpm"
   double factor = 1;        ///< factor on the value, such as 0.5 for a diameter
+  bool own = false;         ///< only for names in a table that has a key of this name
 };
 
 /// Returns the table of all foreign names. A name may be in several rows: the first row whose key accepts the
@@ -52,12 +70,5 @@ std::string keyFor(const ForeignNames& row, std::string_view path);
 
 /// Returns the single names of a row.
 std::vector<std::string_view> namesIn(const ForeignNames& row);
-
-/// Returns the word of a key that a word of other programs stands for, such as "box" for "cuboid"; otherwise
-/// empty.
-std::string_view wordElsewhere(std::string_view word);
-
-/// Returns a colour such as "#ffffff" for a name such as "white"; empty for an unknown name.
-std::string_view namedColor(std::string_view name);
 
 }  // namespace poinsot::scene

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/text.h"
+#include "scene/keys/carried_value.h"
 #include "scene/keys/foreign_names.h"
 #include "scene/keys/unknown_key.h"
 #include "scene/keys/unknown_names.h"
@@ -36,13 +37,7 @@ class Walk {
   }
 
   /// Reports the unknown names and the values that stand in place of tables, after all others are known.
-  void finish() {
-    for (const auto& [path, value] : wrongTables_)
-      problems_.add(value->place, fmt::format("{}: expected a table [{}]{}, got {}{}", path, path,
-                                              hasVisible(path) ? ", true or false" : "", describe(*value),
-                                              adviceFor(path, *value, leaves_)));
-    reportUnknown(std::move(unknown_), leaves_, problems_);
-  }
+  void finish() { reportUnknown(std::move(unknown_), leaves_, problems_); }
 
   void value(const std::string& path, const Place& keyPlace, const Node& node) {
     if (path.find('[') != std::string::npos && !exists(path))
@@ -65,15 +60,28 @@ class Walk {
   }
 
  private:
-  /// Takes the keys of a table of another program, such as [simulation], as unknown names, if one of them leads to
-  /// a key. Otherwise, the table itself is the unknown name.
+  /// Takes the keys of a table of another program, such as [simulation], as unknown names, if the table stands for
+  /// one of this program or one of its names leads to a key. Otherwise, the table itself is the unknown name.
   void unknownNames(const std::string& path, const Place& place, const Node& node) {
     const auto* entries = node.as<Node::Table>();
     const auto leads = [&](const Entry& entry) { return !plausibleRows(pathBelow(path, entry.key)).empty(); };
-    if (entries && !misspelt(tableOf(path), nameOf(path)) && std::ranges::any_of(*entries, leads))
-      table(path, *entries);
-    else
-      unknown(path, place, node);
+    if (!entries || misspelt(tableOf(path), nameOf(path)) || becomesValue(path, place, node))
+      return unknown(path, place, node);
+    if (const std::string alias = tableElsewhere(path); !alias.empty() && !entries->empty())
+      leaves_.aliases[path] = alias;
+    else if (std::ranges::none_of(*entries, leads))
+      return unknown(path, place, node);
+    table(path, *entries);
+  }
+
+  /// Returns whether a table on one line stands for one value, such as { x = 1, y = 2, z = 3 } for a vector.
+  bool becomesValue(const std::string& path, const Place& place, const Node& node) const {
+    if (core::trimmed(place.source->line(place.line)).starts_with('[')) return false;
+    return std::ranges::any_of(plausibleRows(path), [&](const ForeignNames* row) {
+      if (row->carry == Carry::kEuler) return true;
+      const Key* key = row->carry == Carry::kValue || row->carry == Carry::kReversed ? findKey(row->key) : nullptr;
+      return key && carriedValue(*key, node, leaves_.limits);
+    });
   }
 
   void unknown(const std::string& path, const Place& place, const Node& node) {
@@ -83,7 +91,7 @@ class Walk {
 
   void noTable(const std::string& path, const Node& node) {
     remember(path);
-    wrongTables_.emplace_back(path, &node);
+    unknown_.push_back({path, node.place, &node, true});
   }
 
   void wrongForm(const std::string& path, const Place& place, std::string message) {
@@ -146,7 +154,6 @@ class Walk {
   Leaves& leaves_;
   Problems& problems_;
   std::vector<UnknownName> unknown_;
-  std::vector<std::pair<std::string, const Node*>> wrongTables_;  ///< values in place of tables
 };
 
 }  // namespace

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "core/text.h"
@@ -123,6 +126,54 @@ std::optional<std::string> otherKey(std::string_view path) {
 std::string withoutIndex(std::string_view path, std::string_view array) {
   return fmt::format("{}: [[{}]] is an array of tables; name one by its number from 0, such as {}[0]",
                      core::printable(path), array, array);
+}
+
+std::string tableElsewhere(std::string_view name) {
+  constexpr auto kTables = std::to_array<std::pair<std::string_view, std::string_view>>({
+      {"rigid_body", "body"},
+      {"object", "body"},
+      {"geometry", "body"},
+      {"inertia", "body"},
+      {"initial", "motion"},
+      {"initial_conditions", "motion"},
+      {"initial_state", "motion"},
+      {"ic", "motion"},
+      {"state", "motion"},
+      {"dynamics", "motion"},
+      {"kinematics", "motion"},
+      {"forces", "motion"},
+      {"force", "motion"},
+      {"physics", "motion"},
+      {"environment", "motion"},
+      {"start", "motion"},
+      {"euler_angles", "motion.euler"},
+      {"damping", "motion.drag"},
+      {"friction", "motion.drag"},
+      {"torques", "motion.torque"},
+      {"throw", "motion.flight"},
+      {"film", "time"},
+      {"movie", "time"},
+      {"animation", "time"},
+      {"simulation", "time"},
+      {"sim", "time"},
+      {"timing", "time"},
+      {"video", "output"},
+      {"render", "output"},
+      {"rendering", "output"},
+      {"export", "output"},
+      {"figure", "output"},
+      {"display", "show"},
+      {"draw", "show"},
+      {"visuals", "show"},
+      {"visualization", "show"},
+      {"colours", "style.colors"},
+      {"appearance", "style"},
+  });
+  if (name.size() > kLongestName || name.find('.') != std::string_view::npos) return "";
+  for (const std::string_view parent : {"motion", "style", "show"})
+    if (std::string path = pathBelow(parent, name); isTable(path)) return path;
+  const auto found = std::ranges::find(kTables, name, &std::pair<std::string_view, std::string_view>::first);
+  return found == kTables.end() ? "" : std::string(found->second);
 }
 
 std::optional<std::string> misspelt(std::string_view table, std::string_view name) {

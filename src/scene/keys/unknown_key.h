@@ -25,6 +25,10 @@ std::optional<std::string> sameName(std::string_view name);
 /// Returns the path of a key or a thing outside the table of a path, for a name that is right elsewhere.
 std::optional<std::string> otherKey(std::string_view path);
 
+/// Returns the table of this program for a table of other programs at the top level: "motion.torque" for "torque",
+/// "time" for "film". Empty if there is none.
+std::string tableElsewhere(std::string_view name);
+
 /// Returns the path of the key or table in `table` whose name is most similar to `name`; empty if none is similar.
 std::optional<std::string> misspelt(std::string_view table, std::string_view name);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -14,8 +15,12 @@
 #include "core/text.h"
 #include "scene/keys/carried_value.h"
 #include "scene/keys/foreign_names.h"
+#include "scene/keys/foreign_words.h"
 #include "scene/keys/key_text.h"
+#include "scene/keys/shape_advice.h"
+#include "scene/keys/similar_keys.h"
 #include "scene/keys/unknown_key.h"
+#include "scene/keys/value_forms.h"
 #include "scene/shapes.h"
 
 namespace poinsot::scene {
@@ -24,13 +29,19 @@ namespace {
 // Number of names for which an example is made. A report shows no more problems than this.
 constexpr std::size_t kMostExamples = 50;
 
+constexpr double kUsualFilm_s = 20;  // length of a film that shows a long motion
+
 /// Key for which unknown names of one table stand, with lines to paste.
 struct Counterpart {
   std::vector<std::string> names;  ///< names, without their table
-  std::string key;                 ///< path of the key
+  std::string key;                 ///< path of the key; empty if nothing stands for the names
   std::vector<KeyLine> lines;      ///< the key and its value, and other keys with their values
   std::string with;                ///< other keys that the key needs, as in ForeignNames::with
-  std::string_view note{};
+  std::string note{};
+  std::vector<std::string> replaced{};  ///< names of known keys that the lines replace
+  std::string instead{};                ///< other text for what the lines replace
+  std::vector<std::pair<const Key*, std::string>>
+      choices{};  ///< keys with their values, one of which may be meant
 };
 
 /// Returns other keys that a shape needs: "radius = "10 cm"; mass = 1" for "sphere".
@@ -68,6 +79,30 @@ std::vector<KeyLine> exampleOf(const Key& key) {
   return {{std::string(nameOf(key.path)), std::string(value)}};
 }
 
+std::string numberText(double number) { return fmt::format("{:.6g}", number); }
+
+/// Returns the thing in [show] for a word such as "angular momentum" or "w"; empty if there is none.
+std::string figureOf(std::string_view word) {
+  std::string name = plainWord(word.substr(0, word.find('(')));
+  if (name == "l" || name == "h" || name == "angular_momentum") name = "L";
+  if (name == "w" || name == "angular_velocity" || name == "spin" || name == "rotation") name = "omega";
+  if (name == "axes" || name == "body_axes" || name == "principal_axes" || name == "frame")
+    name = "principal_axes";
+  if (name == "space_cone" || name == "body_cone") name = "cones";
+  if (name == "inertia_ellipsoid" || name == "energy_ellipsoid") name = "ellipsoid";
+  if (name == "invariable_plane") name = "plane";
+  if (name == "velocity" || name == "v" || name == "weight") name = "flight";
+  return hasVisible("show." + name) ? name : "";
+}
+
+/// Returns whether a name is that of the film's length and not of the motion's.
+bool isOfFilm(std::string_view name) {
+  const std::string small = core::lowered(name);
+  return std::ranges::any_of(
+      std::to_array<std::string_view>({"film", "video", "movie", "clip", "animation", "screen", "playback"}),
+      [&](std::string_view word) { return small.find(word) != std::string::npos; });
+}
+
 class Report {
  public:
   Report(std::vector<UnknownName> names, Leaves& leaves, Problems& problems)
@@ -81,82 +116,152 @@ class Report {
     std::vector<std::pair<const UnknownName*, std::optional<Counterpart>>> found;
     for (std::size_t i = 0; i < names_.size(); ++i) {
       if (taken_.contains(names_[i].path)) continue;
-      auto counterpart = i < kMostExamples ? counterpartOf(names_[i].path, names_[i].value) : std::nullopt;
+      auto counterpart = i < kMostExamples ? counterpartOf(names_[i]) : std::nullopt;
       if (counterpart) take(*counterpart, tableOf(names_[i].path));
       found.emplace_back(&names_[i], std::move(counterpart));
     }
     for (const auto& [name, counterpart] : found)
-      if (counterpart)
-        problems_.add(name->place, messageOf(*name, *counterpart));
+      if (counterpart || name->isTable)
+        problems_.add(name->place, messageOf(*name, counterpart));
       else
         problems_.addLater(name->place, [path = name->path] { return unknownKey(path); });
   }
 
-  /// Returns advice for a value that stands in place of a table, or that does not suit its key.
+  /// Returns advice for a value that does not suit its key.
   std::string adviceFor(const std::string& path, const Node& value) {
-    const auto counterpart = carriedByRow(path, value);
+    values_[path] = &value;
+    const auto counterpart = foreignCounterpart(path, path);
     if (!counterpart) return "";
     leaves_.meant.insert(counterpart->key);
     return advice(path, value.place, *counterpart);
   }
 
  private:
-  /// Marks the names of a counterpart as reported, and its key as meant.
+  /// Marks the names of a counterpart as reported, and its keys as meant.
   void take(const Counterpart& counterpart, std::string_view table) {
     for (const std::string& name : counterpart.names) taken_.insert(pathBelow(table, name));
+    if (counterpart.key.empty()) return;
     leaves_.meant.insert(counterpart.key);
+    for (const auto& [key, value] : counterpart.choices) leaves_.meant.insert(key->path);
+    for (const KeyLine& line : counterpart.lines)
+      if (line.table.empty())
+        leaves_.meant.insert(pathBelow(tableOf(counterpart.key), line.name));
+      else
+        leaves_.meant.insert(pathBelow(line.table, line.name));
   }
 
-  std::optional<Counterpart> counterpartOf(const std::string& path, const Node* value) const {
+  /// Returns the path that a name would have in this program: "motion.torque.Mx" for "torque.Mx".
+  std::string ours(const std::string& path) const {
+    const auto alias = leaves_.aliases.find(tableOf(path));
+    return alias == leaves_.aliases.end() ? path : pathBelow(alias->second, nameOf(path));
+  }
+
+  std::optional<Counterpart> counterpartOf(const UnknownName& unknown) const {
+    const std::string &path = unknown.path, at = ours(path);
     const std::string_view table = tableOf(path);
-    if (value->as<Node::Table>()) return std::nullopt;
+    if (nameOf(path).size() > kLongestName) return std::nullopt;
+    if (unknown.isTable) return valueInPlaceOfTable(path);
+    if (const std::string array = arrayNamed(path); !array.empty())
+      if (auto elements = elementsOf(array, path)) return elements;
     const bool isForeign =
         table.find_first_of(".[") == std::string_view::npos && !isTableArray(table) && !misspelt("", table);
-    if (nameOf(path).size() > kLongestName || !(isTable(table) || isForeign)) return std::nullopt;
-    if (auto foreign = foreignCounterpart(path)) return foreign;
+    if (!(isTable(table) || isForeign)) return std::nullopt;
+    if (unknown.value->as<Node::Table>()) return rowThatTakes(path, at);
+    if (at != path)
+      if (auto same = knownKey(at, path)) return same;
+    if (auto sides = sidesCounterpart(path)) return sides;
+    if (auto foreign = foreignCounterpart(path, at)) return foreign;
     if (auto shape = shapeCounterpart(path)) return shape;
-    if (auto unit = unitCounterpart(path, *value)) return unit;
-    return keyElsewhere(path, *value);
+    if (auto unit = unitCounterpart(at == path ? path : at, *unknown.value)) return withNames(*unit, path);
+    if (auto near = misspeltCounterpart(path, *unknown.value)) return near;
+    if (auto other = keyElsewhere(path, *unknown.value)) return other;
+    return similarCounterpart(path, at, *unknown.value);
   }
 
-  std::optional<Counterpart> foreignCounterpart(const std::string& path) const {
-    const std::vector<const ForeignNames*> rows = plausibleRows(path);
-    for (const ForeignNames* row : rows)
-      if (auto counterpart = ofRow(
-              *row, path, carriedLines(*row, *findKey(keyFor(*row, path)), valuesOf(*row, path), leaves_.limits)))
-        return counterpart;
+  static std::optional<Counterpart> withNames(Counterpart counterpart, const std::string& path) {
+    counterpart.names = {std::string(nameOf(path))};
+    return counterpart;
+  }
+
+  /// Returns a key of our table for a name in a table of another name, such as motion.torque.body for torque.body.
+  std::optional<Counterpart> knownKey(const std::string& at, const std::string& path) const {
+    const Key* key = findKey(at);
+    if (!key) return std::nullopt;
+    const auto carried = carriedValue(*key, *values_.at(path), leaves_.limits);
+    std::vector<KeyLine> lines = exampleOf(*key);
+    if (carried) lines = {{std::string(nameOf(key->path)), *carried}};
+    return Counterpart{{std::string(nameOf(path))}, at, std::move(lines), ""};
+  }
+
+  std::optional<Counterpart> foreignCounterpart(const std::string& path, const std::string& at) const {
+    if (auto taken = rowThatTakes(path, at)) return taken;
+    const std::vector<const ForeignNames*> rows = plausibleRows(at);
     if (rows.empty()) return std::nullopt;
-    return ofRow(*rows[0], path, exampleOf(*findKey(keyFor(*rows[0], path))));
+    const auto example = std::ranges::find(rows, Carry::kNothing, &ForeignNames::carry);
+    const ForeignNames& row = example == rows.end() ? *rows[0] : **example;
+    return row.key.empty() ? std::nullopt : ofRow(row, path, at, exampleOf(*findKey(keyFor(row, at))));
   }
 
-  std::optional<Counterpart> carriedByRow(const std::string& path, const Node& value) const {
-    for (const ForeignNames* row : plausibleRows(path)) {
-      if (row->carry == Carry::kNothing) return ofRow(*row, path, exampleOf(*findKey(keyFor(*row, path))));
-      if (row->carry == Carry::kValue)
-        if (auto counterpart =
-                ofRow(*row, path, carriedLines(*row, *findKey(keyFor(*row, path)), {&value}, leaves_.limits)))
-          return counterpart;
+  /// Returns the first row of foreign names whose key takes the given values.
+  std::optional<Counterpart> rowThatTakes(const std::string& path, const std::string& at) const {
+    const bool isTable = values_.at(path)->as<Node::Table>() != nullptr;
+    for (const ForeignNames* row : plausibleRows(at)) {
+      if (isTable && row->carry != Carry::kValue && row->carry != Carry::kEuler && row->carry != Carry::kReversed)
+        continue;
+      if (auto counterpart = takenBy(*row, path, at)) return counterpart;
     }
     return std::nullopt;
   }
 
-  std::optional<Counterpart> ofRow(const ForeignNames& row, const std::string& path,
+  std::optional<Counterpart> takenBy(const ForeignNames& row, const std::string& path,
+                                     const std::string& at) const {
+    switch (row.carry) {
+      case Carry::kRemove:
+        return removed(row, path);
+      case Carry::kFilm:
+        return filmCounterpart(path);
+      case Carry::kShown:
+        return shownCounterpart(path);
+      case Carry::kPlot:
+        return plotCounterpart(row, path);
+      case Carry::kArrow:
+        return arrowCounterpart(path);
+      case Carry::kPoints:
+        return pointsCounterpart(row, path);
+      case Carry::kEuler:
+        if (auto other = otherSequence(row, path)) return other;
+        break;
+      default:
+        break;
+    }
+    const std::string key = keyFor(row, at);
+    if (key == "motion.gravity.g") return gravityCounterpart(row, path);
+    if (key == "time.duration" && isOfFilm(nameOf(path)))
+      if (auto film = filmCounterpart(path)) return film;
+    if (key == "motion.L_body" && !values_.at(path)->as<Node::Array>() && mentionsAttitude())
+      return takenBy({row.names, "motion.L_space"}, path, at);  // a single number is along the vertical
+    return ofRow(row, path, at, carriedLines(row, *findKey(key), valuesOf(row, path), leaves_.limits));
+  }
+
+  std::optional<Counterpart> ofRow(const ForeignNames& row, const std::string& path, const std::string& at,
                                    std::vector<KeyLine> lines) const {
     if (lines.empty()) return std::nullopt;
-    const std::string key = keyFor(row, path);
+    const std::string key = keyFor(row, at);
     std::string with = needsOf(key, lines[0].value, row.with);
-    return Counterpart{presentNames(row, path), key, std::move(lines), std::move(with), row.note};
+    return Counterpart{presentNames(row, path), key, std::move(lines), std::move(with), std::string(row.note)};
   }
 
   static bool takesSeveral(const ForeignNames& row) {
-    return row.carry == Carry::kList || row.carry == Carry::kTensor || row.carry == Carry::kNothing;
+    return row.carry == Carry::kList || row.carry == Carry::kTensor || row.carry == Carry::kNothing ||
+           row.carry == Carry::kSymmetric || row.carry == Carry::kDirected || row.carry == Carry::kEither ||
+           row.carry == Carry::kPoints;
   }
 
   std::vector<std::string> presentNames(const ForeignNames& row, const std::string& path) const {
     std::vector<std::string> names;
     if (takesSeveral(row))
       for (const std::string_view name : namesIn(row))
-        if (valueOf(path, name)) names.emplace_back(name);
+        if (valueOf(path, nameOf(name))) names.emplace_back(nameOf(name));
     if (names.empty()) names.emplace_back(nameOf(path));
     return names;
   }
@@ -164,7 +269,7 @@ class Report {
   std::vector<const Node*> valuesOf(const ForeignNames& row, const std::string& path) const {
     std::vector<const Node*> values;
     if (!takesSeveral(row)) return {values_.at(path)};
-    for (const std::string_view name : namesIn(row)) values.push_back(valueOf(path, name));
+    for (const std::string_view name : namesIn(row)) values.push_back(valueOf(path, nameOf(name)));
     return values;
   }
 
@@ -175,15 +280,340 @@ class Report {
     return found == values_.end() || taken_.contains(sibling) ? nullptr : found->second;
   }
 
+  /// Returns the value of a name of the same table, known or not; null if there is none.
+  const Node* anyValueOf(const std::string& path, std::string_view name) const {
+    if (const Node* value = valueOf(path, name)) return value;
+    return knownValue(pathBelow(tableOf(path), name));
+  }
+
+  const Node* knownValue(const std::string& path) const {
+    const auto found = leaves_.values.find(path);
+    return found == leaves_.values.end() ? nullptr : &found->second;
+  }
+
+  /// Returns whether the scene gives a key that begins with `start`, or an unknown name leads to such a key.
+  bool mentions(std::string_view start) const {
+    const auto next = leaves_.values.lower_bound(start);
+    if (next != leaves_.values.end() && next->first.starts_with(start)) return true;
+    return std::ranges::any_of(names_, [&](const UnknownName& name) {
+      const auto rows = plausibleRows(ours(name.path));
+      return !rows.empty() && rows[0]->key.starts_with(start);
+    });
+  }
+
+  bool mentionsAttitude() const {
+    return mentions("motion.euler.") || mentions("motion.orientation") || mentions("motion.roll_pitch_yaw");
+  }
+
+  bool isThrown() const { return mentions("motion.flight."); }
+
+  // ---- names for which nothing stands
+
+  std::optional<Counterpart> removed(const ForeignNames& row, const std::string& path) const {
+    if (path.starts_with("camera.") && row.note.starts_with("The camera always") && isThrown())
+      return Counterpart{{std::string(nameOf(path))}, "camera.follow", {{"follow", "true"}}, ""};
+    return Counterpart{{std::string(nameOf(path))}, "", {}, "", std::string(row.note)};
+  }
+
+  // ---- gravity
+
+  /// Returns the key of gravity for a thrown body, or for a body that is held at a point, with the keys it needs.
+  std::optional<Counterpart> gravityCounterpart(const ForeignNames& row, const std::string& path) const {
+    const Node& given = *values_.at(path);
+    const bool top = mentions("body.pivot") || mentions("motion.lean") || mentions("motion.precession") ||
+                     mentions("motion.nutation") || mentions("motion.gravity.") || mentions("motion.euler");
+    if (isThrown() || (!top && mentions("motion.") && !knownValue("motion.spin"))) return freeFall(given, path);
+    const Key& key = *findKey("motion.gravity.g");
+    const auto carried = carriedValue(key, given, leaves_.limits);
+    Counterpart counterpart{{std::string(nameOf(path))},
+                            key.path,
+                            carried ? std::vector<KeyLine>{{"g", *carried}} : exampleOf(key),
+                            "",
+                            std::string(row.note)};
+    if (!mentions("body.mass") && !mentions("body.density") && !mentions("body.part["))
+      counterpart.lines.push_back({"mass", "1", "body"});
+    if (!mentions("body.pivot")) counterpart.lines.push_back({"pivot", pivotText(leaves_), "body"});
+    return counterpart;
+  }
+
+  std::optional<Counterpart> freeFall(const Node& given, const std::string& path) const {
+    const Key& key = *findKey("motion.flight.gravity");
+    std::string value = "[0, 0, -9.81]";
+    if (const auto number = numberIn(given)) value = fmt::format("[0, 0, {:g}]", -std::abs(*number));
+    if (given.as<std::string>() && !carriedValue(key, given, leaves_.limits)) return std::nullopt;
+    if (given.as<std::string>() || given.as<Node::Array>())
+      value = carriedValue(key, given, leaves_.limits).value_or(value);
+    return Counterpart{{std::string(nameOf(path))},
+                       key.path,
+                       {{"gravity", value}},
+                       "",
+                       "It makes a free body fall. motion.gravity.g pulls a top, which body.pivot holds."};
+  }
+
+  // ---- angles
+
+  /// Returns roll, pitch and yaw for three angles, if the scene names a sequence such as "321" or "xyz".
+  std::optional<Counterpart> otherSequence(const ForeignNames& row, const std::string& path) const {
+    if (!row.key.starts_with("motion.euler.")) return std::nullopt;
+    for (const UnknownName& name : names_) {
+      const auto* text = name.value->as<std::string>();
+      if (tableOf(name.path) != tableOf(path) || !text || text->size() > 20) continue;
+      const std::string sequence = plainWord(*text);
+      const bool reversed = sequence == "321" || sequence == "zyx" || sequence == "3_2_1" || sequence == "ypr",
+                 direct = sequence == "xyz" || sequence == "123" || sequence == "rpy" || sequence == "1_2_3";
+      if (!reversed && !direct) continue;
+      const ForeignNames other{"",
+                               "motion.roll_pitch_yaw",
+                               "",
+                               "The order is roll, pitch, yaw.",
+                               reversed ? Carry::kReversed : Carry::kValue,
+                               row.unit};
+      auto counterpart =
+          ofRow(other, path, path, carriedLines(other, *findKey(other.key), {values_.at(path)}, leaves_.limits));
+      if (counterpart) counterpart->names.emplace_back(nameOf(name.path));
+      return counterpart;
+    }
+    return std::nullopt;
+  }
+
+  // ---- film
+
+  /// Returns the length of the film and its speed, if names of a table give the time of the motion and the length
+  /// of the film.
+  std::optional<Counterpart> filmCounterpart(const std::string& path) const {
+    Counterpart counterpart{
+        {},
+        "time.duration",
+        {},
+        "",
+        "It is the length of the film; time.speed is the seconds of motion per second of film."};
+    const Node *film = nullptr, *span = nullptr;
+    for (const UnknownName& name : names_) {
+      if (tableOf(name.path) != tableOf(path)) continue;
+      const auto rows = plausibleRows(name.path);
+      const bool isSpan = !rows.empty() && rows[0]->carry == Carry::kFilm && nameOf(name.path) != "stop" &&
+                          nameOf(name.path) != "end" && nameOf(name.path) != "until" && nameOf(name.path) != "to";
+      const Node*& found = isSpan ? span : film;
+      if (found || !(isSpan || isOfFilm(nameOf(name.path))) || !secondsIn(name.value)) continue;
+      found = name.value;
+      counterpart.names.emplace_back(nameOf(name.path));
+    }
+    const Node* known = knownValue("time.duration");
+    auto span_s = secondsIn(span);
+    if (!span_s) span_s = betweenDates(path, counterpart);
+    if (!span_s && film && known) {
+      span_s = secondsIn(known);
+      counterpart.replaced.emplace_back("duration");
+    }
+    if (!span_s || !(*span_s > 0)) return std::nullopt;
+    const auto film_s = secondsIn(film ? film : known).value_or(kUsualFilm_s);
+    if (!(film_s > 0)) return std::nullopt;
+    if (film || !known) counterpart.lines.push_back({"duration", film ? tomlText(*film) : "\"20 s\""});
+    if (!knownValue("time.speed")) counterpart.lines.push_back({"speed", numberText(*span_s / film_s)});
+    if (counterpart.lines.empty()) return std::nullopt;
+    counterpart.key = pathBelow("time", counterpart.lines[0].name);
+    return counterpart;
+  }
+
+  /// Returns the seconds between two dates or times that a table gives as its start and its end.
+  std::optional<double> betweenDates(const std::string& path, Counterpart& counterpart) const {
+    for (const std::string_view name : {"stop", "end", "until", "to"}) {
+      const Node *stop = valueOf(path, name), *start = anyValueOf(path, "start");
+      if (!stop) continue;
+      const auto from = dateIn(start), to = dateIn(stop);
+      const auto until = secondsIn(stop);
+      if (!(from && to) && !until) continue;
+      counterpart.names.emplace_back(name);
+      if (!from || !to) return *until - secondsIn(start).value_or(0);
+      counterpart.replaced.emplace_back("start");
+      counterpart.lines.push_back({"start", "0"});
+      return *to - *from;
+    }
+    return std::nullopt;
+  }
+
+  // ---- things that are drawn
+
+  std::optional<Counterpart> shownCounterpart(const std::string& path) const {
+    const Node& given = *values_.at(path);
+    Counterpart counterpart{{std::string(nameOf(path))}, "", {}, "", "Each thing has a key of its own in [show]."};
+    const auto* array = given.as<Node::Array>();
+    for (const Node& one : array ? *array : Node::Array{given}) {
+      const auto* word = one.as<std::string>();
+      const std::string figure = word ? figureOf(*word) : "";
+      if (figure.empty() || isOffered(counterpart, figure)) continue;
+      if (counterpart.key.empty()) counterpart.key = fmt::format("show.{}.visible", figure);
+      counterpart.lines.push_back({figure, "true", "show"});
+    }
+    return counterpart.key.empty() ? std::nullopt : std::optional(counterpart);
+  }
+
+  static bool isOffered(const Counterpart& counterpart, const std::string& name) {
+    return std::ranges::find(counterpart.lines, name, &KeyLine::name) != counterpart.lines.end();
+  }
+
+  std::optional<Counterpart> plotCounterpart(const ForeignNames& row, const std::string& path) const {
+    const auto carried = carriedValue(*findKey(row.key), *values_.at(path), leaves_.limits);
+    return Counterpart{{std::string(nameOf(path))},
+                       std::string(row.key),
+                       {{"quantities", carried.value_or("[\"omega_1\", \"omega_2\", \"omega_3\"]"), "plot[]"}},
+                       ""};
+  }
+
+  /// Returns the thing in [show] that draws an arrow, and its colour, in place of a [[vector]].
+  std::optional<Counterpart> arrowCounterpart(const std::string& path) const {
+    const auto* word = values_.at(path)->as<std::string>();
+    const std::string figure = word ? figureOf(*word) : "";
+    if (figure.empty()) return std::nullopt;
+    Counterpart counterpart{{}, fmt::format("show.{}.visible", figure), {{figure, "true", "show"}}, ""};
+    for (const UnknownName& name : names_)
+      if (tableOf(name.path) == tableOf(path)) counterpart.names.emplace_back(nameOf(name.path));
+    const std::string array(tableOf(path).substr(0, tableOf(path).find('[')));
+    counterpart.instead = fmt::format("this {}", tableText(array));
+    const Key* color = findKey("style.colors." + figure);
+    const Node* given = anyValueOf(path, "color");
+    if (!given) given = anyValueOf(path, "colour");
+    if (const auto carried = color && given ? carriedValue(*color, *given, leaves_.limits) : std::nullopt)
+      counterpart.lines.push_back({figure, *carried, "style.colors"});
+    for (const std::string_view name : {"color", "components", "position_of", "velocity_of"}) {
+      leaves_.values.erase(pathBelow(tableOf(path), name));
+      leaves_.meant.insert(pathBelow(tableOf(path), name));
+    }
+    return counterpart;
+  }
+
+  // ---- bodies
+
+  /// Returns a ball for each of several masses on a line, or else a point mass for each.
+  std::optional<Counterpart> pointsCounterpart(const ForeignNames& row, const std::string& path) const {
+    const std::vector<const Node*> values = valuesOf(row, path);
+    const auto* masses = values[0] ? values[0]->as<Node::Array>() : nullptr;
+    const auto* places = values.size() > 1 && values[1] ? values[1]->as<Node::Array>() : nullptr;
+    if (!masses || !places || masses->size() != places->size() || masses->empty() || masses->size() > 20)
+      return std::nullopt;
+    Counterpart counterpart{presentNames(row, path), "", {}, ""};
+    const bool line = areOnALine(*places);
+    const std::string array = line ? "body.part[]" : "body.point_mass[]", place = line ? "offset" : "position";
+    const Key &mass = *findKey(array + ".mass"), &position = *findKey(pathBelow(array, place));
+    if (line) counterpart.note = "Balls, because points on one line have no moment about it.";
+    counterpart.key = mass.path;
+    for (std::size_t i = 0; i < masses->size(); ++i) {
+      const auto m = carriedValue(mass, (*masses)[i], leaves_.limits),
+                 r = carriedValue(position, (*places)[i], leaves_.limits);
+      if (!m || !r) return std::nullopt;
+      const std::string table = fmt::format("{}{}", array, i);  // each is a table of its own
+      if (line) {
+        counterpart.lines.push_back({"shape", "\"sphere\"", table});
+        counterpart.lines.push_back({"radius", ballRadius(*places), table});
+      }
+      counterpart.lines.push_back({"mass", *m, table});
+      counterpart.lines.push_back({place, *r, table});
+    }
+    for (const std::string_view name : {"shape", "mass"})
+      if (knownValue(pathBelow("body", name))) {
+        counterpart.replaced.emplace_back(name);
+        leaves_.values.erase(pathBelow("body", name));
+      }
+    return counterpart;
+  }
+
+  static std::vector<std::array<double, 3>> pointsOf(const Node::Array& places) {
+    std::vector<std::array<double, 3>> points;
+    for (const Node& place : places) {
+      const auto* three = place.as<Node::Array>();
+      std::array<double, 3> point{};
+      for (std::size_t i = 0; i < 3; ++i)
+        point[i] = three && three->size() == 3 ? numberIn((*three)[i]).value_or(0) : 0;
+      points.push_back(point);
+    }
+    return points;
+  }
+
+  static bool areOnALine(const Node::Array& places) {
+    const auto points = pointsOf(places);
+    const auto difference = [&](std::size_t i) {
+      return std::array{points[i][0] - points[0][0], points[i][1] - points[0][1], points[i][2] - points[0][2]};
+    };
+    for (std::size_t i = 1; i < points.size(); ++i)
+      for (std::size_t k = 1; k < i; ++k) {
+        const auto a = difference(i), b = difference(k);
+        if (a[1] * b[2] != a[2] * b[1] || a[2] * b[0] != a[0] * b[2] || a[0] * b[1] != a[1] * b[0]) return false;
+      }
+    return true;
+  }
+
+  /// Returns a fifth of the largest coordinate as the radius of a ball.
+  static std::string ballRadius(const Node::Array& places) {
+    double largest = 0;
+    for (const auto& point : pointsOf(places))
+      for (const double x : point) largest = std::max(largest, std::abs(x));
+    return numberText(largest > 0 && std::isfinite(largest) ? largest / 5 : 0.1);
+  }
+
+  /// Returns the height of a cylinder, or the three sides of a box, for a thickness or a depth.
+  std::optional<Counterpart> sidesCounterpart(const std::string& path) const {
+    const std::string table(tableOf(path));
+    const std::string_view name = nameOf(path);
+    if (!findKey(pathBelow(table, "shape")) || (name != "thickness" && name != "depth")) return std::nullopt;
+    const Node *shape = anyValueOf(path, "shape"), *given = values_.at(path);
+    const auto* text = shape ? shape->as<std::string>() : nullptr;
+    const std::string word = text ? nearestShape(*text) : "";
+    if (isRound(word) || (word.empty() && anyValueOf(path, "radius"))) {
+      const auto height = carriedValue(*findKey("body.height"), *given, leaves_.limits);
+      if (!height) return std::nullopt;
+      Counterpart counterpart{
+          {std::string(name)}, pathBelow(table, "height"), {{"shape", "\"cylinder\""}, {"height", *height}}, ""};
+      if (word == "cylinder")
+        counterpart.lines.erase(counterpart.lines.begin());
+      else
+        counterpart.replaced = {"shape"};
+      if (word != "cylinder") counterpart.note = "A disc with a thickness is a cylinder.";
+      return counterpart;
+    }
+    if (word == "hollow_box") return std::nullopt;
+    return boxOf(path, word);
+  }
+
+  std::optional<Counterpart> boxOf(const std::string& path, const std::string& word) const {
+    std::vector<Node> sides;
+    Counterpart counterpart{{}, pathBelow(tableOf(path), "size"), {}, ""};
+    if (const Node* size = anyValueOf(path, "size"))
+      if (const auto* two = size->as<Node::Array>(); two && two->size() == 2) {
+        sides = *two;
+        counterpart.replaced.emplace_back("size");
+      }
+    for (const std::string_view name : {"length", "width", "height", "depth", "thickness"})
+      if (const Node* side = anyValueOf(path, name); side && sides.size() < 3) {
+        sides.push_back(*side);
+        if (valueOf(path, name))
+          counterpart.names.emplace_back(name);
+        else
+          counterpart.replaced.emplace_back(name);
+      }
+    if (sides.size() != 3) return std::nullopt;
+    const auto size =
+        carriedValue(*findKey("body.size"), arrayOf(std::move(sides), values_.at(path)->place), leaves_.limits);
+    if (!size) return std::nullopt;
+    if (word == "plate" || word.empty()) {
+      counterpart.lines.push_back({"shape", "\"box\""});
+      if (word == "plate") counterpart.replaced.emplace_back("shape");
+    }
+    counterpart.lines.push_back({"size", *size});
+    for (const std::string& name : counterpart.replaced)
+      if (name != "shape") leaves_.values.erase(pathBelow(tableOf(path), name));
+    return counterpart;
+  }
+
   /// Returns the key body.shape for the name of a shape, such as "cylinder" or "cuboid".
   std::optional<Counterpart> shapeCounterpart(const std::string& path) const {
+    if (!tableOf(path).empty() && tableOf(path) != "body") return std::nullopt;
     const std::string name = core::lowered(nameOf(path));
-    const std::string_view other = wordElsewhere(name), word = other.empty() ? std::string_view(name) : other;
+    const std::string_view other = wordElsewhere(name);
     const std::vector<std::string_view> words = shapeWords();
+    std::string_view word = std::ranges::find(words, name) == words.end() ? other : std::string_view(name);
     if (std::ranges::find(words, word) == words.end()) return std::nullopt;
     const ForeignNames row{"", "body.shape"};
-    if (!isPlausible(row, path)) return std::nullopt;
-    return ofRow(row, path, {{"shape", fmt::format("\"{}\"", word)}});
+    return ofRow(row, path, path, {{"shape", fmt::format("\"{}\"", word)}});
   }
 
   /// Returns the key of a name with a unit at its end, such as body.mass for body.mass_kg.
@@ -213,9 +643,18 @@ class Report {
       if (unit.empty() || row.carry != Carry::kValue) continue;
       row.unit = unit;
       std::vector<KeyLine> lines = carriedLines(row, key, {&value}, leaves_.limits);
-      return ofRow(row, stem, lines.empty() ? exampleOf(key) : std::move(lines));
+      return ofRow(row, stem, stem, lines.empty() ? exampleOf(key) : std::move(lines));
     }
     return std::nullopt;
+  }
+
+  /// Returns the key of a misspelt name, if its value needs another form.
+  std::optional<Counterpart> misspeltCounterpart(const std::string& path, const Node& value) const {
+    const auto near = misspelt(tableOf(path), nameOf(path));
+    const Key* key = near ? findKey(*near) : nullptr;
+    const auto carried = key ? carriedValue(*key, value, leaves_.limits) : std::nullopt;
+    if (!carried || *carried == tomlText(value)) return std::nullopt;
+    return Counterpart{{std::string(nameOf(path))}, *near, {{std::string(nameOf(*near)), *carried}}, ""};
   }
 
   /// Returns a key with the name in another table. Its own table has no similar name.
@@ -231,37 +670,193 @@ class Report {
     return Counterpart{{std::string(nameOf(path))}, *other, std::move(lines), "", ""};
   }
 
-  std::string messageOf(const UnknownName& unknown, const Counterpart& counterpart) {
+  /// Returns the keys that have the most words in common with a name.
+  std::optional<Counterpart> similarCounterpart(const std::string& path, const std::string& at,
+                                                const Node& value) const {
+    const auto near = misspelt(tableOf(path), nameOf(path));
+    const Key* nearKey = near ? findKey(*near) : nullptr;
+    if (near && (!nearKey || carriedValue(*nearKey, value, leaves_.limits))) return std::nullopt;
+    const auto takes = [&](const Key& key) { return carriedValue(key, value, leaves_.limits).has_value(); };
+    const std::vector<const Key*> keys = similarKeys(at, takes);
+    if (keys.empty()) return std::nullopt;
+    Counterpart counterpart{{std::string(nameOf(path))}, keys[0]->path, {}, ""};
+    for (const Key* key : keys) {
+      std::vector<KeyLine> lines = exampleOf(*key);
+      if (const auto carried = carriedValue(*key, value, leaves_.limits)) lines = {{"", *carried}};
+      if (!lines.empty()) counterpart.choices.emplace_back(key, lines[0].value);
+    }
+    if (counterpart.choices.size() != 1) return counterpart;
+    counterpart.note = shortHelp(*keys[0]) + ".";
+    counterpart.lines = {{std::string(nameOf(keys[0]->path)), counterpart.choices[0].second}};
+    counterpart.choices.clear();
+    return counterpart;
+  }
+
+  // ---- tables
+
+  /// Returns a key below a table for a value that stands in place of the table.
+  std::optional<Counterpart> valueInPlaceOfTable(const std::string& path) const {
+    if (auto foreign = foreignCounterpart(path, path)) return foreign;
+    const Node& value = *values_.at(path);
+    if (hasVisible(path)) {
+      const auto flag = carriedValue(*findKey(path + ".visible"), value, leaves_.limits);
+      return Counterpart{{},
+                         path + ".visible",
+                         {{std::string(nameOf(path)), flag.value_or("true"), std::string(tableOf(path))}},
+                         ""};
+    }
+    const Key* example = nullptr;
+    for (const std::string& name : namesBelow(path)) {
+      const Key* key = findKey(pathBelow(path, name));
+      if (!key || key->type == ValueType::kBool) continue;
+      if (const auto carried = carriedValue(*key, value, leaves_.limits))
+        return Counterpart{{}, key->path, {{name, *carried}}, ""};
+      if (!example && !exampleOf(*key).empty()) example = key;
+    }
+    if (!example || tableOf(path).empty()) return std::nullopt;
+    return Counterpart{{}, example->path, exampleOf(*example), ""};
+  }
+
+  /// Returns the array of tables for a name such as "subplot"; empty for other names.
+  static std::string arrayNamed(const std::string& path) {
+    const std::string name = core::lowered(nameOf(path.substr(0, path.find('['))));
+    if (!tableOf(path).empty() && tableOf(path) != "body") return "";
+    for (const auto& [names, array] :
+         {std::pair<std::string_view, std::string_view>{
+              " subplot subplots plots graph graphs chart curve panel axes figure ", "plot"},
+          {" arrow arrows vectors ", "vector"},
+          {" part parts component components link solid solids piece pieces primitive body.parts ", "body.part"},
+          {" point_mass point_masses pointmass mass masses particle particles points ", "body.point_mass"},
+          {" event events keyframe keyframes ", "timeline"},
+          {" text texts annotation annotations ", "note"},
+          {" views window ", "view"}})
+      if (names.find(" " + name + " ") != std::string_view::npos) return std::string(array);
+    return "";
+  }
+
+  /// Returns the tables of an array for tables of another name, with each name that this program has.
+  std::optional<Counterpart> elementsOf(const std::string& array, const std::string& path) const {
+    const auto* elements = values_.at(path)->as<Node::Array>();
+    if (!elements || elements->empty() || elements->size() > 20) return std::nullopt;
+    Counterpart counterpart{{std::string(nameOf(path))}, "", {}, ""};
+    for (std::size_t i = 0; i < elements->size(); ++i) {
+      const auto* entries = (*elements)[i].as<Node::Table>();
+      if (!entries) return std::nullopt;
+      for (const Entry& entry : *entries) addElement(counterpart, fmt::format("{}[]", array), i, entry);
+    }
+    if (counterpart.key.empty()) return std::nullopt;
+    counterpart.instead = fmt::format("[[{}]]", core::printable(path));
+    return counterpart;
+  }
+
+  void addElement(Counterpart& counterpart, const std::string& table, std::size_t i, const Entry& entry) const {
+    if (entry.key.find_first_of(".[]") != std::string::npos || entry.key.size() > kLongestName) return;
+    const std::string path = pathBelow(table, entry.key);
+    const Key* key = findKey(path);
+    for (const ForeignNames* row : plausibleRows(path)) {
+      if (key || row->key.empty()) continue;
+      key = findKey(keyFor(*row, path));
+      if (key && tableOf(key->path) != table) key = nullptr;
+    }
+    const auto carried = key ? carriedValue(*key, entry.value, leaves_.limits) : std::nullopt;
+    if (!carried) return;
+    if (counterpart.key.empty()) counterpart.key = key->path;
+    counterpart.lines.push_back({std::string(nameOf(key->path)), *carried, fmt::format("{}{}", table, i)});
+  }
+
+  // ---- messages
+
+  std::string messageOf(const UnknownName& unknown, const std::optional<Counterpart>& counterpart) {
+    if (unknown.isTable)
+      return fmt::format("{0}: expected a table [{0}]{1}, got {2}{3}", unknown.path,
+                         hasVisible(unknown.path) ? ", true or false" : "", describe(*unknown.value),
+                         counterpart ? advice(unknown.path, unknown.place, *counterpart) : "");
     std::vector<std::string> names;
-    for (const std::string& name : counterpart.names) names.push_back(core::printable(name));
+    for (const std::string& name : counterpart->names) names.push_back(core::printable(name));
     const std::string path = pathBelow(tableOf(unknown.path), core::joined(names, ", "));
-    return fmt::format("{}: unknown key{}{}", core::printable(path), names.size() > 1 ? "s" : "",
-                       advice(unknown.path, unknown.place, counterpart));
+    const std::string start = fmt::format("{}: unknown key{}", core::printable(path), names.size() > 1 ? "s" : "");
+    if (counterpart->key.empty())
+      return fmt::format("{}; leave {} out. {}", start, names.size() > 1 ? "them" : "it", counterpart->note);
+    return start + advice(unknown.path, unknown.place, *counterpart);
   }
 
   /// Returns the question for the key and the lines to paste, for the end of a message. An override has no lines.
   std::string advice(const std::string& path, const Place& place, const Counterpart& counterpart) {
-    std::string text = fmt::format("; did you mean {}?", counterpart.key);
+    std::string text = fmt::format("; did you mean {}?", nameInText(counterpart));
     if (!counterpart.note.empty()) text += fmt::format(" {}", counterpart.note);
-    if (leaves_.values.contains(counterpart.key)) return text + " The scene gives it too.";
+    const bool replaces =
+        std::ranges::find(counterpart.replaced, nameOf(counterpart.key)) != counterpart.replaced.end();
+    if (counterpart.choices.empty() && !replaces && leaves_.values.contains(counterpart.key) &&
+        counterpart.instead.empty())
+      return text + " The scene gives it too.";
     if (!place.source->hasLines() || !offered_.insert(counterpart.key).second) return text;
-    return text + pasted(path, counterpart);
+    return text + (counterpart.choices.empty() ? pasted(path, counterpart) : oneOf(counterpart));
+  }
+
+  static std::string nameInText(const Counterpart& counterpart) {
+    if (counterpart.choices.empty()) {
+      const bool isArray = counterpart.key.find("[].") != std::string::npos;
+      return isArray ? tableText(tableOf(counterpart.key)) : counterpart.key;
+    }
+    KeyNames names;
+    for (const auto& [key, value] : counterpart.choices) names.push_back(key->path);
+    std::string text = listed(names);
+    return text.replace(text.rfind(" and "), 5, " or ");
+  }
+
+  /// Returns one line for each of several keys, with its help.
+  static std::string oneOf(const Counterpart& counterpart) {
+    std::string text = " For example, one of:";
+    for (const auto& [key, value] : counterpart.choices)
+      text += fmt::format("\n    {} = {}  # {}: {}", nameOf(key->path), value, key->path, shortHelp(*key));
+    return text;
   }
 
   std::string pasted(const std::string& path, const Counterpart& counterpart) {
     const std::string table(tableOf(counterpart.key));
     std::vector<KeyLine> lines = otherLines(counterpart, table);
     lines.insert(lines.end(), counterpart.lines.begin(), counterpart.lines.end());
-    if (table == tableOf(path)) return " For example:" + textOf(lines, "");
+    std::string text;
+    for (std::size_t i = 0; i < lines.size();) {
+      std::vector<KeyLine> group;
+      const std::string& of = lines[i].table;
+      for (; i < lines.size() && lines[i].table == of; ++i) group.push_back(lines[i]);
+      text += placed(path, of.empty() ? table : of, group, text.empty() ? instead(counterpart) : "", text.empty());
+    }
+    return text;
+  }
+
+  static std::string instead(const Counterpart& counterpart) {
+    if (!counterpart.instead.empty()) return ", in place of " + counterpart.instead;
+    if (counterpart.replaced.empty()) return "";
+    return ", in place of " + listed(KeyNames(counterpart.replaced.begin(), counterpart.replaced.end()));
+  }
+
+  /// Returns lines of one table with the place where they belong.
+  /// @param first  whether these are the first lines of a message
+  std::string placed(const std::string& path, std::string table, const std::vector<KeyLine>& lines,
+                     const std::string& instead, bool first) {
+    const bool isElement = table.find("[]") != std::string::npos;
+    const std::string begin = (first ? " For example" : "\n  and") + instead + (first ? "" : ",");
+    const auto in = [&](std::string_view where) {
+      return fmt::format("{}{}{}:", begin, first && !where.empty() ? ", " : where.empty() ? "" : " ", where);
+    };
+    if (isElement) {
+      const std::string header = tableText(table.substr(0, table.find("[]") + 2));
+      const std::string_view index = std::string_view(table).substr(table.find("[]") + 2);
+      if (!index.empty() && index != "0") return fmt::format("\n    {}{}", header, textOf(lines, ""));
+      return fmt::format("{}\n    {}{}", in("at the end of the file"), header, textOf(lines, ""));
+    }
+    if (table == tableOf(path)) return in(first ? "" : "in " + tableText(table)) + textOf(lines, "");
     const std::string_view opening = lineOf(table);
     if (opened_.contains(table) || opening.starts_with(tableText(table)))
-      return fmt::format(" For example, in {}:{}", tableText(table), textOf(lines, ""));
+      return in("in " + tableText(table)) + textOf(lines, "");
     if (!opening.empty() && !opening.starts_with('['))  // keys with dots, after which TOML allows no header
-      return " For example, at the top of the file:" + textOf(lines, table + ".");
+      return in("at the top of the file") + textOf(lines, table + ".");
     if (!tableOf(path).empty() && table.starts_with(std::string(tableOf(path)) + "."))
-      return " For example:" + textOf(lines, table.substr(tableOf(path).size() + 1) + ".");
+      return in("") + textOf(lines, table.substr(tableOf(path).size() + 1) + ".");
     opened_.insert(table);
-    return fmt::format(" For example, at the end of the file:\n    {}{}", tableText(table), textOf(lines, ""));
+    return fmt::format("{}\n    {}{}", in("at the end of the file"), tableText(table), textOf(lines, ""));
   }
 
   /// Returns the line that makes a table: a header such as "[motion]", or a key with dots. Empty if there is none.
@@ -280,7 +875,10 @@ class Report {
   std::vector<KeyLine> otherLines(const Counterpart& counterpart, const std::string& table) {
     std::vector<KeyLine> lines = parsedLines(counterpart.with);
     std::erase_if(lines, [&](const KeyLine& line) { return isGiven(table, line.name); });
-    for (const KeyLine& line : lines) offered_.insert(pathBelow(table, line.name));
+    for (KeyLine& line : lines) {
+      offered_.insert(pathBelow(table, line.name));
+      if (line.name == "spin_axis") line.value = spinAxisText(leaves_);
+    }
     return lines;
   }
 

@@ -8,11 +8,12 @@
 
 namespace poinsot::scene {
 
-/// Name in a document that is not a key, a table or an array of tables.
+/// Name in a document that is not a key, a table or an array of tables, or a table whose value is not a table.
 struct UnknownName {
   std::string path;
   Place place;
   const Node* value = nullptr;
+  bool isTable = false;  ///< whether this is the name of a table, in place of which the value stands
 };
 
 /// Reports unknown names of a document, in its order. A name of a textbook or of another program, and a key of
@@ -21,8 +22,8 @@ struct UnknownName {
 /// @param leaves  all other values of the document
 void reportUnknown(std::vector<UnknownName> names, Leaves& leaves, Problems& problems);
 
-/// Returns advice for a value that suits another key, such as "; did you mean motion.gravity.g? ..." for the
-/// number 9.81 in place of the table [motion.gravity]. Empty if no key is known for the value.
+/// Returns advice for a value that suits another key, such as "; did you mean motion.L_body? ..." for three
+/// numbers in place of motion.L. Empty if no key is known for the value.
 std::string adviceFor(const std::string& path, const Node& value, Leaves& leaves);
 
 }  // namespace poinsot::scene

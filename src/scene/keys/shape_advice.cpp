@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/keys/shape_advice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "core/text.h"
+#include "scene/keys/foreign_words.h"
+#include "scene/keys/unknown_key.h"
+#include "scene/keys/value_forms.h"
+#include "scene/shapes.h"
+
+namespace poinsot::scene {
+namespace {
+
+const NamedShape* shapeNamed(std::string_view word) {
+  const auto found = std::ranges::find(namedShapes(), word, &NamedShape::word);
+  return found == namedShapes().end() ? nullptr : &*found;
+}
+
+const Node* valueOf(const Leaves& leaves, const std::string& path) {
+  const auto found = leaves.values.find(path);
+  return found == leaves.values.end() ? nullptr : &found->second;
+}
+
+bool isGiven(const Leaves& leaves, const std::string& path) {
+  return leaves.values.contains(path) || leaves.meant.contains(path);
+}
+
+/// Returns the lines for keys that a shape needs and the scene lacks, of the set of keys that lacks the fewest.
+std::string missingLines(const NamedShape& shape, const std::string& table, const Leaves& leaves) {
+  std::string best;
+  std::size_t fewest = 100;
+  for (const KeyNames& way : shape.ways) {
+    std::string lines;
+    std::size_t missing = 0;
+    for (const std::string_view name : way) {
+      const std::string path = pathBelow(table, name);
+      if (isGiven(leaves, path)) continue;
+      ++missing;
+      const bool flat = name == "size" && shape.extents == 2;
+      lines += fmt::format("\n    {} = {}", name, flat ? "[0.3, 0.2]" : findKey(path)->example);
+    }
+    if (missing >= fewest) continue;
+    fewest = missing;
+    best = std::move(lines);
+  }
+  return best;
+}
+
+bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+std::string dumbbell(const Leaves& leaves) {
+  const Node* mass = valueOf(leaves, "body.mass");
+  const std::string half = mass ? tomlText(scaled(*mass, 0.5)) : "1";
+  std::string text = mass ? ", in place of shape and mass" : ", in place of shape";
+  text = "; a dumbbell is made of two parts. For example, at the end of the file" + text + ":";
+  for (const char* offset : {"[-0.25, 0, 0]", "[0.25, 0, 0]"})
+    text += fmt::format(
+        "\n    [[body.part]]\n    shape = \"sphere\"\n    radius = 0.1\n    mass = {}\n    offset = {}", half,
+        offset);
+  return text;
+}
+
+}  // namespace
+
+std::string nearestShape(std::string_view given) {
+  if (given.size() > kLongestName) return "";
+  const std::string word = plainWord(given);
+  const std::vector<std::string_view> words = shapeWords();
+  if (shapeNamed(word)) return word;
+  if (const auto other = wordElsewhere(word); shapeNamed(other)) return std::string(other);
+  if (const auto near = core::closest(word, {words.begin(), words.end()})) return *near;
+  std::vector<std::string> pieces;
+  for (std::size_t begin = 0; begin <= word.size();) {
+    const std::size_t end = std::min(word.find('_', begin), word.size());
+    pieces.push_back(word.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {  // the last word is the noun
+    if (piece->size() < 3) continue;
+    if (shapeNamed(*piece)) return *piece;
+    if (const auto other = wordElsewhere(*piece); shapeNamed(other)) return std::string(other);
+  }
+  return "";
+}
+
+bool isRound(std::string_view shape) {
+  return isOneOf(shape, {"cylinder", "cylinder_shell", "disc", "hoop", "cone", "cone_shell", "torus",
+                         "torus_shell", "capsule", "hemisphere", "sphere", "sphere_shell"});
+}
+
+std::string shapeAdvice(const std::string& path, const Node& given, const Leaves& leaves) {
+  const auto* text = given.as<std::string>();
+  const std::string table(tableOf(path)), word = text && text->size() <= kLongestName ? plainWord(*text) : "";
+  const bool hasMoments = isGiven(leaves, "body.principal_moments") || isGiven(leaves, "body.inertia");
+  if (table == "body" && hasMoments)
+    return "; leave it out: the scene gives the moments, and a shape would set them too (show.body.shape only "
+           "draws "
+           "one)";
+  if (table == "body" && isOneOf(word, {"dumbbell", "dumb_bell", "barbell", "dumbell", "two_balls", "dipole"}))
+    return leaves.meant.contains("body.part[].mass") || leaves.meant.contains("body.point_mass[].mass")
+               ? "; leave it out: the masses and their positions make the body"
+               : dumbbell(leaves);
+  std::string shape = nearestShape(word);
+  std::string note;
+  if (shape.empty()) note = "; build a body of several solids of [[body.part]] tables, or take the nearest solid";
+  if (shape.empty()) shape = "box";
+  const bool isThick = isGiven(leaves, pathBelow(table, "height")) || isGiven(leaves, pathBelow(table, "length"));
+  if (shape == "disc" && isThick) shape = "cylinder";
+  if (shape == "rod") shape = "cylinder";  // a rod alone has no moment about its line
+  if (text && shape == *text) return "";
+  return fmt::format("{}; did you mean \"{}\"? For example:\n    shape = \"{}\"{}", note, shape, shape,
+                     missingLines(*shapeNamed(shape), table, leaves));
+}
+
+std::string spinAxisText(const Leaves& leaves) {
+  const Node *shape = valueOf(leaves, "body.shape"), *moments = valueOf(leaves, "body.principal_moments");
+  const auto* word = shape ? shape->as<std::string>() : nullptr;
+  if (word && isRound(nearestShape(*word))) return "\"3\"";
+  const auto* three = moments ? moments->as<Node::Array>() : nullptr;
+  if (three && three->size() == 3 && numberIn((*three)[0]) && numberIn((*three)[0]) == numberIn((*three)[1]))
+    return "\"3\"";
+  return "\"largest\"";
+}
+
+std::string pivotText(const Leaves& leaves) {
+  const Node *shape = valueOf(leaves, "body.shape"), *height = valueOf(leaves, "body.height"),
+             *size = valueOf(leaves, "body.size");
+  const auto* word = shape ? shape->as<std::string>() : nullptr;
+  if (const auto* extents = size ? size->as<Node::Array>() : nullptr; extents && extents->size() == 3)
+    height = &extents->back();
+  if (!height || !(numberIn(*height) || height->as<std::string>())) return "[0, 0, \"-5 cm\"]";
+  const bool isCone = word && word->starts_with("cone");  // stands on its tip, three quarters of its height away
+  Node below = scaled(*height, isCone ? -0.75 : -0.5);
+  if (const auto number = numberIn(below)) return fmt::format("[0, 0, {:.6g}]", *number);
+  return fmt::format("[0, 0, {}]", tomlText(below));
+}
+
+}  // namespace poinsot::scene

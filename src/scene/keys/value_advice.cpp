@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/keys/value_advice.h"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "scene/keys/carried_value.h"
+#include "scene/keys/foreign_words.h"
+#include "scene/keys/shape_advice.h"
+#include "scene/keys/unknown_names.h"
+#include "scene/keys/value_forms.h"
+
+namespace poinsot::scene {
+namespace {
+
+constexpr double kUsualFilm_s = 20;
+
+std::string lineOf(std::string_view name, std::string_view value) {
+  return fmt::format("\n    {} = {}", name, value);
+}
+
+/// Returns advice for a film that is as long as a motion of hours or days.
+std::string filmAdvice(const Node& given, const Leaves& leaves) {
+  const auto span_s = secondsIn(&given);
+  if (!span_s || !(*span_s > static_cast<double>(leaves.limits[Limit::kDuration]))) return "";
+  const std::string text = ". It is the length of the film, not of the motion.";
+  if (leaves.meant.contains("time.speed")) return text;
+  const bool hasSpeed = leaves.values.contains("time.speed");
+  return text + " For example:" + lineOf("duration", "\"20 s\"") +
+         (hasSpeed ? "" : lineOf("speed", fmt::format("{:.6g}", *span_s / kUsualFilm_s)));
+}
+
+std::string startAdvice(const Node& given, const Leaves& leaves) {
+  if (!dateIn(&given) && !given.as<DateOrTime>()) return "";
+  const std::string text = ". Time counts from the start of the motion, without a date.";
+  return leaves.meant.contains("time.start") ? text : text + " For example:" + lineOf("start", "0");
+}
+
+/// Returns motion.lean for a tilt of a quarter turn or more, which only a top under gravity can have.
+std::string tiltAdvice(const Node& given) {
+  const auto angle_rad = numberIn(given);
+  if (!angle_rad || !(*angle_rad > 0 && *angle_rad <= std::numbers::pi)) return "";
+  return ". The angle to the vertical under gravity is motion.lean. For example, in place of tilt:" +
+         lineOf("lean", tomlText(given));
+}
+
+std::string colorAdvice(const Node& given) {
+  const auto* text = given.as<std::string>();
+  if (!text || !(text->starts_with('#') || !namedColor(plainWord(*text)).empty())) return "";
+  return ". It names a colour of [style.colors], where the colours themselves are. For example:" +
+         lineOf("color", "\"vector\"");
+}
+
+std::string adviceOf(const Key& key, const std::string& path, const Node& given, Leaves& leaves) {
+  if (key.path == "time.duration")
+    if (std::string advice = filmAdvice(given, leaves); !advice.empty()) return advice;
+  if (key.path == "time.start")
+    if (std::string advice = startAdvice(given, leaves); !advice.empty()) return advice;
+  if (key.path == "motion.tilt")
+    if (std::string advice = tiltAdvice(given); !advice.empty()) return advice;
+  if (key.path == "vector[].color")
+    if (std::string advice = colorAdvice(given); !advice.empty()) return advice;
+  if (given.as<Node::Array>() && key.type == ValueType::kNumber)
+    if (std::string advice = adviceFor(path, given, leaves); !advice.empty())
+      return advice;  // three numbers for L are a vector, which has another key
+  const auto carried = carriedValue(key, given, leaves.limits);
+  return carried ? " For example:" + lineOf(nameOf(path), *carried) : "";
+}
+
+}  // namespace
+
+std::string withAdvice(std::string message, const std::string& path, const Node& given, Leaves& leaves) {
+  if (!given.place.source->hasLines()) {
+    const bool isVector = given.as<Node::Array>() && findKey(path)->type == ValueType::kNumber;
+    return isVector ? message + adviceFor(path, given, leaves) : message;
+  }
+  if (nameOf(path) == "shape")
+    if (const std::string advice = shapeAdvice(path, given, leaves); !advice.empty())
+      return fmt::format("{}: expected a shape (poinsot explain {} lists all), got {}{}", path, patternOf(path),
+                         describe(given), advice);
+  const bool hasAdvice =
+      message.find("; did you mean \"") != std::string::npos || message.find("; write [[") != std::string::npos;
+  if (hasAdvice) return message;
+  const std::string advice = adviceOf(*findKey(path), path, given, leaves);
+  return message + (advice.starts_with(" For") ? "." : "") + advice;
+}
+
+}  // namespace poinsot::scene
