@@ -177,8 +177,9 @@ TEST(Bodies, RejectTwoDescriptionsOfOneBody) {
 }
 
 TEST(Shapes, ErrorsListTheKeysOfTheShape) {
-  EXPECT_EQ(problems("[body]\nmass=1\nshape='cone'\nradius=1"),
-            "body.shape: \"cone\" takes radius and height; height is missing\n");
+  EXPECT_EQ(
+      problems("[body]\nmass=1\nshape='cone'\nradius=1"),
+      "body.shape: \"cone\" takes radius and height; height is missing. For example:\n    height = \"20 cm\"\n");
   EXPECT_EQ(problems("[body]\nmass=1\nshape='cone'\nradius=1\nheight=2\nedge=3"),
             "body.edge: is not allowed here: shape \"cone\" takes radius and height\n");
   EXPECT_EQ(problems("[body]\nmass=1\nshape='cylinder'\nradius=1\nsize=[1, 1, 1]"),
@@ -209,7 +210,7 @@ TEST(Masses, NeedEitherAMassOrADensity) {
             "body.density: body.mass is given too; give one of the two\n");
   EXPECT_EQ(problems("[[body.part]]\nshape='cube'\nedge=1"),
             "body.part[0].shape: body.part[0].mass is missing: a shape and its mass (or density) set the moments "
-            "together\n");
+            "together. For example:\n    mass = 1\n");
 }
 
 TEST(Parts, ReportMissingKeys) {

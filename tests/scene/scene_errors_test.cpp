@@ -192,7 +192,8 @@ TEST_F(BadScene, IsRejectedForBothMomentsAndAShape) {
 
 TEST_F(BadScene, IsRejectedForAShapeWithoutAMass) {
   expectOnly("half_a_shape.toml", {2, 9, 5},
-             "body.shape: body.mass is missing: a shape and its mass (or density) set the moments together");
+             "body.shape: body.mass is missing: a shape and its mass (or density) set the moments together. "
+             "For example:\n    mass = 1");
 }
 
 TEST_F(BadScene, IsRejectedWithoutAnInitialRotation) {
@@ -298,8 +299,9 @@ TEST(ErrorReport, ExplainsCommonMistakesInToml) {
     EXPECT_THAT(atMessage(std::string("[time]\n") + value + "\n"), HasSubstr("or a fraction, in quotes")) << value;
   EXPECT_THAT(atMessage("[show]\ncones = true\ncones.opacity = 0.5\n"),
               HasSubstr("already given as true or false; remove that line"));
-  EXPECT_EQ(atMessage("[body]\nshape = torus\n"),
-            "test.toml:2:10: not a TOML value; write text in quotes: \"...\"");
+  EXPECT_EQ(
+      atMessage("[body]\nshape = torus\n"),
+      "test.toml:2:10: not a TOML value; write text in quotes: \"...\". For example:\n    shape = \"torus\"");
   EXPECT_THAT(atMessage("[motion.gravity]\ng = 9,81\n"), HasSubstr("(write decimals with a point: 9.81)"));
   EXPECT_THAT(atMessage("[motion]\nomega_body = 0, 0, 5\n"), HasSubstr("(write several values in brackets: "));
   EXPECT_THAT(messagesOf(kMinimal, {"motion.omega_body=[0, 0, 5 rpm]"}), HasSubstr("in quotes: \"3 rpm\""));
@@ -376,7 +378,8 @@ TEST(ErrorReport, PointsAtTheTableThatLacksAKey) {
   ASSERT_EQ(body.size(), 1u);
   EXPECT_EQ(
       body[0].message,
-      "body: the body is missing; give principal_moments, inertia, shape, catalogue, or parts and point masses");
+      "body: the body is missing; give principal_moments, inertia, shape, catalogue, or parts and point masses. "
+      "For example, in [body]:\n    shape = \"box\"\n    size = [0.3, 0.2, 0.05]\n    mass = 1");
   EXPECT_EQ(core::toString(body[0].where), "test.toml:3:2");
   const auto motion = problemsOf("[body]\nprincipal_moments = [1, 1, 1]\n  [motion]\n");
   ASSERT_EQ(motion.size(), 1u);

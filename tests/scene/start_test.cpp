@@ -66,9 +66,15 @@ TEST(Start, MayBeGivenAsEnergyAndMomentum) {
 }
 
 TEST(Start, ReportsMissingKeys) {
-  EXPECT_EQ(problems("spin=3"), "motion.spin: motion.spin_axis is missing: give spin and spin_axis together\n");
-  EXPECT_EQ(problems("tilt=0.3"), "motion.tilt: motion.spin is missing: give spin and spin_axis together\n");
-  EXPECT_EQ(problems("L=3"), "motion.L: motion.energy is missing: give energy and L together\n");
+  EXPECT_EQ(problems("spin=3"),
+            "motion.spin: motion.spin_axis is missing: give spin and spin_axis together. For example:\n    "
+            "spin_axis = \"largest\"\n");
+  EXPECT_EQ(problems("tilt=0.3"),
+            "motion.tilt: motion.spin is missing: give spin and spin_axis together. For example:\n    spin = "
+            "\"3 rev/s\"\n");
+  EXPECT_EQ(
+      problems("L=3"),
+      "motion.L: motion.energy is missing: give energy and L together. For example:\n    energy = \"4.5 J\"\n");
 }
 
 TEST(Start, ReportsImpossibleStartsAtTheirKey) {
@@ -92,9 +98,10 @@ std::vector<double> pastedAfter(const std::string& message, const std::string& n
 }
 
 TEST(TiltUnderGravity, ErrorSuggestsALean) {
-  EXPECT_THAT(problems(kSpinUnderGravity + "tilt='60 deg'\ntilt_towards=1\n"),
-              HasSubstr("motion.tilt: cannot tilt L under gravity, whose vertical is fixed; to lean the body, give "
-                        "motion.lean instead of tilt and tilt_towards"));
+  EXPECT_THAT(
+      problems(kSpinUnderGravity + "tilt='60 deg'\ntilt_towards=1\n"),
+      HasSubstr("motion.tilt: cannot tilt L under gravity, whose vertical is fixed; to lean the body, give "
+                "motion.lean instead of tilt and tilt_towards"));
   EXPECT_EQ(problems(kSpinUnderGravity + "tilt=0\n"), "");
   EXPECT_EQ(problems(kSpinUnderGravity + "orientation=[0.866, 0.5, 0, 0]\n"), "");
 }

@@ -241,7 +241,8 @@ TEST(TopStart, TellsWhatATopWithoutThisMotionNeeds) {
   EXPECT_EQ(messagesOf("body.principal_moments=[2, 3, 4]\n[motion]\ngravity.mgr_body=[0, 0, 3]\n" + slow),
             "motion.precession: needs a symmetric body whose centre of mass lies on the axis of symmetry\n");
   EXPECT_EQ(topProblems("precession='slow'\nlean=1"),
-            "motion.precession: motion.spin is missing: give spin and spin_axis together\n");
+            "motion.precession: motion.spin is missing: give spin and spin_axis together. For example:\n    spin "
+            "= \"3 rev/s\"\n");
 }
 
 TEST(TopStart, LeansItsOwnAxisUnderGravity) {

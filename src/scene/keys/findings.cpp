@@ -65,7 +65,9 @@ bool Findings::isBroken(std::string_view path) const {
 void Findings::refuse(std::string_view path, std::string_view message) {
   if (isBroken(path)) return;
   if (!given_.broken.empty() && placeOf(path).line == 0) return;  // what is missing may be in the broken lines
-  problems_.add(placeOf(path), fmt::format("{}: {}", path, message));
+  const Place place = placeOf(path);
+  if (!place.source->hasLines()) message = message.substr(0, message.find(". For example"));  // no lines to paste
+  problems_.add(place, fmt::format("{}: {}", path, message));
 }
 
 void Findings::refuseMissing(std::string_view missing, std::string_view path, std::string_view message) {
