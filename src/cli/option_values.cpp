@@ -44,9 +44,9 @@ namespace {
 /// Returns the times of a range such as "0..3.6:5".
 std::vector<double> spreadTimes_s(const std::string& times) try {
   const std::string override = fmt::format("{}={}", scene::kInstantKey, times);
+  const scene::SweepAxis axis = scene::sweepAxis(override).value();
   std::vector<double> times_s;
-  for (const scene::SweepValue& value : scene::sweepAxis(override).value().values)
-    times_s.push_back(parseTime_s("--times", value.text));
+  for (const scene::SweepValue& value : axis.values) times_s.push_back(parseTime_s("--times", value.text));
   return times_s;
 } catch (const core::Error& error) {
   std::string message = error.message();

@@ -77,11 +77,11 @@ std::string coordinates(const std::vector<PlacedPoint>& points, const Figure& fi
 /// Returns a comment that lists the coordinates, in lines of at most 100 characters.
 std::string coordinatesComment(const std::vector<PlacedPoint>& points) {
   if (points.empty()) return "";
-  constexpr std::size_t kLongest = 100;
+  constexpr std::size_t kLongestLine = 100;
   std::string text, line = "% Coordinates:";
   for (const PlacedPoint& point : points) {
     const std::string word = " (" + point.name + ")";
-    if (line.size() + word.size() > kLongest) {
+    if (line.size() + word.size() > kLongestLine) {
       text += line + "\n";
       line = "%  ";
     }
