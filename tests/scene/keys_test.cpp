@@ -200,8 +200,8 @@ TEST(Keys, AreFoundByPath) {
   EXPECT_FALSE(isTable("show.pla") || isTable("camera.fov"));
   EXPECT_THAT(namesBelow("show.plane"), testing::ElementsAre("visible", "opacity", "grid"));
   EXPECT_THAT(namesBelow(""),
-              testing::ElementsAre("schema", "body", "motion", "time", "camera", "show", "mark", "view", "label",
-                                   "vector", "angle", "plot", "readout", "note", "timeline", "style", "output"));
+              testing::ElementsAre("schema", "body", "motion", "time", "camera", "show", "mark", "view", "label", "vector",
+                                   "angle", "plot", "readout", "note", "timeline", "style", "output"));
   EXPECT_EQ(findKey("body.part[12].mass")->path, "body.part[].mass");
   EXPECT_EQ(findKey("body.part.mass"), nullptr);
   EXPECT_EQ(findKey("body.part[x].mass"), nullptr);

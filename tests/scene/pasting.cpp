@@ -70,20 +70,23 @@ class Editor {
   void apply(const Problem& problem) {
     const std::string& message = problem.message;
     const std::vector<Block> blocks = blocksOf(message);
-    const bool leave = contains(message, "leave it out") || contains(message, "leave them out");
-    if (blocks.empty() && !leave) return;
     std::size_t at = indexOf(problem.where.line);
-    if (contains(message, "in place of this [[") || contains(message, "in place of [["))
+    const bool leaves = contains(message, "leave it out") || contains(message, "leave them out") ||
+                        contains(message, "leave this line out");
+    if (contains(message, "in place of this [["))
       at = removeTable(at);
+    else if (contains(message, "in place of [["))
+      at = removeAll(between(message, "in place of ", ":,"));
     else if (contains(message, "not TOML") || contains(message, "not a TOML"))
       lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(at));
-    else
+    else if (!blocks.empty() || leaves)
       for (const std::string& name : listedIn(message.substr(0, message.find(':'))))
         at = removeKey(at, std::string(nameOf(name)));
     if (!blocks.empty())
       for (const std::string& name : listedIn(between(blocks[0].where, "in place of ", ":")))
         if (name.find_first_of("[ ") == std::string::npos) at = removeKey(at, name);
     for (const Block& block : blocks) insert(at, block);
+    removeEmptyTables();
   }
 
   std::string text() const {
@@ -125,6 +128,23 @@ class Editor {
     const auto first = lines_.begin();
     lines_.erase(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end));
     return begin;
+  }
+
+  std::size_t removeAll(const std::string& header) {
+    std::size_t at = lines_.size();
+    for (std::size_t i = lines_.size(); i-- > 0;)
+      if (core::trimmed(lines_[i].text) == header) at = removeTable(i);
+    return at;
+  }
+
+  /// Removes tables of the original scene in which nothing is left.
+  void removeEmptyTables() {
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      if (!isHeader(lines_[i]) || lines_[i].number == 0) continue;
+      std::size_t end = i + 1;
+      while (end < lines_.size() && core::trimmed(lines_[end].text).empty()) ++end;
+      if (end == lines_.size() || isHeader(lines_[end])) removeTable(i--);
+    }
   }
 
   /// Removes a key from the table that contains a line. Returns the place of the key, or the line if there is

@@ -198,7 +198,8 @@ TEST_F(BadScene, IsRejectedForAShapeWithoutAMass) {
 
 TEST_F(BadScene, IsRejectedWithoutAnInitialRotation) {
   expectOnly("no_start.toml", {1, 1, 0},
-             "motion.omega_body: a start is required: give the angular velocity, such as [0.01, 3.0, 0.0]");
+             "motion.omega_body: a start is required: give the angular velocity. For example, in [motion]:\n"
+             "    omega_body = [0.01, 3.0, 0.0]");
 }
 
 TEST_F(BadScene, IsRejectedForANegativeMass) {

@@ -62,7 +62,8 @@ Scene assemble(Draft draft, Findings& findings, const SceneFolder& folder) {
   askForShown(draft, findings);
   Scene scene = draft.scene;
   std::optional<Rest> rest;
-  if (!findings.hasBelow("body") && !findings.hasBelow("motion") && findings.count("body.part") == 0)
+  const auto lacks = [&](const char* table) { return !findings.hasBelow(table) && !findings.isMeantBelow(table); };
+  if (lacks("body") && lacks("motion") && findings.count("body.part") == 0)
     findings.refuseEmpty(kNothing);
   else
     rest = bodyAndMotion(draft, findings, folder, scene);

@@ -163,7 +163,8 @@ class StartAssembly {
         return refuseIncomplete(*way, startWay("spin and spin_axis"), "spin");
     if (!startIsMisspelt())
       findings_.refuse("motion.omega_body",
-                       "a start is required: give the angular velocity, such as [0.01, 3.0, 0.0]");
+                       "a start is required: give the angular velocity. For example, in [motion]:\n    omega_body "
+                       "= [0.01, 3.0, 0.0]");
   }
 
   void start() {

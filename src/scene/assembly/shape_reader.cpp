@@ -59,11 +59,12 @@ std::string ShapeReader::lengthPath() const {
 }
 
 /// Returns the set of keys, such as radius and height, of which the fewest are missing. If several sets are
-/// equally near, returns the first of them.
+/// equally near, returns the one of which the most are given.
 const KeyNames& ShapeReader::nearestWay() const {
   const auto lacks = [this](const KeyNames& way) {
-    return std::count_if(way.begin(), way.end(),
-                         [this](std::string_view name) { return !has(name) && !findings_.misspelt(path(name)); });
+    const auto missing = static_cast<std::ptrdiff_t>(missingOf(way).size());
+    return std::pair(missing,
+                     missing - static_cast<std::ptrdiff_t>(way.size()));  // second, the most that are given
   };
   return *std::min_element(kind().ways.begin(), kind().ways.end(),
                            [&](const KeyNames& a, const KeyNames& b) { return lacks(a) < lacks(b); });

@@ -19,10 +19,6 @@
 namespace poinsot::scene {
 namespace {
 
-bool isScalar(const Node& node) { return numberIn(node) || node.as<std::string>(); }
-
-Node zeroAt(const Place& place) { return {std::int64_t{0}, place}; }
-
 std::vector<KeyLine> lineOf(const Key& key, const std::optional<std::string>& value) {
   if (!value) return {};
   return {{std::string(nameOf(key.path)), *value}};
@@ -41,27 +37,27 @@ std::optional<Node> tensorOf(const std::vector<const Node*>& six) {
       const Node* element = six[kPlaces[3 * row + column]];
       elements.push_back(element ? *element : zeroAt(place));
     }
-    rows.push_back(arrayOf(std::move(elements), place));
+    rows.push_back(listNode(std::move(elements), place));
   }
-  return arrayOf(std::move(rows), place);
+  return listNode(std::move(rows), place);
 }
 
 std::optional<Node> listFrom(const std::vector<const Node*>& values) {
   if (std::ranges::find(values, nullptr) != values.end()) return std::nullopt;
   std::vector<Node> elements;
   for (const Node* value : values) elements.push_back(*value);
-  return arrayOf(std::move(elements), values[0]->place);
+  return listNode(std::move(elements), values[0]->place);
 }
 
 std::optional<Node> below(const Node& distance) {
   if (!isScalar(distance)) return std::nullopt;
-  return arrayOf({zeroAt(distance.place), zeroAt(distance.place), scaled(distance, -1)}, distance.place);
+  return listNode({zeroAt(distance.place), zeroAt(distance.place), scaled(distance, -1)}, distance.place);
 }
 
 /// Returns the vector [a, a, c] of two values.
 std::optional<Node> symmetric(const std::vector<const Node*>& two) {
   if (two.size() != 2 || !two[0] || !two[1] || !isScalar(*two[0]) || !isScalar(*two[1])) return std::nullopt;
-  return arrayOf({*two[0], *two[0], *two[1]}, two[0]->place);
+  return listNode({*two[0], *two[0], *two[1]}, two[0]->place);
 }
 
 /// Returns a vector of a magnitude and a direction, which may be a vector or the name of an axis.
@@ -74,7 +70,7 @@ std::optional<Node> directed(const std::vector<const Node*>& two) {
     if (axis == std::string_view::npos) return std::nullopt;
     std::vector<Node> unit(3, zeroAt(direction.place));
     unit[axis % 3] = {std::int64_t{1}, direction.place};
-    direction = arrayOf(std::move(unit), direction.place);
+    direction = listNode(std::move(unit), direction.place);
   } else if (text) {
     direction = *numbersIn(direction);
   }
@@ -94,13 +90,13 @@ std::optional<Node> directed(const std::vector<const Node*>& two) {
       one = {std::strtod(fmt::format("{:.6g}", *number).c_str(), nullptr), one.place};
     elements.push_back(std::move(one));
   }
-  return arrayOf(std::move(elements), two[0]->place);
+  return listNode(std::move(elements), two[0]->place);
 }
 
 std::optional<Node> reversed(const Node& given) {
   const auto* array = given.as<Node::Array>();
   if (!array || array->size() != 3) return std::nullopt;
-  return arrayOf({(*array)[2], (*array)[1], (*array)[0]}, given.place);
+  return listNode({(*array)[2], (*array)[1], (*array)[0]}, given.place);
 }
 
 /// Returns a rate of one turn per period, in the unit of the period.
@@ -142,6 +138,13 @@ std::optional<Node> spanOf(const Node& given) {
   return std::nullopt;
 }
 
+/// Returns a size in pixels for a size in inches and the pixels of an inch, of which 100 are usual.
+std::optional<Node> pixelsOf(const std::vector<const Node*>& values) {
+  if (values.empty() || !values[0] || !values[0]->as<Node::Array>()) return std::nullopt;
+  const auto dpi = values.size() > 1 && values[1] ? numberIn(*values[1]) : 100;
+  return dpi ? std::optional(scaled(*values[0], *dpi)) : std::nullopt;
+}
+
 std::vector<KeyLine> orbitLines(const Node& given) {
   const auto* array = given.as<Node::Array>();
   if (!array || array->size() != 2 || !numberIn((*array)[0]) || !numberIn((*array)[1])) return {};
@@ -164,7 +167,7 @@ const Node* firstOf(const std::vector<const Node*>& values) {
 std::optional<Node> scalarFirst(const Node& given) {
   const auto* array = given.as<Node::Array>();
   if (!array || array->size() != 4) return std::nullopt;
-  return arrayOf({(*array)[3], (*array)[0], (*array)[1], (*array)[2]}, given.place);
+  return listNode({(*array)[3], (*array)[0], (*array)[1], (*array)[2]}, given.place);
 }
 
 /// Returns the azimuth and the elevation of a camera at a position.
@@ -229,7 +232,9 @@ std::vector<KeyLine> carriedLines(const ForeignNames& row, const Key& key, const
       return rate ? lineOf(key, carriedValue(key, *rate, limits)) : std::vector<KeyLine>();
     }
     case Carry::kEuler:
-      return eulerLines(key, *values[0], limits);
+      return eulerLines(key, withUnit(*values[0], row.unit, key.dimension), limits);
+    case Carry::kInches:
+      return carried(pixelsOf(values));
     case Carry::kSpan:
       return carried(spanOf(*values[0]));
     case Carry::kOrbit:

@@ -13,6 +13,8 @@
 
 namespace poinsot::scene {
 
+constexpr double kUsualFilm_s = 20;  // length of a film that shows a motion of hours or days
+
 /// Line "name = value" of a table, in TOML.
 struct KeyLine {
   std::string name, value;

@@ -22,6 +22,9 @@ constexpr std::string_view kMomentum =
 constexpr std::string_view kScalarFirst = "The order is w, x, y, z.";
 constexpr std::string_view kNoSteps = "The motion is computed exactly at any time and has no time step.";
 
+constexpr std::string_view kCatalogue =
+    "The catalogue has t_handle, racket, book, phone, football, frisbee, wing_nut, explorer_1, earth and "
+    "toutatis.";
 constexpr std::string_view kEllipsoid = "shape = \"ellipsoid\"; mass = 1";
 constexpr std::string_view kSemiAxes = "As semi-axes, they are half the extents that size takes.";
 constexpr std::string_view kTwoEqual = "The first two are those across the axis of symmetry.";
@@ -150,7 +153,8 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"edge edge_length side side_length", "body.edge", "shape = \"cube\"; mass = 1"},
     {"length", "body.size", kBoxShape, "It takes the three extents together.", Carry::kNothing},
     {"type shape shape_type geometry geom solid kind object name primitive form", "body.shape"},
-    {"type object model preset kind body name template example catalog asteroid planet", "body.catalogue"},
+    {"type object model preset kind body name template example catalog asteroid planet", "body.catalogue", "",
+     kCatalogue},
     {"type shape shape_type geometry geom solid kind primitive form", "body.shape"},
     {"thickness", "body.wall", "shape = \"hollow_box\"; size = [0.3, 0.2, 0.05]; mass = 1"},
     {"pivot fixed_point pivot_point support anchor suspension_point point_of_support tip hinge contact_point",
@@ -166,18 +170,6 @@ constexpr auto kRows = std::to_array<ForeignNames>({
      "body.centre_of_mass", kMass},
 
     // Start of the motion
-    {"w w0 w_0 omega omega0 omega_0 Omega Omega0 angular_velocity angular_vel ang_vel angvel av w_body wb "
-     "omega_b omega_B angular_speed rotation_rate rotational_velocity rotation_speed spin_vector spin_velocity "
-     "body_rates gyro motion.spin rates angular_rates angular_rate body_rate ang_rate omega_vec omega_vector "
-     "tumble tumble_rate rotation_vector initial_spin angular_velocities rotational_speed qvel",
-     "motion.omega_body", "", kInBodyAxes},
-    {"wx wy wz", "motion.omega_body", "", kInBodyAxes, Carry::kList},
-    {"w_x w_y w_z", "motion.omega_body", "", kInBodyAxes, Carry::kList},
-    {"w1 w2 w3", "motion.omega_body", "", kInBodyAxes, Carry::kList},
-    {"omega_x omega_y omega_z", "motion.omega_body", "", kInBodyAxes, Carry::kList},
-    {"omegax omegay omegaz", "motion.omega_body", "", kInBodyAxes, Carry::kList},
-    {"omega_1 omega_2 omega_3", "motion.omega_body", "", kInBodyAxes, Carry::kList},
-    {"omega1 omega2 omega3", "motion.omega_body", "", kInBodyAxes, Carry::kList},
     {"omega_magnitude omega_direction", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
     {"omega_mag omega_dir", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
     {"omega omega_direction", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
@@ -193,6 +185,18 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"rotation_rate rotation_axis", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
     {"spin_rate spin_direction", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
     {"angular_speed direction", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
+    {"w w0 w_0 omega omega0 omega_0 Omega Omega0 angular_velocity angular_vel ang_vel angvel av w_body wb "
+     "omega_b omega_B angular_speed rotation_rate rotational_velocity rotation_speed spin_vector spin_velocity "
+     "body_rates gyro motion.spin rates angular_rates angular_rate body_rate ang_rate omega_vec omega_vector "
+     "tumble tumble_rate rotation_vector initial_spin angular_velocities rotational_speed qvel",
+     "motion.omega_body", "", kInBodyAxes},
+    {"wx wy wz", "motion.omega_body", "", kInBodyAxes, Carry::kList},
+    {"w_x w_y w_z", "motion.omega_body", "", kInBodyAxes, Carry::kList},
+    {"w1 w2 w3", "motion.omega_body", "", kInBodyAxes, Carry::kList},
+    {"omega_x omega_y omega_z", "motion.omega_body", "", kInBodyAxes, Carry::kList},
+    {"omegax omegay omegaz", "motion.omega_body", "", kInBodyAxes, Carry::kList},
+    {"omega_1 omega_2 omega_3", "motion.omega_body", "", kInBodyAxes, Carry::kList},
+    {"omega1 omega2 omega3", "motion.omega_body", "", kInBodyAxes, Carry::kList},
     {"w_world w_space omega_world omega_W omega_inertial omega_lab", "motion.omega_space"},
     {"spin_rate spin_speed spin_frequency spinrate frequency rotation_frequency", "motion.spin",
      "spin_axis = \"largest\""},
@@ -299,7 +303,8 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"width height", "output.size", "", "", Carry::kList},
     {"height h", "body.height", "shape = \"cylinder\"; radius = 0.1; mass = 1"},
     {"resolution size_px image_size window_size video_size output_size", "output.size"},
-    {"figsize dpi", "output.size", "", "", Carry::kNothing},
+    {"figsize dpi", "output.size", "", "A size is in pixels.", Carry::kInches},
+    {"dpi", "output.size", "", "", Carry::kNothing},
     {"output.file output.filename output.path output.name output.output output.out output.video output.outfile "
      "output.save output.folder output.directory output.format output.container output.type output.extension "
      "output.writer output.gif output.mp4 output_file outfile filename file_name savefig save_as",
@@ -376,8 +381,7 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"invariable_plane draw_plane draw_invariable_plane show_plane tangent_plane rolling_plane",
      "show.plane.visible"},
     {"space_cone body_cone", "show.cones.visible", "", "", Carry::kEither},
-    {"cone precession_cone show_cones show.space_cone show.body_cone rolling_cones poinsot_cones",
-     "show.cones.visible"},
+    {"cone precession_cone show_cones rolling_cones poinsot_cones", "show.cones.visible"},
     {"trail trajectory path show_trail trace_axis axis_trace tip_trace locus tip_path show_trace",
      "show.trace.visible", "", "", Carry::kNothing},
     {"trail_length trace_length", "show.trace.visible", "", "", Carry::kNothing},

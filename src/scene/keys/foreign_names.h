@@ -24,6 +24,7 @@ enum class Carry {
   kReversed,   ///< three values in the opposite order
   kPeriod,     ///< time of a turn, which becomes a rate
   kSlowness,   ///< a factor by which a film is slower, which becomes a speed
+  kInches,     ///< size of a picture in inches, and perhaps the pixels of an inch
   kInterval,   ///< time from frame to frame, which becomes frames per second
   kEuler,      ///< three Euler angles or their rates, which become three keys
   kSpan,       ///< start and end of a time, which become a duration

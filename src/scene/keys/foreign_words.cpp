@@ -137,7 +137,7 @@ constexpr auto kColors = std::to_array<Pair>({
 });
 
 // Usual densities, rounded as in tables of materials.
-constexpr auto kDensities = std::to_array<Pair>({
+constexpr auto kMaterials = std::to_array<Pair>({
     {"wood oak beech maple", "700"},
     {"pine spruce plywood", "500"},
     {"balsa", "150"},
@@ -174,6 +174,6 @@ std::string plainWord(std::string_view text) {
 std::string_view wordElsewhere(std::string_view word) { return second(kWords, word); }
 std::string_view quantityElsewhere(std::string_view word) { return second(kQuantities, word); }
 std::string_view namedColor(std::string_view name) { return second(kColors, name); }
-std::string_view densityOf(std::string_view material) { return second(kDensities, material); }
+std::string_view densityOf(std::string_view material) { return second(kMaterials, material); }
 
 }  // namespace poinsot::scene

@@ -20,7 +20,7 @@ const NamedShape* shapeNamed(std::string_view word) {
   return found == namedShapes().end() ? nullptr : &*found;
 }
 
-const Node* valueOf(const Leaves& leaves, const std::string& path) {
+const Node* valueIn(const Leaves& leaves, const std::string& path) {
   const auto found = leaves.values.find(path);
   return found == leaves.values.end() ? nullptr : &found->second;
 }
@@ -50,12 +50,12 @@ std::string missingLines(const NamedShape& shape, const std::string& table, cons
   return best;
 }
 
-bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words) {
+bool isAnyOf(std::string_view word, std::initializer_list<std::string_view> words) {
   return std::ranges::find(words, word) != words.end();
 }
 
 std::string dumbbell(const Leaves& leaves) {
-  const Node* mass = valueOf(leaves, "body.mass");
+  const Node* mass = valueIn(leaves, "body.mass");
   const std::string half = mass ? tomlText(scaled(*mass, 0.5)) : "1";
   std::string text = mass ? ", in place of shape and mass" : ", in place of shape";
   text = "; a dumbbell is made of two parts. For example, at the end of the file" + text + ":";
@@ -90,7 +90,7 @@ std::string nearestShape(std::string_view given) {
 }
 
 bool isRound(std::string_view shape) {
-  return isOneOf(shape, {"cylinder", "cylinder_shell", "disc", "hoop", "cone", "cone_shell", "torus",
+  return isAnyOf(shape, {"cylinder", "cylinder_shell", "disc", "hoop", "cone", "cone_shell", "torus",
                          "torus_shell", "capsule", "hemisphere", "sphere", "sphere_shell"});
 }
 
@@ -102,7 +102,7 @@ std::string shapeAdvice(const std::string& path, const Node& given, const Leaves
     return "; leave it out: the scene gives the moments, and a shape would set them too (show.body.shape only "
            "draws "
            "one)";
-  if (table == "body" && isOneOf(word, {"dumbbell", "dumb_bell", "barbell", "dumbell", "two_balls", "dipole"}))
+  if (table == "body" && isAnyOf(word, {"dumbbell", "dumb_bell", "barbell", "dumbell", "two_balls", "dipole"}))
     return leaves.meant.contains("body.part[].mass") || leaves.meant.contains("body.point_mass[].mass")
                ? "; leave it out: the masses and their positions make the body"
                : dumbbell(leaves);
@@ -119,7 +119,7 @@ std::string shapeAdvice(const std::string& path, const Node& given, const Leaves
 }
 
 std::string spinAxisText(const Leaves& leaves) {
-  const Node *shape = valueOf(leaves, "body.shape"), *moments = valueOf(leaves, "body.principal_moments");
+  const Node *shape = valueIn(leaves, "body.shape"), *moments = valueIn(leaves, "body.principal_moments");
   const auto* word = shape ? shape->as<std::string>() : nullptr;
   if (word && isRound(nearestShape(*word))) return "\"3\"";
   const auto* three = moments ? moments->as<Node::Array>() : nullptr;
@@ -129,8 +129,8 @@ std::string spinAxisText(const Leaves& leaves) {
 }
 
 std::string pivotText(const Leaves& leaves) {
-  const Node *shape = valueOf(leaves, "body.shape"), *height = valueOf(leaves, "body.height"),
-             *size = valueOf(leaves, "body.size");
+  const Node *shape = valueIn(leaves, "body.shape"), *height = valueIn(leaves, "body.height"),
+             *size = valueIn(leaves, "body.size");
   const auto* word = shape ? shape->as<std::string>() : nullptr;
   if (const auto* extents = size ? size->as<Node::Array>() : nullptr; extents && extents->size() == 3)
     height = &extents->back();

@@ -16,7 +16,7 @@
 namespace poinsot::scene {
 namespace {
 
-constexpr std::size_t kMost = 3;
+constexpr std::size_t kMostSimilar = 3;
 
 // Words with the same meaning. The first word of a group stands for all.
 constexpr auto kSynonyms = std::to_array<std::string_view>({
@@ -172,11 +172,11 @@ class Index {
   std::map<std::string, double, std::less<>> counts_;
 };
 
-std::string_view topOf(std::string_view path) { return path.substr(0, path.find_first_of(".[")); }
+std::string_view topTable(std::string_view path) { return path.substr(0, path.find_first_of(".[")); }
 
 /// Returns a factor for a key in another table. The look of a picture never leads to physics.
 double nearness(std::string_view table, const Key& key) {
-  const std::string_view own = topOf(table), other = topOf(key.path);
+  const std::string_view own = topTable(table), other = topTable(key.path);
   if (tableOf(key.path) == table) return 1.3;
   if (own == other) return 1.15;
   const auto isPhysics = [](std::string_view top) { return top == "body" || top == "motion"; };
@@ -211,7 +211,7 @@ std::vector<const Key*> similarKeys(std::string_view path, const std::function<b
   });
   std::vector<const Key*> best;
   for (const auto& [score, key] : scores)
-    if (best.size() < kMost && score >= kLeastOfBest * scores[0].first) best.push_back(key);
+    if (best.size() < kMostSimilar && score >= kLeastOfBest * scores[0].first) best.push_back(key);
   return best;
 }
 

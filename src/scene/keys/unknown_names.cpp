@@ -29,8 +29,6 @@ namespace {
 // Number of names for which an example is made. A report shows no more problems than this.
 constexpr std::size_t kMostExamples = 50;
 
-constexpr double kUsualFilm_s = 20;  // length of a film that shows a long motion
-
 /// Key for which unknown names of one table stand, with lines to paste.
 struct Counterpart {
   std::vector<std::string> names;  ///< names, without their table
@@ -172,15 +170,10 @@ class Report {
     if (auto sides = sidesCounterpart(path)) return sides;
     if (auto foreign = foreignCounterpart(path, at)) return foreign;
     if (auto shape = shapeCounterpart(path)) return shape;
-    if (auto unit = unitCounterpart(at == path ? path : at, *unknown.value)) return withNames(*unit, path);
+    if (auto unit = unitCounterpart(path, at)) return unit;
     if (auto near = misspeltCounterpart(path, *unknown.value)) return near;
     if (auto other = keyElsewhere(path, *unknown.value)) return other;
     return similarCounterpart(path, at, *unknown.value);
-  }
-
-  static std::optional<Counterpart> withNames(Counterpart counterpart, const std::string& path) {
-    counterpart.names = {std::string(nameOf(path))};
-    return counterpart;
   }
 
   /// Returns a key of our table for a name in a table of another name, such as motion.torque.body for torque.body.
@@ -236,6 +229,7 @@ class Report {
     }
     const std::string key = keyFor(row, at);
     if (key == "motion.gravity.g") return gravityCounterpart(row, path);
+    if (key == "motion.precession" && row.carry == Carry::kNothing) return steadyCounterpart(row, path);
     if (key == "time.duration" && isOfFilm(nameOf(path)))
       if (auto film = filmCounterpart(path)) return film;
     if (key == "motion.L_body" && !values_.at(path)->as<Node::Array>() && mentionsAttitude())
@@ -254,7 +248,7 @@ class Report {
   static bool takesSeveral(const ForeignNames& row) {
     return row.carry == Carry::kList || row.carry == Carry::kTensor || row.carry == Carry::kNothing ||
            row.carry == Carry::kSymmetric || row.carry == Carry::kDirected || row.carry == Carry::kEither ||
-           row.carry == Carry::kPoints;
+           row.carry == Carry::kPoints || row.carry == Carry::kInches;
   }
 
   std::vector<std::string> presentNames(const ForeignNames& row, const std::string& path) const {
@@ -305,7 +299,10 @@ class Report {
     return mentions("motion.euler.") || mentions("motion.orientation") || mentions("motion.roll_pitch_yaw");
   }
 
-  bool isThrown() const { return mentions("motion.flight."); }
+  bool isThrown() const {
+    const auto next = leaves_.meant.lower_bound("motion.flight.");
+    return mentions("motion.flight.") || (next != leaves_.meant.end() && next->starts_with("motion.flight."));
+  }
 
   // ---- names for which nothing stands
 
@@ -332,6 +329,19 @@ class Report {
                             std::string(row.note)};
     if (!mentions("body.mass") && !mentions("body.density") && !mentions("body.part["))
       counterpart.lines.push_back({"mass", "1", "body"});
+    if (!mentions("body.pivot")) counterpart.lines.push_back({"pivot", pivotText(leaves_), "body"});
+    return counterpart;
+  }
+
+  /// Returns the key of a steady precession, with gravity if the scene lacks it.
+  std::optional<Counterpart> steadyCounterpart(const ForeignNames& row, const std::string& path) const {
+    Counterpart counterpart{{std::string(nameOf(path))},
+                            std::string(row.key),
+                            {{"precession", "\"slow\""}},
+                            std::string(row.with),
+                            std::string(row.note)};
+    if (mentions("motion.gravity")) return counterpart;
+    counterpart.lines.push_back({"g", "9.81", "motion.gravity"});
     if (!mentions("body.pivot")) counterpart.lines.push_back({"pivot", pivotText(leaves_), "body"});
     return counterpart;
   }
@@ -370,7 +380,7 @@ class Report {
                                row.unit};
       auto counterpart =
           ofRow(other, path, path, carriedLines(other, *findKey(other.key), {values_.at(path)}, leaves_.limits));
-      if (counterpart) counterpart->names.emplace_back(nameOf(name.path));
+      if (counterpart && !taken_.contains(name.path)) counterpart->names.emplace_back(nameOf(name.path));
       return counterpart;
     }
     return std::nullopt;
@@ -411,6 +421,8 @@ class Report {
     if (film || !known) counterpart.lines.push_back({"duration", film ? tomlText(*film) : "\"20 s\""});
     if (!knownValue("time.speed")) counterpart.lines.push_back({"speed", numberText(*span_s / film_s)});
     if (counterpart.lines.empty()) return std::nullopt;
+    if (std::ranges::find(counterpart.replaced, "start") != counterpart.replaced.end())
+      counterpart.lines.push_back({"start", "0"});
     counterpart.key = pathBelow("time", counterpart.lines[0].name);
     return counterpart;
   }
@@ -426,7 +438,6 @@ class Report {
       counterpart.names.emplace_back(name);
       if (!from || !to) return *until - secondsIn(start).value_or(0);
       counterpart.replaced.emplace_back("start");
-      counterpart.lines.push_back({"start", "0"});
       return *to - *from;
     }
     return std::nullopt;
@@ -592,7 +603,7 @@ class Report {
       }
     if (sides.size() != 3) return std::nullopt;
     const auto size =
-        carriedValue(*findKey("body.size"), arrayOf(std::move(sides), values_.at(path)->place), leaves_.limits);
+        carriedValue(*findKey("body.size"), listNode(std::move(sides), values_.at(path)->place), leaves_.limits);
     if (!size) return std::nullopt;
     if (word == "plate" || word.empty()) {
       counterpart.lines.push_back({"shape", "\"box\""});
@@ -617,20 +628,23 @@ class Report {
   }
 
   /// Returns the key of a name with a unit at its end, such as body.mass for body.mass_kg.
-  std::optional<Counterpart> unitCounterpart(const std::string& path, const Node& value) const {
-    for (std::size_t end = path.find('_', path.rfind('.') + 1); end != std::string::npos;
-         end = path.find('_', end + 1)) {
-      const std::string stem = path.substr(0, end), suffix = path.substr(end + 1);
-      if (auto counterpart = withUnit(stem, suffix, value)) {
-        counterpart->names = {std::string(nameOf(path))};
+  /// @param at  path of the name in our tables
+  std::optional<Counterpart> unitCounterpart(const std::string& path, const std::string& at) const {
+    for (std::size_t end = at.find('_', at.rfind('.') + 1); end != std::string::npos; end = at.find('_', end + 1))
+      if (auto counterpart = withUnit(at.substr(0, end), at.substr(end + 1), path)) {
+        if (counterpart->names.empty() || takesOne(*counterpart, at.substr(0, end)))
+          counterpart->names = {std::string(nameOf(path))};
         return counterpart;
       }
-    }
     return std::nullopt;
   }
 
+  static bool takesOne(const Counterpart& counterpart, std::string_view stem) {
+    return counterpart.names.size() == 1 && counterpart.names[0] == nameOf(stem);
+  }
+
   std::optional<Counterpart> withUnit(const std::string& stem, const std::string& suffix,
-                                      const Node& value) const {
+                                      const std::string& path) const {
     std::vector<ForeignNames> rows;
     const std::string own = findKey(stem) ? patternOf(stem) : "";
     if (!own.empty()) rows.push_back({"", own});
@@ -638,14 +652,29 @@ class Report {
     const std::string other = rows.empty() ? sameName(nameOf(stem)).value_or("") : "";
     if (!other.empty()) rows.push_back({"", other});
     for (ForeignNames& row : rows) {
+      if (row.key.empty() || !takesUnit(row.carry)) continue;
       const Key& key = *findKey(row.key);
-      const std::string unit = unitInName(suffix, key.dimension);
-      if (unit.empty() || row.carry != Carry::kValue) continue;
-      row.unit = unit;
-      std::vector<KeyLine> lines = carriedLines(row, key, {&value}, leaves_.limits);
+      const bool isTime = row.carry == Carry::kPeriod || row.carry == Carry::kInterval;
+      row.unit = unitOf(suffix, isTime ? Dimension::kTime : key.dimension);
+      if (row.unit.empty()) continue;
+      if (auto three = otherSequence(row, path)) return three;
+      std::vector<KeyLine> lines = carriedLines(row, key, {values_.at(path)}, leaves_.limits);
+      if (lines.empty() && row.carry != Carry::kValue) continue;
       return ofRow(row, stem, stem, lines.empty() ? exampleOf(key) : std::move(lines));
     }
     return std::nullopt;
+  }
+
+  static bool takesUnit(Carry carry) {
+    return carry == Carry::kValue || carry == Carry::kPeriod || carry == Carry::kInterval ||
+           carry == Carry::kEuler || carry == Carry::kReversed || carry == Carry::kBelow;
+  }
+
+  /// Returns the unit at the end of a name, kept for as long as the program runs.
+  static std::string_view unitOf(const std::string& suffix, Dimension dimension) {
+    static thread_local std::set<std::string, std::less<>> units;
+    const std::string unit = unitInName(suffix, dimension);
+    return unit.empty() ? std::string_view() : std::string_view(*units.insert(unit).first);
   }
 
   /// Returns the key of a misspelt name, if its value needs another form.
@@ -788,7 +817,7 @@ class Report {
         std::ranges::find(counterpart.replaced, nameOf(counterpart.key)) != counterpart.replaced.end();
     if (counterpart.choices.empty() && !replaces && leaves_.values.contains(counterpart.key) &&
         counterpart.instead.empty())
-      return text + " The scene gives it too.";
+      return text + " The scene gives it too; leave this line out.";
     if (!place.source->hasLines() || !offered_.insert(counterpart.key).second) return text;
     return text + (counterpart.choices.empty() ? pasted(path, counterpart) : oneOf(counterpart));
   }
@@ -837,7 +866,7 @@ class Report {
   std::string placed(const std::string& path, std::string table, const std::vector<KeyLine>& lines,
                      const std::string& instead, bool first) {
     const bool isElement = table.find("[]") != std::string::npos;
-    const std::string begin = (first ? " For example" : "\n  and") + instead + (first ? "" : ",");
+    const std::string begin = (first ? " For example" : "\n  and") + instead;
     const auto in = [&](std::string_view where) {
       return fmt::format("{}{}{}:", begin, first && !where.empty() ? ", " : where.empty() ? "" : " ", where);
     };
@@ -877,6 +906,7 @@ class Report {
     std::erase_if(lines, [&](const KeyLine& line) { return isGiven(table, line.name); });
     for (KeyLine& line : lines) {
       offered_.insert(pathBelow(table, line.name));
+      leaves_.meant.insert(pathBelow(table, line.name));  // a second message on it would say the same
       if (line.name == "spin_axis") line.value = spinAxisText(leaves_);
     }
     return lines;
@@ -887,6 +917,7 @@ class Report {
     using Names = std::vector<std::string_view>;
     static const std::vector<std::pair<Names, Names>> alternatives = {
         {{"mass"}, {"density"}},
+        {{"lean"}, {"tilt", "orientation", "roll_pitch_yaw"}},
         {{"density"}, {"mass"}},
         {{"shape"}, {"principal_moments", "inertia", "catalogue"}},
         {{"size"}, {"radius", "height", "length", "edge"}},

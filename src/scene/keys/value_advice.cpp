@@ -14,9 +14,7 @@
 namespace poinsot::scene {
 namespace {
 
-constexpr double kUsualFilm_s = 20;
-
-std::string lineOf(std::string_view name, std::string_view value) {
+std::string pastedLine(std::string_view name, std::string_view value) {
   return fmt::format("\n    {} = {}", name, value);
 }
 
@@ -27,14 +25,14 @@ std::string filmAdvice(const Node& given, const Leaves& leaves) {
   const std::string text = ". It is the length of the film, not of the motion.";
   if (leaves.meant.contains("time.speed")) return text;
   const bool hasSpeed = leaves.values.contains("time.speed");
-  return text + " For example:" + lineOf("duration", "\"20 s\"") +
-         (hasSpeed ? "" : lineOf("speed", fmt::format("{:.6g}", *span_s / kUsualFilm_s)));
+  return text + " For example:" + pastedLine("duration", "\"20 s\"") +
+         (hasSpeed ? "" : pastedLine("speed", fmt::format("{:.6g}", *span_s / kUsualFilm_s)));
 }
 
 std::string startAdvice(const Node& given, const Leaves& leaves) {
   if (!dateIn(&given) && !given.as<DateOrTime>()) return "";
   const std::string text = ". Time counts from the start of the motion, without a date.";
-  return leaves.meant.contains("time.start") ? text : text + " For example:" + lineOf("start", "0");
+  return leaves.meant.contains("time.start") ? text : text + " For example:" + pastedLine("start", "0");
 }
 
 /// Returns motion.lean for a tilt of a quarter turn or more, which only a top under gravity can have.
@@ -42,14 +40,14 @@ std::string tiltAdvice(const Node& given) {
   const auto angle_rad = numberIn(given);
   if (!angle_rad || !(*angle_rad > 0 && *angle_rad <= std::numbers::pi)) return "";
   return ". The angle to the vertical under gravity is motion.lean. For example, in place of tilt:" +
-         lineOf("lean", tomlText(given));
+         pastedLine("lean", tomlText(given));
 }
 
 std::string colorAdvice(const Node& given) {
   const auto* text = given.as<std::string>();
   if (!text || !(text->starts_with('#') || !namedColor(plainWord(*text)).empty())) return "";
   return ". It names a colour of [style.colors], where the colours themselves are. For example:" +
-         lineOf("color", "\"vector\"");
+         pastedLine("color", "\"vector\"");
 }
 
 std::string adviceOf(const Key& key, const std::string& path, const Node& given, Leaves& leaves) {
@@ -65,7 +63,7 @@ std::string adviceOf(const Key& key, const std::string& path, const Node& given,
     if (std::string advice = adviceFor(path, given, leaves); !advice.empty())
       return advice;  // three numbers for L are a vector, which has another key
   const auto carried = carriedValue(key, given, leaves.limits);
-  return carried ? " For example:" + lineOf(nameOf(path), *carried) : "";
+  return carried ? " For example:" + pastedLine(nameOf(path), *carried) : "";
 }
 
 }  // namespace

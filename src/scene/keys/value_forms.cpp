@@ -19,10 +19,6 @@ namespace {
 // Far longer than any number or list of numbers that a person writes into one text.
 constexpr std::size_t kLongestText = 200;
 
-bool isScalar(const Node& node) { return numberIn(node) || node.as<std::string>(); }
-
-Node zeroAt(const Place& place) { return {std::int64_t{0}, place}; }
-
 /// Returns a number as an integer if it is whole, so that a message shows 2 and not 2.0.
 Node numberAt(double number, const Place& place) {
   if (number == std::round(number) && std::abs(number) < 1e15) return {static_cast<std::int64_t>(number), place};
@@ -45,7 +41,7 @@ std::optional<double> plainNumber(std::string_view text) {
 std::optional<double> factorIn(std::string_view text) {
   std::string word = core::lowered(core::trimmed(text));
   for (const std::string_view mark : {"times", "×", "x", "fold"}) {
-    if (word.ends_with(mark)) word.resize(word.size() - mark.size());
+    if (word.ends_with(mark)) word = word.substr(0, word.size() - mark.size());
     if (word.starts_with(mark)) word.erase(0, mark.size());
   }
   if (const std::size_t slash = word.find_first_of("/:"); slash != std::string::npos) {
@@ -59,7 +55,7 @@ std::optional<double> factorIn(std::string_view text) {
 }
 
 /// Returns the value of an entry whose name is one of `names`, or ends with one: "omega_x" for "x".
-const Node* entryOf(const Node::Table& table, std::initializer_list<std::string_view> names) {
+const Node* entryNamed(const Node::Table& table, std::initializer_list<std::string_view> names) {
   for (const std::string_view name : names)
     for (const Entry& entry : table) {
       const std::string key = core::lowered(entry.key);
@@ -82,12 +78,12 @@ std::optional<Node> threeIn(const Node::Table& table, const Place& place) {
     std::vector<Node> elements;
     std::size_t found = 0;
     for (const Names& one : names) {
-      const Node* entry = entryOf(table, one);
+      const Node* entry = entryNamed(table, one);
       if (entry && !isScalar(*entry)) return std::nullopt;
       elements.push_back(entry ? *entry : zeroAt(place));
       found += entry ? 1 : 0;
     }
-    if (found == table.size()) return arrayOf(std::move(elements), place);
+    if (found == table.size()) return listNode(std::move(elements), place);
   }
   return std::nullopt;
 }
@@ -95,11 +91,11 @@ std::optional<Node> threeIn(const Node::Table& table, const Place& place) {
 std::optional<Node> quaternionIn(const Node::Table& table, const Place& place) {
   std::vector<Node> elements;
   for (const std::string_view name : {"w", "x", "y", "z"}) {
-    const Node* entry = entryOf(table, {name});
+    const Node* entry = entryNamed(table, {name});
     if (!entry || !numberIn(*entry)) return std::nullopt;
     elements.push_back(*entry);
   }
-  return arrayOf(std::move(elements), place);
+  return listNode(std::move(elements), place);
 }
 
 /// Returns the three rows of a tensor from a table with elements such as ixx, ixy and izz.
@@ -118,9 +114,9 @@ std::optional<Node> tensorIn(const Node::Table& table, const Place& place) {
       moments += entry && row == column ? 1 : 0;
       elements.push_back(entry ? *entry : zeroAt(place));
     }
-    rows.push_back(arrayOf(std::move(elements), place));
+    rows.push_back(listNode(std::move(elements), place));
   }
-  return moments == 3 ? std::optional(arrayOf(std::move(rows), place)) : std::nullopt;
+  return moments == 3 ? std::optional(listNode(std::move(rows), place)) : std::nullopt;
 }
 
 /// Returns two integers for a text such as "1920x1080".
@@ -135,7 +131,7 @@ std::optional<Node> sidesIn(const Node& given) {
     if (!side) return std::nullopt;
     sides.push_back(numberAt(*side, given.place));
   }
-  return arrayOf(std::move(sides), given.place);
+  return listNode(std::move(sides), given.place);
 }
 
 /// Returns even whole numbers for the sides of a picture.
@@ -148,7 +144,7 @@ std::optional<Node> evenSides(const Node& given) {
     if (!number || !(std::abs(*number) < 1e9)) return std::nullopt;
     sides.push_back({2 * static_cast<std::int64_t>(std::round(*number / 2)), given.place});
   }
-  return arrayOf(std::move(sides), given.place);
+  return listNode(std::move(sides), given.place);
 }
 
 /// Returns the magnitude of a vector with a single component that is not zero: 9.81 for gravity [0, 0, -9.81].
@@ -223,7 +219,7 @@ std::optional<Node> severalWords(const Key& key, const Node& given) {
                              [&](const Node& w) { return *w.as<std::string>() == *word->as<std::string>(); }))
       words.push_back(*word);
   }
-  return arrayOf(std::move(words), given.place);
+  return listNode(std::move(words), given.place);
 }
 
 /// Returns a colour for its name, and for three parts from 0 to 1 or from 0 to 255.
@@ -277,7 +273,7 @@ std::optional<Node> clockTime(const Node& given) {
 /// Returns a single value for a table of a value and its unit, and for a text that is a number.
 std::optional<Node> singleIn(const Node& given) {
   if (const auto* table = given.as<Node::Table>()) {
-    const Node *value = entryOf(*table, {"value", "magnitude"}), *unit = entryOf(*table, {"unit", "units"});
+    const Node *value = entryNamed(*table, {"value", "magnitude"}), *unit = entryNamed(*table, {"unit", "units"});
     if (!value || !unit || !numberIn(*value) || !unit->as<std::string>()) return std::nullopt;
     return Node{fmt::format("{} {}", describe(*value), *unit->as<std::string>()), given.place};
   }
@@ -327,8 +323,8 @@ class Forms {
     add(numbersIn(given_));
     if (key_.type != ValueType::kVector || !isScalar(given_)) return;
     const Node zero = zeroAt(given_.place);
-    add(arrayOf({zero, zero, given_}, given_.place));
-    add(arrayOf({given_, given_, given_}, given_.place));
+    add(listNode({zero, zero, given_}, given_.place));
+    add(listNode({given_, given_, given_}, given_.place));
   }
 
   void singles() {
@@ -383,14 +379,18 @@ std::optional<double> numberIn(const Node& node) {
   return number ? std::optional(*number) : std::nullopt;
 }
 
-Node arrayOf(std::vector<Node> elements, const Place& place) { return {Node::Array(std::move(elements)), place}; }
+bool isScalar(const Node& node) { return numberIn(node) || node.as<std::string>(); }
+
+Node zeroAt(const Place& place) { return {std::int64_t{0}, place}; }
+
+Node listNode(std::vector<Node> elements, const Place& place) { return {Node::Array(std::move(elements)), place}; }
 
 Node scaled(const Node& given, double factor) {
   if (factor == 1) return given;
   if (const auto* array = given.as<Node::Array>()) {
     std::vector<Node> elements;
     for (const Node& element : *array) elements.push_back(scaled(element, factor));
-    return arrayOf(std::move(elements), given.place);
+    return listNode(std::move(elements), given.place);
   }
   if (const auto number = numberIn(given)) return {factor * *number, given.place};
   const auto* text = given.as<std::string>();
@@ -406,7 +406,7 @@ Node withUnit(const Node& given, std::string_view unit, Dimension dimension) {
   if (const auto* array = given.as<Node::Array>()) {
     std::vector<Node> elements;
     for (const Node& element : *array) elements.push_back(withUnit(element, unit, dimension));
-    return arrayOf(std::move(elements), given.place);
+    return listNode(std::move(elements), given.place);
   }
   return numberIn(given) ? Node{fmt::format("{} {}", describe(given), unit), given.place} : given;
 }
@@ -414,7 +414,7 @@ Node withUnit(const Node& given, std::string_view unit, Dimension dimension) {
 std::optional<Node> numbersIn(const Node& given) {
   const auto* text = given.as<std::string>();
   if (!text || text->size() > kLongestText) return std::nullopt;
-  std::vector<Node> rows(1, arrayOf({}, given.place));
+  std::vector<Node> rows(1, listNode({}, given.place));
   std::string word;
   for (const char c : *text + " ") {
     const bool ends = c == ';' || c == '\n', separates = std::string_view(" \t,()[]").find(c) != std::string::npos;
@@ -428,11 +428,11 @@ std::optional<Node> numbersIn(const Node& given) {
       std::get<Node::Array>(rows.back().value).push_back(numberAt(*number, given.place));
       word.clear();
     }
-    if (ends) rows.push_back(arrayOf({}, given.place));
+    if (ends) rows.push_back(listNode({}, given.place));
   }
   std::erase_if(rows, [](const Node& row) { return row.as<Node::Array>()->empty(); });
   if (rows.empty()) return std::nullopt;
-  return rows.size() == 1 ? rows[0] : arrayOf(std::move(rows), given.place);
+  return rows.size() == 1 ? rows[0] : listNode(std::move(rows), given.place);
 }
 
 bool areDegrees(const Node& given) {

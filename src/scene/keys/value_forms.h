@@ -14,7 +14,12 @@ namespace poinsot::scene {
 /// Returns the number of a node that is an integer or a decimal; otherwise empty.
 std::optional<double> numberIn(const Node& node);
 
-Node arrayOf(std::vector<Node> elements, const Place& place);
+/// Returns whether a node is a number or a text.
+bool isScalar(const Node& node);
+
+Node zeroAt(const Place& place);
+
+Node listNode(std::vector<Node> elements, const Place& place);
 
 /// Returns a number times a factor. The number may have a unit. An array is scaled element by element.
 Node scaled(const Node& given, double factor);
