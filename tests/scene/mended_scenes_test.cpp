@@ -14,17 +14,17 @@ namespace {
 
 using testing::HasSubstr;
 
-struct Wrong {
+struct WrongScene {
   std::string text;
   std::vector<std::string> leads;  ///< lines of the scene after the messages were followed
 };
 
-const std::string kMoments = "[body]\nprincipal_moments = [1.0, 2.0, 2.5]\n";
-const std::string kBody = "[body]\nshape = \"box\"\nsize = [0.3, 0.2, 0.1]\nmass = 2\n";
-const std::string kStart = "[motion]\nomega_body = [0.01, 3.0, 0.0]\n";
+const std::string kFreeBody = "[body]\nprincipal_moments = [1.0, 2.0, 2.5]\n";
+const std::string kWholeBox = "[body]\nshape = \"box\"\nsize = [0.3, 0.2, 0.1]\nmass = 2\n";
+const std::string kSpun = "[motion]\nomega_body = [0.01, 3.0, 0.0]\n";
 
-void expectMended(const std::vector<Wrong>& scenes) {
-  for (const Wrong& wrong : scenes) {
+void expectMended(const std::vector<WrongScene>& scenes) {
+  for (const WrongScene& wrong : scenes) {
     const std::string scene = mended(wrong.text, problemsOf(wrong.text));
     EXPECT_EQ(messagesOf(scene), "") << wrong.text << "\n" << messagesOf(wrong.text) << "\n" << scene;
     for (const std::string& lead : wrong.leads) EXPECT_THAT(scene, HasSubstr(lead)) << messagesOf(wrong.text);
@@ -33,106 +33,105 @@ void expectMended(const std::vector<Wrong>& scenes) {
 
 TEST(MendedScenes, HaveTheirShape) {
   expectMended({
-      {"[body]\nshape = \"wheel\"\nradius = 0.3\nmass = 2\n" + kStart, {"shape = \"disc\""}},
-      {"[body]\nshape = \"coin\"\nradius = 0.012\nthickness = 0.002\nmass = 0.008\n" + kStart,
+      {"[body]\nshape = \"wheel\"\nradius = 0.3\nmass = 2\n" + kSpun, {"shape = \"disc\""}},
+      {"[body]\nshape = \"coin\"\nradius = 0.012\nthickness = 0.002\nmass = 0.008\n" + kSpun,
        {"shape = \"cylinder\"", "height = 0.002"}},
-      {"[body]\nshape = \"disc\"\nradius = 0.1\nthickness = \"1 cm\"\nmass = 1\n" + kStart,
+      {"[body]\nshape = \"disc\"\nradius = 0.1\nthickness = \"1 cm\"\nmass = 1\n" + kSpun,
        {"shape = \"cylinder\"", "height = \"1 cm\""}},
-      {"[body]\nshape = \"spinning top\"\nradius = 0.03\nheight = 0.06\nmass = 0.1\n" + kStart,
+      {"[body]\nshape = \"spinning top\"\nradius = 0.03\nheight = 0.06\nmass = 0.1\n" + kSpun,
        {"shape = \"cone\""}},
-      {"[body]\nshape = \"mallet\"\nmass = 0.8\n" + kStart, {"shape = \"t_handle\"", "bar_length"}},
-      {"[body]\nshape = \"barbell\"\nmass = 3\n" + kStart, {"[[body.part]]", "mass = 1.5"}},
-      {"[body]\nshape = \"flibbet\"\nmass = 3\n" + kStart, {"shape = \"box\"", "size = "}},
-      {"[body]\nshape = \"box\"\nlength = 0.3\nwidth = 0.2\nheight = 0.1\nmass = 1\n" + kStart,
+      {"[body]\nshape = \"mallet\"\nmass = 0.8\n" + kSpun, {"shape = \"t_handle\"", "bar_length"}},
+      {"[body]\nshape = \"barbell\"\nmass = 3\n" + kSpun, {"[[body.part]]", "mass = 1.5"}},
+      {"[body]\nshape = \"flibbet\"\nmass = 3\n" + kSpun, {"shape = \"box\"", "size = "}},
+      {"[body]\nshape = \"box\"\nlength = 0.3\nwidth = 0.2\nheight = 0.1\nmass = 1\n" + kSpun,
        {"size = [0.3, 0.2, 0.1]"}},
-      {"[body]\nshape = \"slab\"\nlength = 0.3\nwidth = 0.2\nthickness = 0.1\nmass = 1\n" + kStart,
+      {"[body]\nshape = \"slab\"\nlength = 0.3\nwidth = 0.2\nthickness = 0.1\nmass = 1\n" + kSpun,
        {"shape = \"box\"", "size = [0.3, 0.2, 0.1]"}},
-      {"[body]\nshape = \"cylinder\"\ndiameter = 0.2\nlength = 1.5\nmass = 1\n" + kStart,
+      {"[body]\nshape = \"cylinder\"\ndiameter = 0.2\nlength = 1.5\nmass = 1\n" + kSpun,
        {"radius = 0.1", "height = 1.5"}},
-      {"[body]\nshape = \"oblate spheroid\"\na = 2\nc = 1\nmass = 1\n" + kStart,
+      {"[body]\nshape = \"oblate spheroid\"\na = 2\nc = 1\nmass = 1\n" + kSpun,
        {"shape = \"ellipsoid\"", "size = [4, 4, 2]"}},
-      {"[body]\nshape = \"ellipsoid\"\na = 3\nb = 2\nc = 1\nmass = 1\n" + kStart, {"size = [6, 4, 2]"}},
-      {"[body]\nshape = \"racket\"\nmass = 0.3\n" + kStart, {"length = ", "width = "}},
-      {"[body]\nshape = \"box\"\nsize = [0.3, 0.2, 0.1]\ndensity = \"steel\"\n" + kStart, {"density = 7850"}},
-      {"[body]\nshape = \"box\"\nsize = [0.3, 0.2, 0.1]\n" + kStart, {"mass = 1"}},
-      {"[body]\nname = \"4179 Toutatis\"\n" + kStart, {"catalogue = \"toutatis\""}},
-      {"[body]\ncatalog = \"tennis racket\"\n" + kStart, {"catalogue = \"racket\""}},
-      {"[body]\nshape = \"gyroscope\"\nprincipal_moments = [1, 1, 2]\n" + kStart, {"[1, 1, 2]\n"}},
+      {"[body]\nshape = \"ellipsoid\"\na = 3\nb = 2\nc = 1\nmass = 1\n" + kSpun, {"size = [6, 4, 2]"}},
+      {"[body]\nshape = \"racket\"\nmass = 0.3\n" + kSpun, {"length = ", "width = "}},
+      {"[body]\nshape = \"box\"\nsize = [0.3, 0.2, 0.1]\ndensity = \"steel\"\n" + kSpun, {"density = 7850"}},
+      {"[body]\nshape = \"box\"\nsize = [0.3, 0.2, 0.1]\n" + kSpun, {"mass = 1"}},
+      {"[body]\nname = \"4179 Toutatis\"\n" + kSpun, {"catalogue = \"toutatis\""}},
+      {"[body]\ncatalog = \"tennis racket\"\n" + kSpun, {"catalogue = \"racket\""}},
+      {"[body]\nshape = \"gyroscope\"\nprincipal_moments = [1, 1, 2]\n" + kSpun, {"[1, 1, 2]\n"}},
   });
 }
 
 TEST(MendedScenes, HaveTheirMoments) {
   expectMended({
-      {"[body]\ninertia = { ixx = 18, ixy = 0.4, ixz = -0.1, iyy = 25, iyz = 0.2, izz = 31 }\n" + kStart,
+      {"[body]\ninertia = { ixx = 18, ixy = 0.4, ixz = -0.1, iyy = 25, iyz = 0.2, izz = 31 }\n" + kSpun,
        {"inertia = [[18, 0.4, -0.1], [0.4, 25, 0.2], [-0.1, 0.2, 31]]"}},
-      {"[body]\ninertia = { xx = 1, yy = 2, zz = 2.5 }\n" + kStart, {"[[1, 0, 0], [0, 2, 0], [0, 0, 2.5]]"}},
-      {"[body]\nI_perp = 2\nI_axis = 1\n" + kStart, {"principal_moments = [2, 2, 1]"}},
-      {"[body]\nI1 = 2\nI3 = 1\n" + kStart, {"principal_moments = [2, 2, 1]"}},
-      {"[body]\nmoment_ratios = [0.6, 0.96, 1]\n" + kStart, {"principal_moments = [0.6, 0.96, 1]"}},
-      {"[body]\nI = \"[5 0.3 0; 0.3 6 0; 0 0 7]\"\n" + kStart,
-       {"inertia = [[5, 0.3, 0], [0.3, 6, 0], [0, 0, 7]]"}},
-      {"[body]\nprincipal_moments = \"1 2 2.5\"\n" + kStart, {"principal_moments = [1, 2, 2.5]"}},
-      {"[body]\nshape = \"dumbbell\"\nmasses = [1, 2]\npositions = [[-0.2, 0, 0], [0.2, 0, 0]]\n" + kStart,
+      {"[body]\ninertia = { xx = 1, yy = 2, zz = 2.5 }\n" + kSpun, {"[[1, 0, 0], [0, 2, 0], [0, 0, 2.5]]"}},
+      {"[body]\nI_perp = 2\nI_axis = 1\n" + kSpun, {"principal_moments = [2, 2, 1]"}},
+      {"[body]\nI1 = 2\nI3 = 1\n" + kSpun, {"principal_moments = [2, 2, 1]"}},
+      {"[body]\nmoment_ratios = [0.6, 0.96, 1]\n" + kSpun, {"principal_moments = [0.6, 0.96, 1]"}},
+      {"[body]\nI = \"[5 0.3 0; 0.3 6 0; 0 0 7]\"\n" + kSpun, {"inertia = [[5, 0.3, 0], [0.3, 6, 0], [0, 0, 7]]"}},
+      {"[body]\nprincipal_moments = \"1 2 2.5\"\n" + kSpun, {"principal_moments = [1, 2, 2.5]"}},
+      {"[body]\nshape = \"dumbbell\"\nmasses = [1, 2]\npositions = [[-0.2, 0, 0], [0.2, 0, 0]]\n" + kSpun,
        {"[[body.part]]", "mass = 2", "offset = [0.2, 0, 0]"}},
-      {"[body]\nmasses = [1, 2, 1]\npositions = [[-0.2, 0, 0], [0.2, 0, 0.1], [0, 0.3, 0]]\n" + kStart,
+      {"[body]\nmasses = [1, 2, 1]\npositions = [[-0.2, 0, 0], [0.2, 0, 0.1], [0, 0.3, 0]]\n" + kSpun,
        {"[[body.point_mass]]", "position = [0.2, 0, 0.1]"}},
   });
 }
 
 TEST(MendedScenes, HaveTheirStart) {
   expectMended({
-      {kMoments + "[motion]\nangular_velocity = { x = 0.1, y = 3, z = 0 }\n", {"omega_body = [0.1, 3, 0]"}},
-      {kMoments + "[motion]\np = 0.1\nq = 0.2\nr = 3\n", {"omega_body = [0.1, 0.2, 3]"}},
-      {kMoments + "[motion]\nomega_body = \"0 0.1 3\"\n", {"omega_body = [0, 0.1, 3]"}},
-      {kMoments + "[motion]\nomega_body = (0.1, 0.05, 9)\n", {"omega_body = [0.1, 0.05, 9]"}},
-      {kMoments + "[motion]\nomega_body = 0.1, 0.05, 9  # rad/s\n", {"omega_body = [0.1, 0.05, 9]"}},
-      {kMoments + "[motion]\nomega_magnitude = 3\nomega_direction = [0, 3, 4]\n", {"omega_body = [0, 1.8, 2.4]"}},
-      {kMoments + "[motion]\nspin_rate = \"6 Hz\"\naxis = \"z\"\n", {"spin = \"6 Hz\"", "spin_axis = \"3\""}},
-      {kMoments + "[motion]\nrotation_period_h = 12.5\n", {"spin = \"0.08 rev/h\"", "spin_axis = "}},
-      {kMoments + "[motion]\nspin = 3\nspin_axis = \"z\"\n", {"spin_axis = \"3\""}},
-      {kMoments + "[motion]\nspin = 3\nspin_axis = [1, 0, 0]\n", {"spin_axis = \"1\""}},
-      {kMoments + "[motion]\nspin = 3\n", {"spin_axis = \"largest\""}},
+      {kFreeBody + "[motion]\nangular_velocity = { x = 0.1, y = 3, z = 0 }\n", {"omega_body = [0.1, 3, 0]"}},
+      {kFreeBody + "[motion]\np = 0.1\nq = 0.2\nr = 3\n", {"omega_body = [0.1, 0.2, 3]"}},
+      {kFreeBody + "[motion]\nomega_body = \"0 0.1 3\"\n", {"omega_body = [0, 0.1, 3]"}},
+      {kFreeBody + "[motion]\nomega_body = (0.1, 0.05, 9)\n", {"omega_body = [0.1, 0.05, 9]"}},
+      {kFreeBody + "[motion]\nomega_body = 0.1, 0.05, 9  # rad/s\n", {"omega_body = [0.1, 0.05, 9]"}},
+      {kFreeBody + "[motion]\nomega_magnitude = 3\nomega_direction = [0, 3, 4]\n", {"omega_body = [0, 1.8, 2.4]"}},
+      {kFreeBody + "[motion]\nspin_rate = \"6 Hz\"\naxis = \"z\"\n", {"spin = \"6 Hz\"", "spin_axis = \"3\""}},
+      {kFreeBody + "[motion]\nrotation_period_h = 12.5\n", {"spin = \"0.08 rev/h\"", "spin_axis = "}},
+      {kFreeBody + "[motion]\nspin = 3\nspin_axis = \"z\"\n", {"spin_axis = \"3\""}},
+      {kFreeBody + "[motion]\nspin = 3\nspin_axis = [1, 0, 0]\n", {"spin_axis = \"1\""}},
+      {kFreeBody + "[motion]\nspin = 3\n", {"spin_axis = \"largest\""}},
       {"[body]\nshape = \"cone\"\nradius = 1\nheight = 1\nmass = 1\n[motion]\nspin = 3\nlean = 20\n",
        {"spin_axis = \"3\"", "lean = \"20 deg\""}},
-      {kMoments + "[motion]\nspin = 3\nspin_axis = \"1\"\nwobble_angle = \"5°\"\n", {"tilt = \"5°\""}},
-      {kMoments + "[motion]\nenergy = 4.5\nM = 4.2\n", {"L = 4.2"}},
-      {kMoments + "[motion]\nE = 4.5\nM = 4.2\n", {"energy = 4.5", "L = 4.2"}},
-      {kMoments + "[motion]\nenergy = 4.5\n", {"L = 4.2"}},
-      {kMoments + "[motion]\nangular_momentum = 3\nnutation_angle = 20\n",
+      {kFreeBody + "[motion]\nspin = 3\nspin_axis = \"1\"\nwobble_angle = \"5°\"\n", {"tilt = \"5°\""}},
+      {kFreeBody + "[motion]\nenergy = 4.5\nM = 4.2\n", {"L = 4.2"}},
+      {kFreeBody + "[motion]\nE = 4.5\nM = 4.2\n", {"energy = 4.5", "L = 4.2"}},
+      {kFreeBody + "[motion]\nenergy = 4.5\n", {"L = 4.2"}},
+      {kFreeBody + "[motion]\nangular_momentum = 3\nnutation_angle = 20\n",
        {"L_space = [0, 0, 3]", "euler.nutation = \"20 deg\""}},
-      {kMoments + kStart + "euler_angles = [10, 20, 30]\n",
+      {kFreeBody + kSpun + "euler_angles = [10, 20, 30]\n",
        {"euler.precession = \"10 deg\"", "euler.nutation = \"20 deg\"", "euler.spin = \"30 deg\""}},
-      {kMoments + "[motion]\neuler_angles = [0, 0.3, 0]\neuler_rates = [0, 0, 20]\n",
+      {kFreeBody + "[motion]\neuler_angles = [0, 0.3, 0]\neuler_rates = [0, 0, 20]\n",
        {"euler.nutation = 0.3", "euler_rates.spin = 20"}},
-      {kMoments + kStart + "euler_sequence = \"321\"\neuler_angles_deg = [40, 10, -20]\n",
+      {kFreeBody + kSpun + "euler_sequence = \"321\"\neuler_angles_deg = [40, 10, -20]\n",
        {"roll_pitch_yaw = [\"-20 deg\", \"10 deg\", \"40 deg\"]"}},
-      {kMoments + kStart + "attitude = { roll = 0, pitch = -30, yaw = 0 }\n",
+      {kFreeBody + kSpun + "attitude = { roll = 0, pitch = -30, yaw = 0 }\n",
        {"roll_pitch_yaw = [\"0 deg\", \"-30 deg\", \"0 deg\"]"}},
-      {kMoments + kStart + "orientation = { w = 1, x = 0, y = 0, z = 1 }\n", {"orientation = [1, 0, 0, 1]"}},
+      {kFreeBody + kSpun + "orientation = { w = 1, x = 0, y = 0, z = 1 }\n", {"orientation = [1, 0, 0, 1]"}},
   });
 }
 
 TEST(MendedScenes, HaveTheirForces) {
   expectMended({
-      {kBody + kStart + "gravity = true\n", {"flight.gravity = [0, 0, -9.81]"}},
-      {kBody + kStart + "velocity = [0, 0, 4]\ngravity = 9.8\n",
+      {kWholeBox + kSpun + "gravity = true\n", {"flight.gravity = [0, 0, -9.81]"}},
+      {kWholeBox + kSpun + "velocity = [0, 0, 4]\ngravity = 9.8\n",
        {"flight.velocity = [0, 0, 4]", "flight.gravity = [0, 0, -9.8]"}},
-      {kBody + "[motion]\nspin = 100\nlean = \"20 deg\"\nspin_axis = \"3\"\ngravity = 9.81\n",
+      {kWholeBox + "[motion]\nspin = 100\nlean = \"20 deg\"\nspin_axis = \"3\"\ngravity = 9.81\n",
        {"gravity.g = 9.81", "pivot = [0, 0, -0.05]"}},
-      {kBody + "[motion]\nspin = 100\nlean = \"20 deg\"\nspin_axis = \"3\"\n[forces]\ng = 9.81\n",
+      {kWholeBox + "[motion]\nspin = 100\nlean = \"20 deg\"\nspin_axis = \"3\"\n[forces]\ng = 9.81\n",
        {"g = 9.81", "pivot = [0, 0, -0.05]"}},
-      {kBody + "[motion]\nspin = 100\nlean = \"20 deg\"\nspin_axis = \"3\"\n[motion.gravity]\ng = 9.81\n",
+      {kWholeBox + "[motion]\nspin = 100\nlean = \"20 deg\"\nspin_axis = \"3\"\n[motion.gravity]\ng = 9.81\n",
        {"pivot = [0, 0, -0.05]"}},
-      {kMoments + kStart + "[torque]\nMx = 0\nMy = 0\nMz = 0.02\nframe = \"body\"\n", {"body = [0, 0, 0.02]"}},
-      {kMoments + kStart + "[torque]\nbody = [0, 0, 0.02]\n", {"[motion.torque]", "body = [0, 0, 0.02]"}},
-      {kMoments + kStart + "[dissipation]\ninternal = true\nalpha = 0.02\n",
+      {kFreeBody + kSpun + "[torque]\nMx = 0\nMy = 0\nMz = 0.02\nframe = \"body\"\n", {"body = [0, 0, 0.02]"}},
+      {kFreeBody + kSpun + "[torque]\nbody = [0, 0, 0.02]\n", {"[motion.torque]", "body = [0, 0, 0.02]"}},
+      {kFreeBody + kSpun + "[dissipation]\ninternal = true\nalpha = 0.02\n",
        {"[motion.dissipation]", "alpha = 0.02"}},
-      {kMoments + kStart + "angularDrag = 0.2\n", {"drag.rate = 0.2"}},
+      {kFreeBody + kSpun + "angularDrag = 0.2\n", {"drag.rate = 0.2"}},
   });
 }
 
 TEST(MendedScenes, HaveTheirFilm) {
-  const std::string scene = kMoments + kStart + "[time]\n";
+  const std::string scene = kFreeBody + kSpun + "[time]\n";
   expectMended({
       {scene + "film_length = \"20 s\"\n", {"duration = \"20 s\""}},
       {scene + "duration = \"30 d\"\nfilm_length = \"20 s\"\n", {"duration = \"20 s\"", "speed = 129600"}},
@@ -150,13 +149,13 @@ TEST(MendedScenes, HaveTheirFilm) {
       {scene + "duration = 12 s\n", {"duration = \"12 s\""}},
       {scene + "loop = True\n", {"loop = true"}},
       {scene + "duration: 12\n", {"duration = 12"}},
-      {kMoments + kStart + "[output]\nfile = \"box.gif\"\ninterval = 40\nfigsize = [19.2, 10.8]\n", {"fps = 25"}},
-      {kMoments + kStart + "[output]\nsize = \"1921x1081\"\n", {"size = [1922, 1082]"}},
+      {kFreeBody + kSpun + "[output]\nfile = \"box.gif\"\ninterval = 40\nfigsize = [19.2, 10.8]\n", {"fps = 25"}},
+      {kFreeBody + kSpun + "[output]\nsize = \"1921x1081\"\n", {"size = [1922, 1082]"}},
   });
 }
 
 TEST(MendedScenes, HaveTheirPicture) {
-  const std::string scene = kMoments + kStart;
+  const std::string scene = kFreeBody + kSpun;
   expectMended({
       {scene + "[[vector]]\nquantity = \"L\"\ncolor = \"r\"\n[[vector]]\nof = \"omega\"\nlinestyle = \"--\"\n",
        {"L = true", "omega = true", "L = \"#ff0000\""}},
@@ -187,7 +186,7 @@ TEST(MendedScenes, SuggestAtMostThreeKeysForAnyOtherName) {
   for (const char* line :
        {"[time]\nlength_of_movie = 5", "[camera]\nmagnification_factor = 2", "[output]\nvideo_quality = 3",
         "[show]\nspin_trace = true", "[style]\nfont_scale = 2", "[motion]\ninitial_wobbling = 0.1"}) {
-    const std::string message = messagesOf(kMoments + kStart + line + "\n");
+    const std::string message = messagesOf(kFreeBody + kSpun + line + "\n");
     EXPECT_THAT(message, HasSubstr("did you mean ")) << line;
     EXPECT_LE(std::count(message.begin(), message.end(), '\n'), 5) << message;
   }

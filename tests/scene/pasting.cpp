@@ -11,45 +11,45 @@
 namespace poinsot::scene {
 namespace {
 
-using Lines = std::vector<std::string>;
+using TextLines = std::vector<std::string>;
 
-Lines linesOf(const std::string& text) {
+TextLines textLines(const std::string& text) {
   std::istringstream in(text);
-  Lines lines;
+  TextLines lines;
   for (std::string line; std::getline(in, line);) lines.push_back(line);
   return lines;
 }
 
-bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+bool says(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
 /// Returns the words of a list such as "a, b and c".
-Lines listedIn(std::string text) {
+TextLines listedIn(std::string text) {
   for (std::size_t at = text.find(" and "); at != std::string::npos; at = text.find(" and "))
     text.replace(at, 5, ", ");
   std::istringstream in(text);
-  Lines names;
+  TextLines names;
   for (std::string name; std::getline(in >> std::ws, name, ',');) names.push_back(name);
   return names;
 }
 
-std::string between(const std::string& text, const std::string& begin, const std::string& ends) {
+std::string textBetween(const std::string& text, const std::string& begin, const std::string& ends) {
   const std::size_t at = text.find(begin);
   if (at == std::string::npos) return "";
   const std::string rest = text.substr(at + begin.size());
   return rest.substr(0, rest.find_first_of(ends));
 }
 
-/// Lines of an example, and the sentence that says where they belong.
+/// TextLines of an example, and the sentence that says where they belong.
 struct Block {
   std::string where;
-  Lines lines;
+  TextLines lines;
 };
 
 std::vector<Block> blocksOf(const std::string& message) {
   std::vector<Block> blocks;
   const std::size_t begin = message.find(" For example");
   if (begin == std::string::npos) return blocks;
-  for (const std::string& line : linesOf(message.substr(begin)))
+  for (const std::string& line : textLines(message.substr(begin)))
     if (line.starts_with("    "))
       blocks.back().lines.push_back(line.substr(4));
     else if (line.starts_with(" For example") || line.starts_with("  and"))
@@ -64,26 +64,26 @@ class Editor {
  public:
   explicit Editor(const std::string& text) {
     int number = 0;
-    for (const std::string& line : linesOf(text)) lines_.push_back({++number, line});
+    for (const std::string& line : textLines(text)) lines_.push_back({++number, line});
   }
 
   void apply(const Problem& problem) {
     const std::string& message = problem.message;
     const std::vector<Block> blocks = blocksOf(message);
     std::size_t at = indexOf(problem.where.line);
-    const bool leaves = contains(message, "leave it out") || contains(message, "leave them out") ||
-                        contains(message, "leave this line out");
-    if (contains(message, "in place of this [["))
+    const bool leaves =
+        says(message, "leave it out") || says(message, "leave them out") || says(message, "leave this line out");
+    if (says(message, "in place of this [["))
       at = removeTable(at);
-    else if (contains(message, "in place of [["))
-      at = removeAll(between(message, "in place of ", ":,"));
-    else if (contains(message, "not TOML") || contains(message, "not a TOML"))
+    else if (says(message, "in place of [["))
+      at = removeAll(textBetween(message, "in place of ", ":,"));
+    else if (says(message, "not TOML") || says(message, "not a TOML"))
       lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(at));
     else if (!blocks.empty() || leaves)
       for (const std::string& name : listedIn(message.substr(0, message.find(':'))))
         at = removeKey(at, std::string(nameOf(name)));
     if (!blocks.empty())
-      for (const std::string& name : listedIn(between(blocks[0].where, "in place of ", ":")))
+      for (const std::string& name : listedIn(textBetween(blocks[0].where, "in place of ", ":")))
         if (name.find_first_of("[ ") == std::string::npos) at = removeKey(at, name);
     for (const Block& block : blocks) insert(at, block);
     removeEmptyTables();
@@ -167,17 +167,17 @@ class Editor {
   }
 
   void insert(std::size_t at, Block block) {
-    if (contains(block.where, "one of:")) {  // the first is the likeliest
-      const std::string key = between(block.lines[0], "# ", ":");
+    if (says(block.where, "one of:")) {  // the first is the likeliest
+      const std::string key = textBetween(block.lines[0], "# ", ":");
       block = {"in [" + std::string(tableOf(key)) + "]:", {block.lines[0]}};
     }
     const std::size_t header = block.where.find("in [");
-    const bool atEnd = contains(block.where, "at the end of the file");
+    const bool atEnd = says(block.where, "at the end of the file");
     if (header != std::string::npos)
       at = behindHeader(block.where.substr(header + 3, block.where.find(']', header) - header - 2));
     else if (atEnd)
       at = lines_.size();
-    else if (contains(block.where, "at the top of the file"))
+    else if (says(block.where, "at the top of the file"))
       at = 0;
     for (const std::string& line : block.lines) {
       if (!atEnd && !line.starts_with('[')) removeGiven(at, line.substr(0, line.find(' ')));
