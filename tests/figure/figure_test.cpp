@@ -468,7 +468,7 @@ TEST_F(FigureTest, TikzTakesDrawingsInOtherLanguages) {
     if (spoken("kpsewhich " + style + ".ldf").status != 0) continue;
     compiled(file.parent_path(), language + "doc",
              R"(\documentclass{article}\usepackage[T1]{fontenc}\usepackage[)" + language +
-                 R"(]{babel}\usepackage{tikz,amsmath}\begin{document})"
+                 R"(]{babel}\usepackage{lmodern,tikz,amsmath}\begin{document})"
                  R"(\newcommand\poinsotoverlay{\draw[->, line width=1pt] (3, 1) -- (poinsot-L) )"
                  R"(node[right] {a: b; c?};}\input{language}\end{document})");
   }

@@ -11,6 +11,7 @@ using scene::Spot;
 
 constexpr float kNoteHalo = 0.085f;    // width of the halo around text, as a fraction of the text size
 constexpr double kBlocksApart = 0.35;  // gap between blocks, as a fraction of the free edge
+constexpr double kRounding_px = 1e-6;  // a box that has just been moved must not count as near again
 constexpr double kMostTop = 0.4, kMostBottom = 0.35,
                  kMostSide = 0.35;  // largest fractions of the picture for text at each side
 
@@ -29,7 +30,7 @@ PixelBox movedTo(const PixelBox& box, double top) { return {box.left, top, box.r
 
 /// Moves a box until it is clear of the other boxes: up if `upwards`, otherwise down.
 PixelBox clearOf(const std::vector<PixelBox>& taken, PixelBox box, bool upwards, double apart) {
-  const auto blocking = [&](const PixelBox& other) { return near(box, other, apart); };
+  const auto blocking = [&](const PixelBox& other) { return near(box, other, apart - kRounding_px); };
   for (auto other = std::ranges::find_if(taken, blocking); other != taken.end();
        other = std::ranges::find_if(taken, blocking))
     box = movedTo(box, upwards ? other->top - apart - box.height() : other->bottom + apart);
