@@ -79,6 +79,7 @@ SyntaxProblem problemOf(const toml::parse_error& error, const Source& source, co
 /// Returns whether a line is valid TOML by itself.
 bool isToml(const std::string& line) {
   if (line.empty()) return false;
+  if (line.starts_with('#')) return true;
   try {
     return !toml::parse(std::string_view(line)).empty();
   } catch (const toml::parse_error&) {

@@ -9,6 +9,7 @@
 #include <regex>
 
 #include "core/text.h"
+#include "scene/document/arithmetic.h"
 #include "scene/document/text_limits.h"
 
 namespace poinsot::scene {
@@ -120,7 +121,9 @@ std::optional<GivenValue> givenValue(std::string_view line) {
   if (line.size() > kLongest || equals == line.npos || isHeader(line) || core::trimmed(line).starts_with('#'))
     return std::nullopt;
   const std::string_view key = core::trimmed(line.substr(0, equals));
-  if (key.empty() || key.find_first_of(" \t\"'[]{}(),") != key.npos) return std::nullopt;
+  if (key.empty() || key.find_first_of("\t\"'[]{}(),") != key.npos) return std::nullopt;
+  std::string name(key);
+  std::ranges::replace(name, ' ', '_');
   std::size_t comment = line.size();
   char quote = 0;
   for (std::size_t i = equals; i < line.size() && comment == line.size(); ++i) {
@@ -129,7 +132,7 @@ std::optional<GivenValue> givenValue(std::string_view line) {
   }
   std::string_view value = core::trimmed(line.substr(equals + 1, comment - equals - 1));
   while (value.ends_with(',') || value.ends_with(';')) value = core::trimmed(value.substr(0, value.size() - 1));
-  return GivenValue{std::string(key) + " = ", std::string(value), std::string(line.substr(comment))};
+  return GivenValue{name + " = ", std::string(value), std::string(line.substr(comment))};
 }
 
 /// Returns a text without typographic quotes, which become straight ones.
@@ -158,6 +161,11 @@ std::string inToml(std::string_view given) {
       number.insert(point, "0");
     return number;
   }
+  if (matches(text, R"(\d{3,}/\d{3,})")) return "\"" + text + "\"";  // a frame rate
+  if (const auto value = arithmeticIn(text)) return fmt::format("{:.7g}", *value);
+  std::smatch call;
+  if (text.size() < 60 && std::regex_match(text, call, std::regex(R"((np\.|math\.)?(deg2rad|radians)\((.*)\))")))
+    return "\"" + call[3].str() + " deg\"";
   return isWordOrNumber(text) ? "\"" + text + "\"" : text;
 }
 
@@ -176,9 +184,21 @@ std::string arrayInToml(std::string_view elements) {
 /// Returns a line in TOML for a line that is not, if its mistake is one of: a decimal comma, a tuple, numbers
 /// without brackets, text without quotes or with typographic quotes, a colon, a comma at the end. Otherwise empty.
 std::string mendedLine(std::string_view line) {
+  const std::string_view text = core::trimmed(line);
+  for (const std::string_view mark : {"//", ";", "%", "--"})
+    if (text.starts_with(mark)) return "# " + std::string(text.substr(mark.size()));
+  std::smatch parts;
+  const std::string begin = beginOf(line);
+  if (std::regex_match(begin, parts, std::regex(R"(\s*([A-Za-z_]\w*)\s*:\s*(#.*)?)")))
+    return "[" + parts[1].str() + "]";
+  if (std::regex_match(begin, parts, std::regex(R"(\s*([A-Za-z_]\w*)\s+([-+\d."'\[][^=:]*))")))
+    return mendedLine(parts[1].str() + " = " + parts[2].str());
   auto given = givenValue(straight(std::string(line)));
   if (!given) return "";
   std::string& value = given->value;
+  if (std::regex_match(value, parts,
+                       std::regex(R"((np\.|numpy\.)?(array|list|tuple|vec3|vector|Vector)\((.*)\))")))
+    value = std::string(parts[3].str());
   const bool parentheses = value.starts_with('(') && value.ends_with(')') && value.size() > 2;
   const bool brackets = value.starts_with('[') && value.ends_with(']') && value.find('[', 1) == value.npos;
   if (matches(value, R"([-+]?\d+,\d+)"))

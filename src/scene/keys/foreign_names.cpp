@@ -305,7 +305,8 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"resolution size_px image_size window_size video_size output_size", "output.size"},
     {"figsize dpi", "output.size", "", "A size is in pixels.", Carry::kInches},
     {"dpi", "output.size", "", "", Carry::kNothing},
-    {"output.file output.filename output.path output.name output.output output.out output.video output.outfile "
+    {"output output.file output.filename output.path output.name output.output output.out output.video "
+     "output.outfile "
      "output.save output.folder output.directory output.format output.container output.type output.extension "
      "output.writer output.gif output.mp4 output_file outfile filename file_name savefig save_as",
      "", "", "The command line names the file, and its ending the format: poinsot render scene.toml -o film.mp4.",

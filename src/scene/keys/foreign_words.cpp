@@ -12,15 +12,19 @@ namespace {
 
 using Pair = std::pair<std::string_view, std::string_view>;
 
+bool hasWord(std::string_view words, std::string_view word) {
+  for (std::size_t at = words.find(word); at != std::string_view::npos; at = words.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || words[at - 1] == ' ') && (end == words.size() || words[end] == ' ')) return !word.empty();
+  }
+  return false;
+}
+
 /// Returns the second word of the pair whose first words, separated by blanks, contain `word`.
 template <std::size_t n>
 std::string_view second(const std::array<Pair, n>& pairs, std::string_view word) {
   for (const auto& [words, meaning] : pairs)
-    for (std::size_t at = words.find(word); at != std::string_view::npos; at = words.find(word, at + 1)) {
-      const bool begins = at == 0 || words[at - 1] == ' ',
-                 ends = at + word.size() == words.size() || words[at + word.size()] == ' ';
-      if (begins && ends && !word.empty()) return meaning;
-    }
+    if (hasWord(words, word)) return meaning;
   return {};
 }
 
@@ -62,6 +66,13 @@ constexpr auto kWords = std::to_array<Pair>({
     {"h265 x265", "hevc"},
     {"long_axis", "LAM"},
     {"short_axis", "SAM"},
+    {"long long_axis longest", "smallest"},
+    {"short short_axis shortest", "largest"},
+    {"symmetry symmetry_axis figure figure_axis axle", "3"},
+    {"z +z vertical upward upwards", "up"},
+    {"-z downward downwards", "down"},
+    {"regular steady", "slow"},
+    {"comma ,", "comma"},
     {"uhd 2160p ultra", "4k"},
     {"fullhd full_hd fhd hd high", "1080p"},
     {"low draft fast", "preview"},
@@ -172,6 +183,14 @@ std::string plainWord(std::string_view text) {
 }
 
 std::string_view wordElsewhere(std::string_view word) { return second(kWords, word); }
+
+std::vector<std::string_view> wordsElsewhere(std::string_view word) {
+  std::vector<std::string_view> meanings;
+  for (const auto& [words, meaning] : kWords)
+    if (hasWord(words, word)) meanings.push_back(meaning);
+  return meanings;
+}
+
 std::string_view quantityElsewhere(std::string_view word) { return second(kQuantities, word); }
 std::string_view namedColor(std::string_view name) { return second(kColors, name); }
 std::string_view densityOf(std::string_view material) { return second(kMaterials, material); }

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace poinsot::scene {
 
@@ -12,6 +13,9 @@ std::string plainWord(std::string_view text);
 /// Returns the word of a key that a word of other programs stands for, such as "box" for "cuboid" and "middle" for
 /// "intermediate"; otherwise empty.
 std::string_view wordElsewhere(std::string_view word);
+
+/// Returns all words that a word of other programs may stand for: "LAM" and "smallest" for "long_axis".
+std::vector<std::string_view> wordsElsewhere(std::string_view word);
 
 /// Returns the quantity of a plot for the name of another program, such as "E" for "total_energy"; otherwise
 /// empty.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -69,9 +70,18 @@ class Walk {
       return unknown(path, place, node);
     if (const std::string alias = tableElsewhere(path); !alias.empty() && !entries->empty())
       leaves_.aliases[path] = alias;
+    else if (!tableOf(path).empty() && isTable(tableOf(path)) && std::ranges::any_of(*entries, fitsParent(path)))
+      leaves_.aliases[path] = std::string(tableOf(path));  // [motion.initial] stands for [motion]
     else if (std::ranges::none_of(*entries, leads))
       return unknown(path, place, node);
     table(path, *entries);
+  }
+
+  static std::function<bool(const Entry&)> fitsParent(const std::string& path) {
+    return [parent = std::string(tableOf(path))](const Entry& entry) {
+      const std::string own = pathBelow(parent, entry.key);
+      return findKey(own) || !plausibleRows(own).empty();
+    };
   }
 
   /// Returns whether a table on one line stands for one value, such as { x = 1, y = 2, z = 3 } for a vector.

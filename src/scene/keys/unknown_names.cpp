@@ -163,7 +163,7 @@ class Report {
       if (auto elements = elementsOf(array, path)) return elements;
     const bool isForeign =
         table.find_first_of(".[") == std::string_view::npos && !isTableArray(table) && !misspelt("", table);
-    if (!(isTable(table) || isForeign)) return std::nullopt;
+    if (!(isTable(table) || isForeign || at != path)) return std::nullopt;
     if (unknown.value->as<Node::Table>()) return rowThatTakes(path, at);
     if (at != path)
       if (auto same = knownKey(at, path)) return same;
@@ -725,6 +725,7 @@ class Report {
 
   /// Returns a key below a table for a value that stands in place of the table.
   std::optional<Counterpart> valueInPlaceOfTable(const std::string& path) const {
+    if (path == "show") return shownCounterpart(path);
     if (auto foreign = foreignCounterpart(path, path)) return foreign;
     const Node& value = *values_.at(path);
     if (hasVisible(path)) {
@@ -796,6 +797,9 @@ class Report {
   // ---- messages
 
   std::string messageOf(const UnknownName& unknown, const std::optional<Counterpart>& counterpart) {
+    if (unknown.isTable && counterpart && counterpart->key.empty())
+      return fmt::format("{0}: expected a table [{0}], got {1}; leave it out. {2}", unknown.path,
+                         describe(*unknown.value), counterpart->note);
     if (unknown.isTable)
       return fmt::format("{0}: expected a table [{0}]{1}, got {2}{3}", unknown.path,
                          hasVisible(unknown.path) ? ", true or false" : "", describe(*unknown.value),

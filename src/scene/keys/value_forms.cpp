@@ -5,12 +5,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <initializer_list>
 #include <string>
+#include <utility>
 
 #include "core/text.h"
+#include "scene/document/arithmetic.h"
 #include "scene/keys/foreign_words.h"
 
 namespace poinsot::scene {
@@ -52,6 +56,61 @@ std::optional<double> factorIn(std::string_view text) {
   if (word.ends_with('%'))
     if (const auto percent = plainNumber(std::string_view(word).substr(0, word.size() - 1))) return *percent / 100;
   return plainNumber(word);
+}
+
+/// Returns a quantity whose words are spelled out, or that has a decimal comma, as this program reads it: "3
+/// rev/s" for "3 rotations per second".
+std::optional<std::string> quantityFor(std::string_view given, Dimension dimension) {
+  if (dimension == Dimension::kNone || given.size() > kLongestText) return std::nullopt;
+  using Word = std::pair<std::string_view, std::string_view>;
+  std::string text(given);
+  for (const auto& [word, unit] :
+       {Word{" per ", "/"},     Word{"rotations", "rev"}, Word{"rotation", "rev"}, Word{"turns", "rev"},
+        Word{"degrees", "deg"}, Word{"radians", "rad"},   Word{"seconds", "s"},    Word{"second", "s"},
+        Word{"sec", "s"},       Word{"minutes", "min"},   Word{"minute", "min"},   Word{"hours", "h"},
+        Word{"hour", "h"},      Word{"days", "d"},        Word{"meters", "m"},     Word{"metres", "m"},
+        Word{"meter", "m"},     Word{"kilograms", "kg"},  Word{"grams", "g"},      Word{"centi", "c"},
+        Word{"milli", "m"},     Word{"cubic m", "m^3"},   Word{"squared", "^2"}})
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + unit.size()))
+      text.replace(at, word.size(), unit);
+  const std::size_t comma = text.find(',');
+  if (comma != std::string::npos && comma + 1 < text.size() &&
+      std::isdigit(static_cast<unsigned char>(text[comma + 1])))
+    text[comma] = '.';
+  const auto isQuantity = [&](const std::string& one) { return parseQuantity(one, dimension).ok(); };
+  if (text != given && isQuantity(text)) return text;
+  return std::nullopt;
+}
+
+/// Returns a single value, or each element of an array, as this program reads it.
+std::optional<Node> spelledOut(const Node& given, Dimension dimension) {
+  if (const auto* array = given.as<Node::Array>()) {
+    std::vector<Node> elements;
+    for (const Node& element : *array) {
+      const auto one = spelledOut(element, dimension);
+      elements.push_back(one ? *one : element);
+    }
+    return listNode(std::move(elements), given.place);
+  }
+  const auto* text = given.as<std::string>();
+  if (!text || text->size() > kLongestText) return std::nullopt;
+  if (const auto number = plainNumber(*text)) return numberAt(*number, given.place);
+  if (const auto value = arithmeticIn(*text))
+    return numberAt(std::strtod(fmt::format("{:.7g}", *value).c_str(), nullptr), given.place);
+  const auto quantity = quantityFor(*text, dimension);
+  return quantity ? std::optional(Node{*quantity, given.place}) : std::nullopt;
+}
+
+/// Returns numbers with the unit at the end of a text: "0 0 3 rpm".
+std::optional<Node> numbersWithUnit(const Node& given, Dimension dimension) {
+  const auto* text = given.as<std::string>();
+  if (!text || text->size() > kLongestText || dimension == Dimension::kNone) return std::nullopt;
+  const std::size_t letter = text->find_first_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+  if (letter == std::string::npos || letter == 0) return std::nullopt;
+  const std::string unit(core::trimmed(std::string_view(*text).substr(letter)));
+  const auto numbers = numbersIn({text->substr(0, letter), given.place});
+  if (!numbers || !parseQuantity("1 " + unit, dimension).ok()) return std::nullopt;
+  return withUnit(*numbers, unit, dimension);
 }
 
 /// Returns the value of an entry whose name is one of `names`, or ends with one: "omega_x" for "x".
@@ -119,9 +178,16 @@ std::optional<Node> tensorIn(const Node::Table& table, const Place& place) {
   return moments == 3 ? std::optional(listNode(std::move(rows), place)) : std::nullopt;
 }
 
-/// Returns two integers for a text such as "1920x1080".
+/// Returns two integers for a text such as "1920x1080", and for the names of usual sizes.
 std::optional<Node> sidesIn(const Node& given) {
   const auto* text = given.as<std::string>();
+  using Sides = std::pair<std::string_view, std::array<std::int64_t, 2>>;
+  for (const auto& [name, sides] :
+       {Sides{"480p", {854, 480}}, Sides{"720p", {1280, 720}}, Sides{"1080p", {1920, 1080}},
+        Sides{"hd", {1920, 1080}}, Sides{"full_hd", {1920, 1080}}, Sides{"1440p", {2560, 1440}},
+        Sides{"4k", {3840, 2160}}, Sides{"uhd", {3840, 2160}}, Sides{"2160p", {3840, 2160}}})
+    if (text && plainWord(*text) == name)
+      return listNode({Node{sides[0], given.place}, Node{sides[1], given.place}}, given.place);
   const std::size_t cross = text ? text->find_first_of("x*X,:") : std::string::npos;
   if (cross == std::string::npos) return std::nullopt;
   std::vector<Node> sides;
@@ -192,13 +258,14 @@ std::string wordFor(const Key& key, std::string_view given) {
   if (isWordOf(key, text)) return text;
   const std::string plain = plainWord(text);
   if (isWordOf(key, plain)) return plain;
-  for (const std::string_view other : {wordElsewhere(plain), quantityElsewhere(plain)})
-    if (!other.empty() && isWordOf(key, other)) return std::string(other);
+  for (const std::string_view other : wordsElsewhere(plain))
+    if (isWordOf(key, other)) return std::string(other);
+  if (const auto quantity = quantityElsewhere(plain); isWordOf(key, quantity)) return std::string(quantity);
   for (const std::string_view word : key.words)  // "4179 Toutatis", "the Earth"
     if (word.size() > 3 && plain.find(word) != std::string::npos) return std::string(word);
   for (const std::string_view part : {plain.substr(0, plain.find('_')), plain.substr(plain.rfind('_') + 1)})
-    if (const auto other = wordElsewhere(part); !other.empty() && part.size() > 2 && isWordOf(key, other))
-      return std::string(other);
+    for (const std::string_view other : wordsElsewhere(part))
+      if (part.size() > 2 && isWordOf(key, other)) return std::string(other);
   return "";
 }
 
@@ -308,6 +375,8 @@ class Forms {
     if (isSingle(key_.type)) singles();
     if (key_.type == ValueType::kFrameRate) singles();
     if (key_.type == ValueType::kPair) add(numbersIn(given_));
+    if (isVector(key_.type)) add(numbersWithUnit(given_, key_.dimension));
+    if (isVector(key_.type) || isSingle(key_.type)) add(spelledOut(given_, key_.dimension));
     words();
     inDegrees();
     return std::move(forms_);
@@ -352,6 +421,7 @@ class Forms {
     if (key_.type == ValueType::kBool) add(flagIn(given_));
     if (key_.type == ValueType::kWords) add(severalWords(key_, given_));
     if (key_.type == ValueType::kText && numberIn(given_)) add(Node{describe(given_), given_.place});
+    if (key_.type == ValueType::kNumber && !key_.words.empty()) add(inOurWords(key_, given_));
     if (key_.type != ValueType::kWord) return;
     add(inOurWords(key_, given_));
     if (isWordOf(key_, "1") && isWordOf(key_, "3")) add(axisIn(given_));
