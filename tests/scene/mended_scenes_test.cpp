@@ -89,7 +89,7 @@ TEST(MendedScenes, HaveTheirStart) {
        {"omega_body = [\"0 rpm\", \"0.1 rpm\", \"3 rpm\"]"}},
       {kFreeBody + "[motion]\nomega_body = [0, 0.1, 2*pi]\n", {"omega_body = [0, 0.1, 6.283185]"}},
       {kFreeBody + "[motion]\nomega_body = [0, 0, \"3 rotations per second\"]\n",
-       {"omega_body = [0, 0, \"3 rev/second\"]"}},
+       {"omega_body = [0, 0, \"3 rev/s\"]"}},
       {kFreeBody + "[motion.initial]\nomega = [0, 0.1, 3]\n", {"omega_body = [0, 0.1, 3]"}},
       {kFreeBody + "[motion]\nangular velocity = [0, 0.1, 3]\n", {"omega_body = [0, 0.1, 3]"}},
       {kFreeBody + "[motion]\nomega_magnitude = 3\nomega_direction = [0, 3, 4]\n", {"omega_body = [0, 1.8, 2.4]"}},
