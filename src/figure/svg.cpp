@@ -213,11 +213,12 @@ class SvgDocument {
     body_ += fmt::format("<g transform=\"scale({:.6f})\">\n", size_px / 1000);
   }
 
+  bool hasHalo(const draw::Text& label) const { return figure_.hasPaper() && label.halo && label.halo_px > 0; }
+
   void addHalo(const draw::Text& label, const text::GlyphRun& run) {
-    if (figure_.hasPaper() && label.halo && label.halo_px > 0) {
-      const double width = 2000 * static_cast<double>(label.halo_px / label.size_px);
-      addGlyphs(run, paintedBy("stroke", inkOver(paper_, *label.halo, label.opacity)) + " fill=\"none\"", width);
-    }
+    if (!hasHalo(label)) return;
+    const double width = 2000 * static_cast<double>(label.halo_px / label.size_px);
+    addGlyphs(run, paintedBy("stroke", inkOver(paper_, *label.halo, label.opacity)) + " fill=\"none\"", width);
   }
 
   void addOutlines(const draw::Text& label, const text::GlyphRun& run) {
@@ -238,14 +239,17 @@ class SvgDocument {
     text::GlyphRun rest;
     rest.glyphs = line.rest;
     rest.rules = run.rules;
-    beginThousandths(size_px);
-    addHalo(label, run);
-    if (!rest.glyphs.empty() || !rest.rules.empty()) addGlyphs(rest, fill, 0);
-    body_ += "</g>\n";
+    const bool hasRest = !rest.glyphs.empty() || !rest.rules.empty();
+    if (hasRest || hasHalo(label)) {
+      beginThousandths(size_px);
+      addHalo(label, run);
+      if (hasRest) addGlyphs(rest, fill, 0);
+      body_ += "</g>\n";
+    }
     if (line.tspans.empty()) return;
     body_ += fmt::format(
-        "<text xml:space=\"preserve\" text-rendering=\"geometricPrecision\" font-size=\"{}\"{}>{}</text>\n",
-        number(size_px), fill, line.tspans);
+        "<text xml:space=\"preserve\" text-rendering=\"geometricPrecision\" {} font-size=\"{}\"{}>{}</text>\n",
+        svgTextFont(), number(size_px), fill, line.tspans);
   }
 
   // Adds glyphs, scaled to thousandths of the label's em. The scale of a script also shrinks the stroke of its

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -74,17 +75,25 @@ std::optional<char32_t> mathCharacter(const text::PlacedGlyph& glyph) {
   return std::nullopt;
 }
 
-double advance(Typeface face, char32_t character) {
+std::optional<text::GlyphMetrics> metricsOf(Typeface face, char32_t character) {
   const Font& font = Font::of(face);
   const auto glyph = font.glyph(character);
-  return glyph ? font.metrics(*glyph).advance : 0;
+  return glyph ? std::optional(font.metrics(*glyph)) : std::nullopt;
 }
 
-/// Returns whether a text font has the glyph of a character of Latin Modern Math. The fonts have one design.
+double advance(Typeface face, char32_t character) {
+  const auto metrics = metricsOf(face, character);
+  return metrics ? metrics->advance : 0;
+}
+
+/// Returns whether a text font has the glyph of a character of Latin Modern Math, for most letters and signs.
 bool isAlike(Typeface face, char32_t character, char32_t inMath) {
-  constexpr double kRounding_em = 1.5e-3;  // the space of Latin Modern Math is narrower by 0.001 em
-  const double gap = advance(face, character) - advance(Typeface::kMath, inMath);
-  return advance(face, character) > 0 && std::abs(gap) < kRounding_em;
+  constexpr double kRounding_em = 6e-3;
+  const auto a = metricsOf(face, character), b = metricsOf(Typeface::kMath, inMath);
+  if (!a || !b) return false;
+  const double gaps[] = {a->advance - b->advance, a->left - b->left, a->right - b->right, a->bottom - b->bottom,
+                         a->top - b->top};
+  return std::ranges::all_of(gaps, [](double gap) { return std::abs(gap) < kRounding_em; });
 }
 
 bool isAccent(char32_t c) { return c >= U'\u0300' && c <= U'\u036F'; }
@@ -103,19 +112,21 @@ Letter upright(const text::PlacedGlyph& glyph, char32_t character, int level) {
   return letter;
 }
 
+/// Returns a letter of a mathematical alphabet. A script has a wider form of the letter, which viewers do not
+/// choose, so that the usual form is centred in its place.
 Letter mathematical(const text::PlacedGlyph& glyph, char32_t shaped) {
   const char32_t plain = glyph.plain.front();
   const bool bold =
       text::inAlphabet(plain, text::Alphabet::kBold) == shaped && isAlike(Typeface::kBold, plain, shaped);
-  const double advance_em = advance(Typeface::kMath, shaped),
-               own_em = Font::of(glyph.face).metrics(glyph.id).advance;
-  // A script has a wider form of the letter, which a viewer does not choose. The letter is centred in its place.
+  const Font& font = Font::mathematics();
+  const text::GlyphMetrics usual = font.metrics(font.glyph(shaped).value()), own = font.metrics(glyph.id);
+  const double shift_em = (own.left + own.right - usual.left - usual.right) / 2;
   return {{bold ? plain : shaped},
           bold ? SvgFont::kBold : SvgFont::kMath,
-          glyph.x_em + glyph.scale * (own_em - advance_em) / 2,
+          glyph.x_em + glyph.scale * shift_em,
           glyph.y_em,
           glyph.scale,
-          glyph.scale * advance_em};
+          glyph.scale * usual.advance};
 }
 
 /// Returns the character of a ligature. Only some viewers make ligatures of letters.
@@ -188,7 +199,8 @@ class TspanWriter {
     if (std::abs(dx_em) > 1e-6) spans_ += fmt::format(" dx=\"{}\"", number(dx_em * size_px_));
     if (std::abs(dy_em) > 1e-6) spans_ += fmt::format(" dy=\"{}\"", number(dy_em * size_px_));
     if (letter.scale != 1) spans_ += fmt::format(" font-size=\"{}\"", number(letter.scale * size_px_));
-    spans_ += fmt::format(" {}>", attributesOf(letter.font));
+    if (letter.font != SvgFont::kRoman) spans_ += fmt::format(" {}", attributesOf(letter.font));
+    spans_ += '>';
   }
 
   double size_px_;
@@ -198,6 +210,8 @@ class TspanWriter {
 };
 
 }  // namespace
+
+std::string_view svgTextFont() { return attributesOf(SvgFont::kRoman); }
 
 std::string number(double v) {
   std::string text = fmt::format("{:.3f}", v);

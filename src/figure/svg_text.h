@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "text/glyph_run.h"
@@ -17,6 +18,9 @@ struct SvgLine {
   std::string tspans;                   ///< content of a <text> at (0, 0), one <tspan> for each font and baseline
   std::vector<text::PlacedGlyph> rest;  ///< glyphs to draw as outlines
 };
+
+/// Returns the attribute of a <text> with the font of upright letters, in which elements without a font are set.
+std::string_view svgTextFont();
 
 /// Converts a typeset line to SVG text. Each character is where the line has its glyph, if the viewer has the
 /// fonts Latin Modern Roman and Latin Modern Math. Characters follow each other, so that the line closes up when

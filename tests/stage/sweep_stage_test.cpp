@@ -299,16 +299,16 @@ TEST(SweepLabels, WriteInstantsAsTimesOfTheMotion) {
               ElementsAre("$t = 3.5\\,\\mathrm{s}$", "$t = 4.0\\,\\mathrm{s}$"));
   EXPECT_THAT(instantLabels("500 ms|2000 ms", "speed = 1\n[style]\ndecimal_sign = \"comma\"\n"),
               ElementsAre("$t = 0{,}5\\,\\mathrm{s}$", "$t = 2{,}0\\,\\mathrm{s}$"));
-  // The motion is shown a thousand times slower, so that a read-out of t is in milliseconds.
-  EXPECT_THAT(instantLabels("0|4", "speed = 0.001\n"),
-              ElementsAre("$t = 0\\,\\mathrm{ms}$", "$t = 4\\,\\mathrm{ms}$"));
+  // The motion is shown a hundred times slower, so that a read-out of t is in milliseconds.
+  EXPECT_THAT(instantLabels("0|4", "speed = 0.01\n"),
+              ElementsAre("$t = 0\\,\\mathrm{ms}$", "$t = 40\\,\\mathrm{ms}$"));
 }
 
-// A hundredth of the step of 0.31415926 s is 0.003 s.
+// A hundredth of the step of 0.31415926 s is 0.0031 s; two decimals would be wrong by 0.0042 s.
 TEST(SweepLabels, RoundLongTimesWithoutMakingThemEqual) {
   EXPECT_THAT(
       instantLabels("1|2|3", "speed = 0.31415926\n"),
-      testing::ElementsAre("$t = 0.31\\,\\mathrm{s}$", "$t = 0.63\\,\\mathrm{s}$", "$t = 0.94\\,\\mathrm{s}$"));
+      testing::ElementsAre("$t = 0.314\\,\\mathrm{s}$", "$t = 0.628\\,\\mathrm{s}$", "$t = 0.942\\,\\mathrm{s}$"));
   EXPECT_THAT(instantLabels("1|1.00012345", "speed = 1\n"),
               testing::ElementsAre("$t = 1.000000\\,\\mathrm{s}$", "$t = 1.000123\\,\\mathrm{s}$"));
 }
