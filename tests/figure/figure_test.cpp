@@ -428,7 +428,6 @@ TEST_F(FigureTest, TransparentPicturesFitAnyBackground) {
 
 // ---- LaTeX
 
-// TeX takes 218 MB, so that the launcher does not install it for one test.
 TEST_F(FigureTest, TikzCompiles) {
   if (!present("pdflatex")) GTEST_SKIP() << "pdflatex is not installed";
   const auto file = written(sceneAt("poinsot_rolling", 7), "tikz.tex");
