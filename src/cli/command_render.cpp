@@ -39,7 +39,7 @@ void addRender(const Command& program) {
       "Examples:\n"
       "  poinsot render scenes/tennis_racket.toml -o out/tennis_racket.mp4\n"
       "  poinsot render scenes/football.toml -q preview -D time.duration=4\n"
-      "  poinsot render scenes/football.toml --max-size 5MB -o out/football.gif\n"
+      "  poinsot render scenes/football.toml --fps 25 --max-size 5MB -o out/football.gif\n"
       "  poinsot render scenes/football.toml -o - --format png | ffmpeg -f image2pipe -i - ...\n"
       "  poinsot render scenes/football.toml --frames 0-59 -o 'out/frames/football_{frame:05}.png'");
   command.does({[options] { return render(*options); }, options.get(),
