@@ -1,0 +1,346 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs every row of "The lecture, row by row" in docs/physics.md, and compares its results with the numbers that the row
+states. Planted faults show that the check finds a wrong row.
+
+    lecture_test.py PROGRAM
+
+docs/testing.md describes the form of a row.
+"""
+import concurrent.futures
+import decimal
+import functools
+import json
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+import unicodedata
+import unittest
+import xml.etree.ElementTree
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
+PAGE, GALLERY = ROOT / "docs/physics.md", ROOT / "docs/gallery.md"
+SECTION = "## The lecture, row by row\n"
+COUNTS = {"Eq": 40, "Figure": 4, "Claim": 30}
+MOST_IN_WORDS = 8
+FEWEST_DIGITS = 3  # a number with fewer would show little
+LONGEST_S = 60  # of one command
+
+# Rows whose command does not yet show all that the lecture says, each with what is missing. Make this list empty.
+PENDING = {
+    "Claim 4": "a cone that rolls on a table, whose contact is at rest",
+    "Eq 4": "particles with any K and V, and their sum printed",
+    "Eq 8": "forces at points of the body",
+    "Eq 9": "forces at points of the body",
+    "Eq 11": "T about a pivot, drawn",
+    "Eq 14": "the tensor about the centre beside the one about the pivot, and their difference; drawn",
+    "Eq 15": "the tensor in axes of one's own",
+    "Eq 16": "U as a matrix, and the tensor before and after it in a picture",
+    "Figure 1": "the lecture's axes i and j",
+    "Eq 19": "the triad i, j, k, with i in the plane of L and k",
+    "Claim 10": "omega_1 along the lecture's i, which no command prints",
+    "Claim 19": "periods of an elastic Earth and of one with a fluid core",
+    "Claim 21": "metres at the pole",
+    "Figure 2": "L beside omega",
+    "Claim 22": "L in a picture, 3.3 cm from omega",
+    "Claim 23": "a scene of its own",
+    "Claim 25": "a cone that rolls on a table, with its two angular velocities",
+    "Eq 36": "the two parts of L, drawn",
+    "Claim 29": "a scene of its own",
+}
+
+NUMBER = r"[-−]?\d+(?:\.\d+)?(?:e-?\d+)?"
+RESULT = re.compile(rf"""(?:[Aa]t\ (?:t\ =\ (?P<t>{NUMBER})\ s|(?P<always>every\ time)),\ )?
+    `(?P<key>\w+)(?P<places>(?:\[\d\])*)`\ is\ (?:(?P<numbers>{NUMBER}|\({NUMBER}(?:,\ {NUMBER})+\))(?:\ (?P<unit>[^`]+))?
+    |`(?P<word>\w+)`)\.$""", re.X)
+LINK = re.compile(r"\]\(([^)#]+)\)")
+
+
+class Fault(Exception):
+    """A problem of a row."""
+
+
+class Row:
+    """One row: its name, paragraphs, commands and items."""
+
+    def __init__(self, text):
+        self.name, self.title = re.match(r"(\w+ \d+): (.+)", text).groups()
+        body = text.partition("\n")[2]
+        body = body.partition("\n### ")[0]  # the heading of the lecture's next part
+        self.commands = re.findall(r"^    \./(poinsot .+)$", body, re.M)
+        self.items = {}
+        for kind, words in re.findall(r"^- \*\*(.+?):\*\* (.+(?:\n  .+)*)", body, re.M):
+            self.items.setdefault(kind, []).append(re.sub(r"\s+", " ", words))
+        self.paragraphs = [part for part in re.split(r"\n\n+", body) if part.strip() and not part.strip().startswith(("./", "- **"))]
+
+    def results(self):
+        return self.items.get("Result", [])
+
+    def links(self, kind):
+        return [link for words in self.items.get(kind, []) for link in LINK.findall(words)]
+
+    def only_in_words(self):
+        return "In words only" in self.items
+
+
+def section(page):
+    _, heading, rest = page.partition(SECTION)
+    return re.split(r"^## ", rest, maxsplit=1, flags=re.M)[0] if heading else ""
+
+
+def rows(page):
+    return [Row(text) for text in re.split(r"^#### ", section(page), flags=re.M)[1:]]
+
+
+def problems_of_list(found):
+    """Returns what is wrong with the list of rows: each kind is numbered from 1, and in order."""
+    for kind, count in COUNTS.items():
+        numbers = [int(row.name.split()[1]) for row in found if row.name.split()[0] == kind]
+        if numbers != list(range(1, count + 1)):
+            yield f"{kind}: expected 1 to {count} in order, and found {numbers}"
+    if len(found) != sum(COUNTS.values()):
+        yield f"expected {sum(COUNTS.values())} rows, and found {len(found)}"
+    if (count := sum(row.only_in_words() for row in found)) > MOST_IN_WORDS:
+        yield f"{count} rows are in words only, more than {MOST_IN_WORDS}"
+
+
+def names_in_path(gallery):
+    """Returns the rows that the gallery's path names, such as "Eq 1, 15 to 17, Claims 7, 8", also those without a scene."""
+    path = re.split(r"^## ", gallery.partition("## The lecture in its own order\n")[2], maxsplit=1, flags=re.M)[0]
+    names = set()
+    for kind, numbers in re.findall(r"(Eq|Figure|Claim)s? (\d+(?:(?:, | to )\d+)*)", path):
+        for first, last in re.findall(r"(\d+)(?: to (\d+))?", numbers):
+            names.update(f"{kind} {number}" for number in range(int(first), int(last or first) + 1))
+    return names
+
+
+def half_unit(text):
+    """Returns half a unit of the last digit of a number as written: 0.005 for 2.45, 0.5e-6 for 1.57e-4."""
+    return decimal.Decimal(5).scaleb(decimal.Decimal(text).as_tuple().exponent - 1)
+
+
+def agrees(stated, value):
+    if len(re.sub(r"e.*|\D", "", stated).lstrip("0")) < FEWEST_DIGITS and (float(stated) or "." not in stated):
+        raise Fault(f"{stated} has fewer than {FEWEST_DIGITS} digits")
+    return abs(decimal.Decimal(value) - decimal.Decimal(stated)) <= half_unit(stated)
+
+
+def compare(result, value, unit):
+    """Compares a value with a result's number, numbers or word, and its unit with the result's."""
+    if result["word"]:
+        expected, equal = result["word"], json.dumps(value).strip('"') == result["word"]
+    else:
+        expected = result["numbers"].replace("−", "-")
+        stated = expected.strip("()").split(", ")
+        values = value if isinstance(value, list) else [value]
+        if not all(isinstance(each, (int, float)) for each in values):
+            raise Fault(f"`{result['key']}` is {value}, not {expected}")
+        equal = len(stated) == len(values) and all(map(agrees, stated, values))
+    if not equal:
+        raise Fault(f"`{result['key']}` is {value}, not {expected}")
+    if (result["unit"] or "").replace("²", "^2") != unit:
+        raise Fault(f"`{result['key']}` is in {unit or 'no unit'}, not in {result['unit'] or 'no unit'}")
+
+
+def normal(text):
+    """Returns a text in which each letter with an accent is written in one way."""
+    return unicodedata.normalize("NFC", text)
+
+
+class Run:
+    """A row's command, run in a folder of its own that has the scenes."""
+
+    def __init__(self, command, folder):
+        self.folder = pathlib.Path(folder)
+        (self.folder / "scenes").symlink_to(ROOT / "scenes")
+        (self.folder / "out").mkdir()
+        self.words = shlex.split(command)[1:]
+        self.out = self.run(self.words)
+
+    def run(self, words):
+        run = subprocess.run([PROGRAM, *words], cwd=self.folder, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=LONGEST_S)
+        if run.returncode:
+            raise Fault(f"exit code {run.returncode}: {run.stderr.strip()}")
+        return run.stdout
+
+    @functools.cached_property
+    def info(self):
+        return json.loads(self.out)
+
+    @functools.cached_property
+    def table(self):
+        """Returns units, and rows by time, of a trajectory: the same columns as in the output, from a JSON file."""
+        self.run([*self.words, "-o", "out/table.json"])
+        table = json.loads((self.folder / "out/table.json").read_text())
+        named = [dict(zip(table["columns"], values)) for values in table["rows"]]
+        if self.out.split()[0].split(",") != table["columns"] or len(self.out.split()) != len(named) + 1:
+            raise Fault("the CSV output differs from the JSON file")
+        return table["units"], {row["t"]: row for row in named}
+
+    def labels(self):
+        pictures = list(self.folder.glob("out/*.svg"))
+        if len(pictures) != 1:
+            raise Fault("the command writes no picture out/NAME.svg")
+        texts = xml.etree.ElementTree.parse(pictures[0]).iter("{http://www.w3.org/2000/svg}text")
+        return {normal("".join(text.itertext())) for text in texts}
+
+    def check(self, words):
+        if match := re.fullmatch(r'The output contains "(.+)"\.', words):
+            if match[1] not in re.sub(r"\s+", " ", self.out):
+                raise Fault(f"the output does not contain {match[1]!r}")
+        elif words.startswith("The picture has the label"):
+            if missing := set(re.findall(r'"(.+?)"', normal(words))) - self.labels():
+                raise Fault(f"the picture lacks the labels {sorted(missing)}")
+        elif not (match := RESULT.match(words)):
+            raise Fault(f"unknown form of a result: {words}")
+        elif match["t"] or match["always"]:
+            self.check_column(match)
+        else:
+            self.check_key(match)
+
+    def check_key(self, match):
+        value, unit = self.info.get(match["key"]), self.info["units"].get(match["key"], "")
+        for place in re.findall(r"\d", match["places"]):
+            value = value[int(place)]
+        compare(match, value, unit)
+
+    def check_column(self, match):
+        units, by_time = self.table
+        times = [float(match["t"].replace("−", "-"))] if match["t"] else list(by_time)
+        for t in times:
+            if t not in by_time or match["key"] not in by_time[t]:
+                raise Fault(f"the table has no {match['key']} at t = {t} s")
+            compare(match, by_time[t][match["key"]], {"1": ""}.get(units[match["key"]], units[match["key"]]))
+
+
+def problems_of_form(row):
+    """Returns what a row lacks, and which of its links lead nowhere."""
+    if not row.paragraphs:
+        yield "no paragraph"
+    for kind in row.items:
+        for link in row.links(kind):
+            if "://" not in link and not (PAGE.parent / link).exists():
+                yield f"{kind}: {link} is missing"
+    if row.only_in_words():
+        if set(row.items) != {"In words only"} or row.commands:
+            yield "a row in words only has no command and no results"
+        return
+    if len(row.commands) != 1:
+        yield f"{len(row.commands)} commands instead of one"
+    yield from (f"no {kind}" for kind in ("Result", "Scene", "Test") if kind not in row.items)
+    for scene in row.links("Scene"):
+        picture = f"images/gallery/{pathlib.Path(scene).stem}.png"
+        if not (PAGE.parent / picture).exists() or f"]({scene})" not in GALLERY.read_text():
+            yield f"{scene} has no picture in the gallery"
+    for command in row.commands:
+        yield from (f"{scene} is not among the row's scenes" for scene in re.findall(r"scenes/\w+\.toml", command)
+                    if f"../{scene}" not in row.links("Scene"))
+
+
+def problems(row):
+    found = list(problems_of_form(row))
+    if not found and row.commands:
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                run = Run(row.commands[0], folder)
+                for words in row.results():
+                    run.check(words)
+            except (Fault, subprocess.TimeoutExpired, ValueError, OSError, LookupError, TypeError) as fault:
+                found.append(str(fault))
+    return [f"{row.name}: {problem}" for problem in found]
+
+
+class TheLecture(unittest.TestCase):
+    maxDiff = None
+
+    @classmethod
+    def setUpClass(cls):
+        cls.page = PAGE.read_text()
+
+    def test_has_every_row_once_and_in_order(self):
+        self.assertEqual(list(problems_of_list(rows(self.page))), [])
+
+    def test_shows_in_every_row_what_the_row_states(self):
+        found = rows(self.page)
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            self.assertEqual([problem for each in pool.map(problems, found) for problem in each], [])
+        print(f"{len(found)} rows, {sum(row.only_in_words() for row in found)} in words only, {len(PENDING)} pending", file=sys.stderr)
+
+    def test_lists_only_rows_as_pending(self):
+        self.assertEqual(set(PENDING) - {row.name for row in rows(self.page)}, set())
+
+    def test_names_the_rows_in_words_only(self):
+        names = [row.name for row in rows(self.page) if row.only_in_words()]
+        said = re.search(r"in words only, because .*?:(.*?)\.", section(self.page), re.S)[1]
+        self.assertEqual(re.findall(r"\w+ \d+", said), names)
+
+
+    def test_has_every_row_in_the_path_of_the_gallery(self):
+        self.assertEqual(names_in_path(GALLERY.read_text()), {row.name for row in rows(self.page)})
+
+
+class PlantedFaults(unittest.TestCase):
+    """Each fault is planted in the page as it is, and must be found in its row."""
+
+    def fault_of(self, name, old, new):
+        text = PAGE.read_text()
+        begin = text.index(f"#### {name}: ")
+        end = begin + re.search(r"\n##+ ", text[begin:]).start()
+        self.assertIn(old, text[begin:end])
+        changed = text[:begin] + text[begin:end].replace(old, new, 1) + text[end:]
+        row, = (row for row in rows(changed) if row.name == name)
+        return problems(row)
+
+    def test_wrong_numbers_are_found(self):
+        self.assertRegex(self.fault_of("Eq 20", "is 2.45012 rad/s", "is 2.45013 rad/s")[0], r"Eq 20: `precession_rate` is 2\.4501\d+, not 2\.45013")
+        self.assertRegex(self.fault_of("Eq 5", "(0.0000, 2.2400", "(0.0000, 2.2402")[0], "`L_orbital_W` is")
+        self.assertRegex(self.fault_of("Claim 9", "`theta` is 0.695945", "`theta` is 0.695955")[0], "`theta` is 0.69594")
+        self.assertRegex(self.fault_of("Claim 30", "`unstable`", "`neutral`")[0], "is unstable, not neutral")
+
+    def test_a_wrong_unit_is_found(self):
+        self.assertEqual(self.fault_of("Eq 20", "2.45012 rad/s.\n- ", "2.45012 deg/s.\n- "), ["Eq 20: `precession_rate` is in rad/s, not in deg/s"])
+
+    def test_too_few_digits_are_found(self):
+        self.assertEqual(self.fault_of("Eq 20", "is 2.45012 rad/s.\n- ", "is 2.5 rad/s.\n- "), ["Eq 20: 2.5 has fewer than 3 digits"])
+
+    def test_a_missing_label_and_text_are_found(self):
+        self.assertEqual(self.fault_of("Figure 3", '"ω_p"', '"Ω_q"'), ["Figure 3: the picture lacks the labels ['Ω_q']"])
+        self.assertRegex(self.fault_of("Claim 11", "once in 2.56 s", "once in 2.57 s")[0], "the output does not contain")
+
+    def test_a_missing_file_is_found(self):
+        self.assertEqual(self.fault_of("Eq 20", "../scenes/frisbee.toml", "../scenes/no_such.toml"),
+                         ["Eq 20: Scene: ../scenes/no_such.toml is missing", "Eq 20: ../scenes/no_such.toml has no picture in the gallery"])
+        self.assertEqual(self.fault_of("Eq 20", "equations_18_21_test.cpp", "no_such_test.cpp"),
+                         ["Eq 20: Test: ../tests/physics/no_such_test.cpp is missing"])
+        self.assertEqual(self.fault_of("Eq 20", "scenes/football.toml --json", "scenes/no_such.toml --json"),
+                         ["Eq 20: scenes/no_such.toml is not among the row's scenes"])
+
+    def test_a_scene_that_cannot_be_read_is_found(self):
+        self.assertRegex(self.fault_of("Eq 20", "--json", "-D body.mass=-1 --json")[0], "Eq 20: exit code 2: ")
+
+    def test_a_missing_key_or_command_is_found(self):
+        self.assertEqual(self.fault_of("Eq 20", "`precession_rate`", "`precession`"), ["Eq 20: `precession` is None, not 2.45012"])
+        self.assertRegex(self.fault_of("Claim 9", "`theta`", "`thetas`")[0], "the table has no thetas at t = 0")
+        self.assertRegex(self.fault_of("Eq 20", "./poinsot info", "./poinsot infos")[0], "exit code 2")
+        self.assertEqual(self.fault_of("Eq 20", "    ./poinsot", "    # ./poinsot"), ["Eq 20: 0 commands instead of one"])
+
+    def test_a_missing_or_misplaced_row_is_found(self):
+        text = PAGE.read_text()
+        begin = text.index("#### Eq 20: ")
+        end = text.index("#### ", begin + 1)
+        self.assertEqual(list(problems_of_list(rows(text[:begin] + text[end:])))[-1], "expected 74 rows, and found 73")
+        self.assertRegex(list(problems_of_list(rows(text.replace("#### Eq 20: ", "#### Eq 41: "))))[0], "^Eq: expected 1 to 40 in order")
+
+    def test_a_row_missing_in_the_path_is_found(self):
+        self.assertNotIn("Eq 16", names_in_path(GALLERY.read_text().replace("Eq 13, 15 to 17", "Eq 13, 15")))
+
+    def test_too_many_rows_in_words_only_are_found(self):
+        text = re.sub(r"- \*\*Result:\*\*", "- **In words only:**", PAGE.read_text())
+        self.assertRegex(list(problems_of_list(rows(text)))[-1], "rows are in words only, more than 8")
+
+
+if __name__ == "__main__":
+    unittest.main()
