@@ -26,6 +26,7 @@ PAGE, GALLERY = ROOT / "docs/physics.md", ROOT / "docs/gallery.md"
 SECTION = "## The lecture, row by row\n"
 COUNTS = {"Eq": 40, "Figure": 4, "Claim": 30}
 MOST_IN_WORDS = 8
+KINDS = {"Result", "Scene", "Code", "Test", "In words only"}
 FEWEST_DIGITS = 3  # a number with fewer would show little
 LONGEST_S = 60  # of one command
 
@@ -71,7 +72,7 @@ class Row:
         body = text.partition("\n")[2]
         body = body.partition("\n### ")[0]  # the heading of the lecture's next part
         self.commands = re.findall(r"^    \./(poinsot .+)$", body, re.M)
-        self.items = {}
+        self.items, self.lines = {}, len(re.findall(r"^- ", body, re.M))
         for kind, words in re.findall(r"^- \*\*(.+?):\*\* (.+(?:\n  .+)*)", body, re.M):
             self.items.setdefault(kind, []).append(re.sub(r"\s+", " ", words))
         self.paragraphs = [part for part in re.split(r"\n\n+", body) if part.strip() and not part.strip().startswith(("./", "- **"))]
@@ -122,8 +123,26 @@ def half_unit(text):
     return decimal.Decimal(5).scaleb(decimal.Decimal(text).as_tuple().exponent - 1)
 
 
+def digits(text):
+    return len(re.sub(r"e.*|\D", "", text).lstrip("0"))
+
+
+def not_worked_out(row):
+    """Returns the numbers of a row's results that its paragraphs do not contain, up to the sign and the last digits."""
+    plain = " ".join(row.paragraphs).replace("−", "-")
+    worked = [text.lstrip("-") for text in re.findall(NUMBER, plain) if digits(text) >= FEWEST_DIGITS]
+    for words in row.results():
+        if not (match := RESULT.match(words)) or match["word"]:
+            continue
+        for stated in re.findall(NUMBER, match["numbers"]):
+            size = stated.lstrip("-−")
+            if float(size) and not any(abs(decimal.Decimal(each) - decimal.Decimal(size)) <= max(half_unit(each), half_unit(size))
+                                       for each in worked):
+                yield f"the paragraphs do not work out {stated} of `{match['key']}`"
+
+
 def agrees(stated, value):
-    if len(re.sub(r"e.*|\D", "", stated).lstrip("0")) < FEWEST_DIGITS and (float(stated) or "." not in stated):
+    if digits(stated) < FEWEST_DIGITS and (float(stated) or "." not in stated):
         raise Fault(f"{stated} has fewer than {FEWEST_DIGITS} digits")
     return abs(decimal.Decimal(value) - decimal.Decimal(stated)) <= half_unit(stated)
 
@@ -220,6 +239,8 @@ def problems_of_form(row):
     """Returns what a row lacks, and which of its links lead nowhere."""
     if not row.paragraphs:
         yield "no paragraph"
+    if row.lines != sum(map(len, row.items.values())) or set(row.items) - KINDS:
+        yield f"items are not of the kinds {sorted(KINDS)}"
     for kind in row.items:
         for link in row.links(kind):
             if "://" not in link and not (PAGE.parent / link).exists():
@@ -230,6 +251,7 @@ def problems_of_form(row):
         return
     if len(row.commands) != 1:
         yield f"{len(row.commands)} commands instead of one"
+    yield from not_worked_out(row)
     yield from (f"no {kind}" for kind in ("Result", "Scene", "Test") if kind not in row.items)
     for scene in row.links("Scene"):
         picture = f"images/gallery/{pathlib.Path(scene).stem}.png"
@@ -290,15 +312,22 @@ class PlantedFaults(unittest.TestCase):
         begin = text.index(f"#### {name}: ")
         end = begin + re.search(r"\n##+ ", text[begin:]).start()
         self.assertIn(old, text[begin:end])
-        changed = text[:begin] + text[begin:end].replace(old, new, 1) + text[end:]
+        changed = text[:begin] + text[begin:end].replace(old, new) + text[end:]
         row, = (row for row in rows(changed) if row.name == name)
         return problems(row)
 
     def test_wrong_numbers_are_found(self):
-        self.assertRegex(self.fault_of("Eq 20", "is 2.45012 rad/s", "is 2.45013 rad/s")[0], r"Eq 20: `precession_rate` is 2\.4501\d+, not 2\.45013")
+        self.assertRegex(self.fault_of("Eq 20", "2.45012", "2.45013")[0], r"Eq 20: `precession_rate` is 2\.4501\d+, not 2\.45013")
         self.assertRegex(self.fault_of("Eq 5", "(0.0000, 2.2400", "(0.0000, 2.2402")[0], "`L_orbital_W` is")
-        self.assertRegex(self.fault_of("Claim 9", "`theta` is 0.695945", "`theta` is 0.695955")[0], "`theta` is 0.69594")
+        self.assertRegex(self.fault_of("Claim 9", "0.695945", "0.695955")[0], "`theta` is 0.69594")
         self.assertRegex(self.fault_of("Claim 30", "`unstable`", "`neutral`")[0], "is unstable, not neutral")
+
+    def test_a_number_that_is_not_worked_out_is_found(self):
+        self.assertEqual(self.fault_of("Eq 20", "`precession_rate` is 2.45012", "`omega` is 3.827806"),
+                         ["Eq 20: the paragraphs do not work out 3.827806 of `omega`"])
+
+    def test_an_unknown_item_is_found(self):
+        self.assertRegex(self.fault_of("Eq 5", "- **Result:** `L_total_W`", "- **Results:** `L_total_W`")[0], "items are not of the kinds")
 
     def test_a_wrong_unit_is_found(self):
         self.assertEqual(self.fault_of("Eq 20", "2.45012 rad/s.\n- ", "2.45012 deg/s.\n- "), ["Eq 20: `precession_rate` is in rad/s, not in deg/s"])
