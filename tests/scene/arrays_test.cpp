@@ -34,7 +34,9 @@ TEST(Arrays, ProblemsPointAtTheElement) {
   const auto found = problemsOf(kParts + "[[body.part]]\nshape = 'cube'\nmass = 2\nofset = 2\nedge = -1\n");
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(core::toString(found[0].where), "test.toml:13:1");
-  EXPECT_EQ(found[0].message, "body.part[2].ofset: unknown key; did you mean body.part[2].offset?");
+  EXPECT_EQ(
+      found[0].message,
+      "body.part[2].ofset: unknown key; did you mean body.part[2].offset? For example:\n    offset = [0, 0, 2]");
   EXPECT_EQ(core::toString(found[1].where), "test.toml:14:8");
   EXPECT_THAT(found[1].message, HasSubstr("body.part[2].edge: must be positive"));
 }

@@ -246,7 +246,9 @@ TEST(Mesh, ReportsAnUnusableFileAsASceneError) {
   EXPECT_THAT(problems(mesh + "file='torque.csv'"), HasSubstr("body.file: "));
   EXPECT_THAT(problems(mesh + "file='../data/body.stl'"), HasSubstr("without \"..\""));
   EXPECT_THAT(problems(mesh + "file='open.obj'"), HasSubstr("body.file: "));
-  EXPECT_EQ(problems(mesh), "body.shape: \"mesh\" takes file (optional: file_unit); file is missing\n");
+  EXPECT_EQ(problems(mesh),
+            "body.shape: \"mesh\" takes file (optional: file_unit); file is missing. For example:\n    file = "
+            "\"body.stl\"\n");
 }
 
 }  // namespace

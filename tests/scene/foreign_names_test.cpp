@@ -235,7 +235,8 @@ TEST(ForeignNames, TakeTheFormOfTheKey) {
   EXPECT_THAT(messagesOf("[body]\nI = 3\n" + kStart), EndsWith("    principal_moments = [3, 3, 3]\n"));
   EXPECT_THAT(messagesOf(kMoments + kStart + "quat_xyzw = [1, 2, 3, 4]\n"),
               EndsWith("    orientation = [4, 1, 2, 3]\n"));
-  EXPECT_THAT(messagesOf(kMoments + kStart + "gravity = [0, 0, -9.81]\n"), EndsWith("    gravity.g = 9.81\n"));
+  EXPECT_THAT(messagesOf(kMoments + kStart + "gravity = [0, 0, -9.81]\n"),
+              EndsWith("    flight.gravity = [0, 0, -9.81]\n"));
   EXPECT_THAT(messagesOf(kMoments + kStart + "M = [0, 0, 1]\n"), EndsWith("    torque.body = [0, 0, 1]\n"));
   EXPECT_THAT(messagesOf("background = \"white\"\n" + kMoments + kStart), EndsWith("    paper = \"#ffffff\"\n"));
   // A dot in quat_xyzw or a date does not fit; the example of the key replaces it.

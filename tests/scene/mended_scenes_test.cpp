@@ -52,7 +52,7 @@ TEST(MendedScenes, HaveTheirShape) {
       {"[body]\nshape = \"oblate spheroid\"\na = 2\nc = 1\nmass = 1\n" + kSpun,
        {"shape = \"ellipsoid\"", "size = [4, 4, 2]"}},
       {"[body]\nshape = \"ellipsoid\"\na = 3\nb = 2\nc = 1\nmass = 1\n" + kSpun, {"size = [6, 4, 2]"}},
-      {"[body]\nshape = \"racket\"\nmass = 0.3\n" + kSpun, {"length = ", "width = "}},
+      {"[body]\nshape = \"racket\"\nmass = 0.3\n" + kSpun, {"size = [0.68, 0.26, 0.02]"}},
       {"[body]\nshape = \"box\"\nsize = [0.3, 0.2, 0.1]\ndensity = \"steel\"\n" + kSpun, {"density = 7850"}},
       {"[body]\nshape = \"box\"\nsize = [0.3, 0.2, 0.1]\n" + kSpun, {"mass = 1"}},
       {"[body]\nname = \"4179 Toutatis\"\n" + kSpun, {"catalogue = \"toutatis\""}},
@@ -194,7 +194,7 @@ TEST(MendedScenes, HaveTheirPicture) {
 TEST(MendedScenes, SuggestAtMostThreeKeysForAnyOtherName) {
   for (const char* line :
        {"[time]\nlength_of_movie = 5", "[camera]\nmagnification_factor = 2", "[output]\nvideo_quality = 3",
-        "[show]\nspin_trace = true", "[style]\nfont_scale = 2", "[motion]\ninitial_wobbling = 0.1"}) {
+        "[show]\nspin_trace = true", "[style]\nfont_scale = 2", "[label]\nname_of_torque = 0.1"}) {
     const std::string message = messagesOf(kFreeBody + kSpun + line + "\n");
     EXPECT_THAT(message, HasSubstr("did you mean ")) << line;
     EXPECT_LE(std::count(message.begin(), message.end(), '\n'), 5) << message;

@@ -71,20 +71,23 @@ class Editor {
     const std::string& message = problem.message;
     const std::vector<Block> blocks = blocksOf(message);
     std::size_t at = indexOf(problem.where.line);
+    const bool isSyntax = says(message, "not TOML") || says(message, "not a TOML");
+    if (isSyntax && at == lines_.size()) return;  // the line is mended already
+    const std::size_t table = tableAround(at).first;
     const bool leaves =
         says(message, "leave it out") || says(message, "leave them out") || says(message, "leave this line out");
     if (says(message, "in place of this [["))
       at = removeTable(at);
     else if (says(message, "in place of [["))
       at = removeAll(textBetween(message, "in place of ", ":,"));
-    else if (says(message, "not TOML") || says(message, "not a TOML"))
+    else if (isSyntax)
       lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(at));
-    else if (!blocks.empty() || leaves)
+    else if ((!blocks.empty() || leaves) && !says(message, " missing"))
       for (const std::string& name : listedIn(message.substr(0, message.find(':'))))
-        at = removeKey(at, std::string(nameOf(name)));
+        removeKey(table, std::string(nameOf(name)), at);
     if (!blocks.empty())
       for (const std::string& name : listedIn(textBetween(blocks[0].where, "in place of ", ":")))
-        if (name.find_first_of("[ ") == std::string::npos) at = removeKey(at, name);
+        if (name.find_first_of("[ ") == std::string::npos) removeKey(table, name, at);
     for (const Block& block : blocks) insert(at, block);
     removeEmptyTables();
   }
@@ -147,16 +150,17 @@ class Editor {
     }
   }
 
-  /// Removes a key from the table that contains a line. Returns the place of the key, or the line if there is
-  /// none.
-  std::size_t removeKey(std::size_t at, const std::string& name) {
-    const auto [begin, end] = tableAround(at);
+  /// Removes a key from the table that contains a line.
+  /// @param at  receives the place of the key
+  bool removeKey(std::size_t table, const std::string& name, std::size_t& at) {
+    const auto [begin, end] = tableAround(table);
     for (std::size_t i = begin; i < end; ++i)
       if (gives(lines_[i], name)) {
         lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(i));
-        return i;
+        at = i;
+        return true;
       }
-    return at;
+    return false;
   }
 
   std::size_t behindHeader(const std::string& header) {
@@ -188,8 +192,8 @@ class Editor {
 
   /// Removes an earlier line with the same key.
   void removeGiven(std::size_t& at, const std::string& name) {
-    const std::size_t before = lines_.size(), place = removeKey(at > 0 ? at - 1 : 0, name);
-    if (lines_.size() < before && place < at) --at;
+    std::size_t place = 0;
+    if (removeKey(at > 0 ? at - 1 : 0, name, place) && place < at) --at;
   }
 
   std::vector<Line> lines_;

@@ -256,7 +256,7 @@ TEST(TopStart, LeansItsOwnAxisUnderGravity) {
 TEST(TopStart, NeedsAnAxisThatLeansInFreeMotion) {
   EXPECT_EQ(messagesOf("body.principal_moments=[1, 2, 3]\nmotion.omega_body=[0, 0, 1]\nmotion.lean=1"),
             "motion.lean: motion.spin_axis is missing: it names the axis that leans; without gravity, no axis is "
-            "marked\n");
+            "marked. For example:\n    spin_axis = \"largest\"\n");
 }
 
 // Oracle: the integrated motion, by the sign of phi' where theta is least and where it is largest.

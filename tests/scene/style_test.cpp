@@ -59,7 +59,8 @@ TEST_F(StyleFile, ErrorsNameTheStyleFileAndItsLine) {
   EXPECT_EQ(all[0].where.column, 11);
   EXPECT_EQ(all[0].sourceLine, "  omega = \"orange\"");
   EXPECT_EQ(all[0].message,
-            "style.colors.omega: expected a colour \"#RRGGBB\" in hexadecimal digits, got \"orange\"");
+            "style.colors.omega: expected a colour \"#RRGGBB\" in hexadecimal digits, got \"orange\". For "
+            "example:\n    omega = \"#ffa500\"");
   EXPECT_EQ(all[1].where.line, 5);
   EXPECT_THAT(all[1].message, HasSubstr("did you mean style.colors.ellipsoid?"));
 }

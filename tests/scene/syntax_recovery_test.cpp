@@ -43,15 +43,28 @@ TEST(SyntaxRecovery, DoesNotReportWhatTheBrokenLineGives) {
         std::string("[body]\nshape = \"box\"\nsize = 1\nmass = 1 kg\n") + motion,
         "[body\nprincipal_moments = [1, 2, 2.5]\n" + motion, "[motion\nomega_body = [1, 0, 0]\n" + body,
         body + "[motion]\nomega_body = 0, 0, 5\n", body + "[motion]\nspin = 5 rpm\nspin_axis = 3\n",
-        body + "[motion]\nspin_axis = 3\nspin = 5 rpm\ntilt_towards = 1\n",
-        std::string("[body]\nshape = \"box\"\nsize = 1\nmass = 1 kg\n[motion]\nomega_body = [1, 0, 0]\ngravity.g "
-                    "= 9.81\n"),
-        body + motion + "show.L = ja\n[show]\nomega = false\n",
-        body + "[motion]\nomega_body = [0, 0, 0]\norientation = [1, 0, 0, 0]\n[show]\nL = nein\nomega = false\n",
         body + motion + "[time]\nduration = 60 s\n[[timeline]]\nat = 30\nhide = [\"L\"]\n",
-        body + motion + "[[plot]]\nquantities = [t, \"omega\"]\n"})
+        body + motion + "[[plot]]\nquantities = [T, \"E\"]\n"})
     EXPECT_THAT(found(text), ElementsAre(testing::AnyOf(HasSubstr("not TOML"), HasSubstr("not a TOML value"))))
         << text;
+}
+
+TEST(SyntaxRecovery, ChecksALineWithOneLikelyCorrection) {
+  EXPECT_THAT(found("[body]\nprincipal_moments = [1, 2, 2.5]\n[motion]\nspin = 5 rpm\ntilt_towards = 1\n"),
+              ElementsAre(HasSubstr("For example:\n    spin = \"5 rpm\""),
+                          HasSubstr("motion.spin_axis is missing"), HasSubstr("motion.tilt is missing")));
+  for (const auto& [line, mended] : std::vector<std::pair<const char*, const char*>>{
+           {"duration = 12,5", "duration = 12.5"},
+           {"duration = 12 s  # short", "duration = \"12 s\"  # short"},
+           {"duration: 12", "duration = 12"},
+           {"duration = 12;", "duration = 12"},
+           {"duration = pi/2", "duration = 1.570796"},
+           {"loop = True", "loop = true"},
+           {"still = auto", "still = \"auto\""},
+           {"fps = 30000/1001", "fps = \"30000/1001\""}})
+    EXPECT_THAT(found(std::string(kMinimal) + "[time]\n" + line + "\n"),
+                ElementsAre(testing::EndsWith(std::string("For example:\n    ") + mended)))
+        << line;
 }
 
 TEST(SyntaxRecovery, ReportsSeveralSyntaxErrors) {

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "physics/mass_properties.h"
+#include "scene/keys/shape_advice.h"
 
 namespace poinsot::scene {
 namespace {
@@ -71,8 +72,7 @@ const KeyNames& ShapeReader::nearestWay() const {
 }
 
 std::string ShapeReader::lineFor(std::string_view name) const {
-  const bool flat = name == "size" && kind().extents == 2;
-  return fmt::format("\n    {} = {}", name, flat ? "[0.3, 0.2]" : findKey(path(name))->example);
+  return fmt::format("\n    {} = {}", name, name == "size" ? sizeExample(kind()) : findKey(path(name))->example);
 }
 
 /// Returns advice for lengths that the shape does not take: the key that it takes instead, with their values.

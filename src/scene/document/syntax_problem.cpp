@@ -174,8 +174,13 @@ std::string arrayInToml(std::string_view elements) {
   std::string array;
   while (true) {
     const std::size_t comma = std::min(elements.find(','), elements.size());
-    if (const std::string_view one = core::trimmed(elements.substr(0, comma)); !one.empty())
-      array += (array.empty() ? "" : ", ") + inToml(one);
+    std::string_view one = core::trimmed(elements.substr(0, comma));
+    const bool several = matches(one, R"([-+\d.eE]+(\s+[-+\d.eE]+)+)");
+    while (!one.empty()) {
+      const std::size_t end = several ? std::min(one.find_first_of(" \t"), one.size()) : one.size();
+      array += (array.empty() ? "" : ", ") + inToml(one.substr(0, end));
+      one = core::trimmed(one.substr(end));
+    }
     if (comma == elements.size()) return "[" + array + "]";
     elements.remove_prefix(comma + 1);
   }

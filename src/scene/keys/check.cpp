@@ -137,7 +137,8 @@ class Checker {
     const bool sign =
         key_.range.least > 0 && key_.range.least < key_.range.most && value <= 0 && !key_.range.ofSize;
     const bool bare = !node.as<std::string>();
-    const std::string hint = bare && key_.dimension == Dimension::kAngle
+    constexpr double kHalfTurn_rad = 3.2;  // more is hardly meant as radians
+    const std::string hint = bare && key_.dimension == Dimension::kAngle && std::abs(value) > kHalfTurn_rad
                                  ? fmt::format("; a bare angle is in radians, write \"{} deg\" for degrees", value)
                                  : "";
     return refuse(node, fmt::format("must be {}{}, got {}{}{}{}", sign ? "positive, " : "", numbersText(key_),

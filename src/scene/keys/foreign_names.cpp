@@ -87,6 +87,11 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"I1 I2 I3", kMoments, "", "", Carry::kList},
     {"i1 i2 i3", kMoments, "", "", Carry::kList},
     {"moment_1 moment_2 moment_3", kMoments, "", "", Carry::kList},
+    {"I_1 I_2 I_3", kMoments, "", "", Carry::kList},
+    {"Ix Iy Iz", kMoments, "", "", Carry::kList},
+    {"I_x I_y I_z", kMoments, "", "", Carry::kList},
+    {"J1 J2 J3", kMoments, "", "", Carry::kList},
+    {"Jx Jy Jz", kMoments, "", "", Carry::kList},
     {"I1 I3", kMoments, "", kTwoEqual, Carry::kSymmetric},
     {"I_1 I_3", kMoments, "", kTwoEqual, Carry::kSymmetric},
     {"A C", kMoments, "", kTwoEqual, Carry::kSymmetric},
@@ -107,11 +112,6 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"transverse_moment axial_moment", kMoments, "", kTwoEqual, Carry::kSymmetric},
     {"Ixx Izz", kMoments, "", kTwoEqual, Carry::kSymmetric},
     {"Ix Iz", kMoments, "", kTwoEqual, Carry::kSymmetric},
-    {"I_1 I_2 I_3", kMoments, "", "", Carry::kList},
-    {"Ix Iy Iz", kMoments, "", "", Carry::kList},
-    {"I_x I_y I_z", kMoments, "", "", Carry::kList},
-    {"J1 J2 J3", kMoments, "", "", Carry::kList},
-    {"Jx Jy Jz", kMoments, "", "", Carry::kList},
     {"I J moments moments_of_inertia moment_of_inertia moment inertias inertia_moments diaginertia diag_inertia "
      "inertia_diagonal inertia_diag principal_inertia I0 Ip I_principal moi MOI local_inertia "
      "local_inertia_diagonal moment_ratios moments_ratio inertia_ratios ratio_of_moments principal_axes_moments "
@@ -464,7 +464,7 @@ Rows foreignRows(std::string_view path) {
   const std::string snake = snakeCase(name);
   const std::string pattern = patternOf(path), inTable = pathBelow(tableOf(pattern), snake);
   Rows rows = rowsOf(pattern);
-  if (rows.empty()) rows = rowsOf(inTable);
+  if (rows.empty() && inTable.find('.') != std::string::npos) rows = rowsOf(inTable);
   for (const std::string_view tried :
        {name, withoutInitial(name), std::string_view(snake), withoutInitial(snake)}) {
     if (tried != name && isTable(tried)) continue;  // [Body] is a misspelt table

@@ -65,7 +65,9 @@ class Walk {
   /// one of this program or one of its names leads to a key. Otherwise, the table itself is the unknown name.
   void unknownNames(const std::string& path, const Place& place, const Node& node) {
     const auto* entries = node.as<Node::Table>();
-    const auto leads = [&](const Entry& entry) { return !plausibleRows(pathBelow(path, entry.key)).empty(); };
+    const auto leads = [&](const Entry& entry) {
+      return !entry.value.as<Node::Table>() && !plausibleRows(pathBelow(path, entry.key)).empty();
+    };
     if (!entries || misspelt(tableOf(path), nameOf(path)) || becomesValue(path, place, node))
       return unknown(path, place, node);
     if (const std::string alias = tableElsewhere(path); !alias.empty() && !entries->empty())

@@ -40,8 +40,7 @@ std::string missingLines(const NamedShape& shape, const std::string& table, cons
       const std::string path = pathBelow(table, name);
       if (isGiven(leaves, path)) continue;
       ++missing;
-      const bool flat = name == "size" && shape.extents == 2;
-      lines += fmt::format("\n    {} = {}", name, flat ? "[0.3, 0.2]" : findKey(path)->example);
+      lines += fmt::format("\n    {} = {}", name, name == "size" ? sizeExample(shape) : findKey(path)->example);
     }
     if (missing >= fewest) continue;
     fewest = missing;
@@ -67,6 +66,12 @@ std::string dumbbell(const Leaves& leaves) {
 }
 
 }  // namespace
+
+std::string_view sizeExample(const NamedShape& shape) {
+  if (shape.extents == 2) return "[0.3, 0.2]";
+  if (shape.word == "cylinder") return "[0.1, 0.1, 0.3]";
+  return shape.word == "racket" ? "[0.68, 0.26, 0.02]" : findKey("body.size")->example;
+}
 
 std::string nearestShape(std::string_view given) {
   if (given.size() > kLongestName) return "";

@@ -5,8 +5,12 @@
 #include <string_view>
 
 #include "scene/keys/leaves.h"
+#include "scene/shapes.h"
 
 namespace poinsot::scene {
+
+/// Returns an example of the key `size` for a shape, as TOML.
+std::string_view sizeExample(const NamedShape& shape);
 
 /// Returns the shape of this program for a word such as "cuboid", "spinning top" or "sphear"; empty if none is
 /// near.

@@ -220,7 +220,7 @@ std::string shortHelp(const Key& key) {
   std::string_view help = key.help;
   for (const std::string_view end : {". ", ": ", "; "}) help = help.substr(0, help.find(end));
   if (help.size() > kLongest) help = help.substr(0, help.find(", "));
-  if (help.size() > kLongest) help = help.substr(0, help.rfind(' ', kLongest));
+  if (help.size() > kLongest) return std::string(help.substr(0, help.rfind(' ', kLongest))) + " ...";
   if (help.ends_with('.')) help.remove_suffix(1);
   return std::string(help);
 }

@@ -48,9 +48,8 @@ std::string needsOf(std::string_view shape) {
   for (const NamedShape& known : namedShapes())
     if (known.word == shape)
       for (const std::string_view name : known.ways.back())  // the way without a size, if there is one
-        with += fmt::format(
-            "{} = {}; ", name,
-            name == "size" && known.extents == 2 ? "[0.3, 0.2]" : findKey(pathBelow("body", name))->example);
+        with += fmt::format("{} = {}; ", name,
+                            name == "size" ? sizeExample(known) : findKey(pathBelow("body", name))->example);
   return with + "mass = 1";
 }
 
@@ -172,8 +171,18 @@ class Report {
     if (auto shape = shapeCounterpart(path)) return shape;
     if (auto unit = unitCounterpart(path, at)) return unit;
     if (auto near = misspeltCounterpart(path, *unknown.value)) return near;
-    if (auto other = keyElsewhere(path, *unknown.value)) return other;
-    return similarCounterpart(path, at, *unknown.value);
+    auto other = keyElsewhere(path, *unknown.value);
+    if (other && !isOfOtherSubject(at, other->key)) return other;
+    if (auto similar = similarCounterpart(path, at, *unknown.value)) return similar;
+    return other;
+  }
+
+  /// Returns whether one path is of the physics and the other of the picture.
+  static bool isOfOtherSubject(std::string_view path, std::string_view key) {
+    const auto isPhysics = [](std::string_view one) {
+      return one.starts_with("body") || one.starts_with("motion");
+    };
+    return path.find('.') != std::string_view::npos && isPhysics(path) != isPhysics(key);
   }
 
   /// Returns a key of our table for a name in a table of another name, such as motion.torque.body for torque.body.
@@ -318,7 +327,7 @@ class Report {
   std::optional<Counterpart> gravityCounterpart(const ForeignNames& row, const std::string& path) const {
     const Node& given = *values_.at(path);
     const bool top = mentions("body.pivot") || mentions("motion.lean") || mentions("motion.precession") ||
-                     mentions("motion.nutation") || mentions("motion.gravity.") || mentions("motion.euler");
+                     mentions("motion.nutation") || mentions("motion.euler");
     if (isThrown() || (!top && mentions("motion.") && !knownValue("motion.spin"))) return freeFall(given, path);
     const Key& key = *findKey("motion.gravity.g");
     const auto carried = carriedValue(key, given, leaves_.limits);
@@ -702,6 +711,8 @@ class Report {
   /// Returns the keys that have the most words in common with a name.
   std::optional<Counterpart> similarCounterpart(const std::string& path, const std::string& at,
                                                 const Node& value) const {
+    const auto other = otherKey(path);
+    if (other && other->find("[]") == std::string::npos && !findKey(*other)) return std::nullopt;
     const auto near = misspelt(tableOf(path), nameOf(path));
     const Key* nearKey = near ? findKey(*near) : nullptr;
     if (near && (!nearKey || carriedValue(*nearKey, value, leaves_.limits))) return std::nullopt;
@@ -715,7 +726,8 @@ class Report {
       if (!lines.empty()) counterpart.choices.emplace_back(key, lines[0].value);
     }
     if (counterpart.choices.size() != 1) return counterpart;
-    counterpart.note = shortHelp(*keys[0]) + ".";
+    counterpart.note = shortHelp(*keys[0]);
+    if (!counterpart.note.ends_with('.')) counterpart.note += '.';
     counterpart.lines = {{std::string(nameOf(keys[0]->path)), counterpart.choices[0].second}};
     counterpart.choices.clear();
     return counterpart;
