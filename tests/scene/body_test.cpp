@@ -185,8 +185,9 @@ TEST(Shapes, ErrorsListTheKeysOfTheShape) {
   EXPECT_EQ(problems("[body]\nmass=1\nshape='cylinder'\nradius=1\nsize=[1, 1, 1]"),
             "body.radius: is not allowed here: shape \"cylinder\" takes size, or radius and height (optional: "
             "inner_radius)\n");
-  EXPECT_EQ(problems("[body]\nmass=1\nradius=1"),
-            "body.radius: body.shape is missing; this key describes a shape\n");
+  EXPECT_EQ(
+      problems("[body]\nmass=1\nradius=1"),
+      "body.radius: body.shape is missing; this key describes a shape. For example:\n    shape = \"sphere\"\n");
   EXPECT_EQ(problems("[body]\nmass=1\nshape='plate'\nsize=[1, 2, 3]"),
             "body.size: shape \"plate\" has 2 extents, got 3\n");
   EXPECT_EQ(problems("[body]\nmass=1\nshape='box'\nsize=[1, 2]"),

@@ -59,6 +59,10 @@ std::vector<Block> blocksOf(const std::string& message) {
   return blocks;
 }
 
+bool isSyntax(const Problem& problem) {
+  return says(problem.message, "not TOML") || says(problem.message, "not a TOML");
+}
+
 /// Text of a scene, whose lines keep the numbers of the original.
 class Editor {
  public:
@@ -71,16 +75,19 @@ class Editor {
     const std::string& message = problem.message;
     const std::vector<Block> blocks = blocksOf(message);
     std::size_t at = indexOf(problem.where.line);
-    const bool isSyntax = says(message, "not TOML") || says(message, "not a TOML");
-    if (isSyntax && at == lines_.size()) return;  // the line is mended already
+    if (isSyntax(problem) && at == lines_.size()) return;  // the line is mended already
     const std::size_t table = tableAround(at).first;
+    isSyntax_ = isSyntax(problem);
+    number_ = problem.where.line;
     const bool leaves =
         says(message, "leave it out") || says(message, "leave them out") || says(message, "leave this line out");
-    if (says(message, "in place of this [["))
+    if (says(message, "got a table. For example, in place of ["))
+      lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(at));
+    else if (says(message, "in place of this [["))
       at = removeTable(at);
     else if (says(message, "in place of [["))
       at = removeAll(textBetween(message, "in place of ", ":,"));
-    else if (isSyntax)
+    else if (isSyntax(problem))
       lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(at));
     else if ((!blocks.empty() || leaves) && !says(message, " missing"))
       for (const std::string& name : listedIn(message.substr(0, message.find(':'))))
@@ -185,7 +192,8 @@ class Editor {
       at = 0;
     for (const std::string& line : block.lines) {
       if (!atEnd && !line.starts_with('[')) removeGiven(at, line.substr(0, line.find(' ')));
-      lines_.insert(lines_.begin() + static_cast<std::ptrdiff_t>(std::min(at, lines_.size())), {0, line});
+      const int number = isSyntax_ ? number_ : 0;  // a mended line is still the line of other messages
+      lines_.insert(lines_.begin() + static_cast<std::ptrdiff_t>(std::min(at, lines_.size())), {number, line});
       ++at;
     }
   }
@@ -197,13 +205,17 @@ class Editor {
   }
 
   std::vector<Line> lines_;
+  bool isSyntax_ = false;  ///< whether the present message is on the syntax of a line
+  int number_ = 0;         ///< line of the present message
 };
 
 }  // namespace
 
 std::string mended(const std::string& text, const std::vector<Problem>& problems) {
   Editor editor(text);
-  for (const Problem& problem : problems) editor.apply(problem);
+  for (const bool syntax : {true, false})  // a line must be TOML before its key matters
+    for (const Problem& problem : problems)
+      if (isSyntax(problem) == syntax) editor.apply(problem);
   return editor.text();
 }
 

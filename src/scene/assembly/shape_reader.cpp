@@ -193,8 +193,11 @@ std::optional<Figure> ShapeReader::mesh() {
 
 std::optional<Figure> ShapeReader::figure() {
   if (!has("shape")) {
-    findings_.refuseMissing(path("shape"), lengthPath(),
-                            fmt::format("{} is missing; this key describes a shape", path("shape")));
+    findings_.refuseMissing(
+        path("shape"), lengthPath(),
+        fmt::format("{} is missing; this key describes a shape. For example:\n    shape = "
+                    "\"{}\"",
+                    path("shape"), has("radius") ? has("height") ? "cylinder" : "sphere" : "box"));
     return std::nullopt;
   }
   if (!shape_.word || !keysFit()) return std::nullopt;

@@ -204,6 +204,15 @@ std::string mendedLine(std::string_view line) {
   if (std::regex_match(value, parts,
                        std::regex(R"((np\.|numpy\.)?(array|list|tuple|vec3|vector|Vector)\((.*)\))")))
     value = std::string(parts[3].str());
+  if (std::regex_match(value, parts,
+                       std::regex(R"(\[([^\]]*)\]\s*\*?\s*([A-Za-z][\w/^ ]*))"))) {  // a unit for all
+    const std::string unit = parts[2].str();
+    std::string elements = parts[1].str();
+    for (std::size_t comma = elements.find(','); comma != elements.npos;
+         comma = elements.find(',', comma + unit.size() + 2))
+      elements.insert(comma, " " + unit);
+    value = "[" + elements + " " + unit + "]";
+  }
   const bool parentheses = value.starts_with('(') && value.ends_with(')') && value.size() > 2;
   const bool brackets = value.starts_with('[') && value.ends_with(']') && value.find('[', 1) == value.npos;
   if (matches(value, R"([-+]?\d+,\d+)"))

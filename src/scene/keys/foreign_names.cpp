@@ -170,22 +170,8 @@ constexpr auto kRows = std::to_array<ForeignNames>({
      "body.centre_of_mass", kMass},
 
     // Start of the motion
-    {"omega_magnitude omega_direction", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
-    {"omega_mag omega_dir", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
-    {"omega omega_direction", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
-    {"omega omega_axis", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
-    {"omega axis", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
-    {"omega rotation_axis", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
-    {"angular_speed axis", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
-    {"angular_speed rotation_axis", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
-    {"angular_velocity axis", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
-    {"angular_velocity rotation_axis", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
-    {"speed axis", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
-    {"rate axis", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
-    {"rotation_rate rotation_axis", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
-    {"spin_rate spin_direction", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
-    {"angular_speed direction", "motion.omega_body", "", kInBodyAxes, Carry::kDirected},
-    {"w w0 w_0 omega omega0 omega_0 Omega Omega0 angular_velocity angular_vel ang_vel angvel av w_body wb "
+    {"w w0 w_0 omega_magnitude omega_mag omega omega0 omega_0 Omega Omega0 angular_velocity angular_vel ang_vel "
+     "angvel av w_body wb "
      "omega_b omega_B angular_speed rotation_rate rotational_velocity rotation_speed spin_vector spin_velocity "
      "body_rates gyro motion.spin rates angular_rates angular_rate body_rate ang_rate omega_vec omega_vector "
      "tumble tumble_rate rotation_vector initial_spin angular_velocities rotational_speed qvel",
@@ -202,8 +188,9 @@ constexpr auto kRows = std::to_array<ForeignNames>({
      "spin_axis = \"largest\""},
     {"rotation_period spin_period period rotational_period period_of_rotation day_length T_rot P_rot",
      "motion.spin", "spin_axis = \"largest\"", "The rate of a spin is one turn per period.", Carry::kPeriod},
-    {"rotation_axis spin_about axis_of_rotation about axis axis_of_spin main_axis", "motion.spin_axis",
-     "spin = 10"},
+    {"rotation_axis spin_about omega_direction omega_dir omega_axis spin_direction direction axis_of_rotation "
+     "about axis axis_of_spin main_axis",
+     "motion.spin_axis", "spin = 10"},
     {"E T energy kinetic_energy rotational_energy KE Ekin E_kin E_rot T_rot rotational_kinetic_energy E0",
      "motion.energy", "L = 4.2", "With motion.L it gives the start."},
     {"P_precession precession_period wobble_period", "motion.P_phi", "P_psi = \"264 h\""},
@@ -273,7 +260,8 @@ constexpr auto kRows = std::to_array<ForeignNames>({
 
     // Film
     {"duration time t_end tend tmax t_max end_time stop_time t_stop t_final tfinal tf t_f simulation_time "
-     "sim_time total_time max_time runtime film_length film_duration film_time film video_length video_duration "
+     "sim_time total_time max_time runtime t1 T1 time.T film_length film_duration film_time film video_length "
+     "video_duration "
      "movie_length movie_duration clip_length clip_duration animation_length animation_duration playback_time "
      "screen_time length_of_film time.length time.seconds time.film_seconds",
      "time.duration"},
@@ -405,6 +393,13 @@ constexpr auto kRows = std::to_array<ForeignNames>({
      "change it.",
      Carry::kRemove},
     {"readout[].value readout[].variable readout[].of readout[].what readout[].show", "readout[].quantity"},
+    {"body.part[].position body.part[].pos body.part[].center body.part[].centre body.part[].location "
+     "body.part[].translation body.part[].at body.part[].origin",
+     "body.part[].offset"},
+    {"body.part[].quat body.part[].quaternion body.part[].orientation", "body.part[].rotation"},
+    {"body.point_mass[].pos body.point_mass[].r body.point_mass[].location body.point_mass[].offset "
+     "body.point_mass[].at body.point_mass[].xyz",
+     "body.point_mass[].position"},
     {"note[].content note[].string note[].label note[].message", "note[].text"},
     {"timeline[].t timeline[].time timeline[].when timeline[].start timeline[].from", "timeline[].at"},
     {"timeline[].text timeline[].title timeline[].label timeline[].message timeline[].subtitle",

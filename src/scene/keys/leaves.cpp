@@ -68,9 +68,10 @@ class Walk {
     const auto leads = [&](const Entry& entry) {
       return !entry.value.as<Node::Table>() && !plausibleRows(pathBelow(path, entry.key)).empty();
     };
-    if (!entries || misspelt(tableOf(path), nameOf(path)) || becomesValue(path, place, node))
-      return unknown(path, place, node);
-    if (const std::string alias = tableElsewhere(path); !alias.empty() && !entries->empty())
+    const std::string alias = entries && !entries->empty() ? tableElsewhere(path) : "";
+    const bool isMisspelt = alias.empty() && misspelt(tableOf(path), nameOf(path));
+    if (!entries || isMisspelt || becomesValue(path, place, node)) return unknown(path, place, node);
+    if (!alias.empty())
       leaves_.aliases[path] = alias;
     else if (!tableOf(path).empty() && isTable(tableOf(path)) && std::ranges::any_of(*entries, fitsParent(path)))
       leaves_.aliases[path] = std::string(tableOf(path));  // [motion.initial] stands for [motion]
@@ -138,6 +139,7 @@ class Walk {
 
   void array(const std::string& path, const Node& node) {
     const auto* elements = node.as<Node::Array>();
+    if (node.as<Node::Table>()) return singleTable(path, node);
     if (!elements || !areTables(*elements))
       return wrongForm(path, node.place,
                        fmt::format("{}: expected an array of tables, each begun with [[{}]], got {}", path, path,
@@ -149,6 +151,22 @@ class Walk {
     leaves_.counts[path] = elements->size();
     for (std::size_t i = 0; i < elements->size(); ++i)
       opened(fmt::format("{}[{}]", path, i), (*elements)[i].place, *(*elements)[i].as<Node::Table>());
+  }
+
+  /// Reports a table with single brackets, and takes it as the only element of the array.
+  void singleTable(const std::string& path, const Node& node) {
+    if (node.place.source->hasLines())
+      wrongForm(
+          path, node.place,
+          fmt::format("{0}: expected an array of tables, each begun with [[{0}]], got a table. For example, in "
+                      "place of [{0}]:\n    [[{0}]]",
+                      path));
+    else
+      wrongForm(path, node.place,
+                fmt::format("{0}: expected an array of tables, each begun with [[{0}]], got a table", path));
+    forget(path);
+    leaves_.counts[path] = 1;
+    opened(path + "[0]", node.place, *node.as<Node::Table>());
   }
 
   static bool areTables(const Node::Array& elements) {

@@ -62,6 +62,7 @@ constexpr auto kSynonyms = std::to_array<std::string_view>({
     "follow track tracking",
     "label labels names",
     "theme dark light",
+    "hold pause freeze halt standstill",
     "loop repeat seamless cyclic periodic",
     "line lines stroke",
 });
@@ -132,7 +133,7 @@ class Index {
  public:
   Index() {
     for (const Key& key : keys())
-      if (key.path.find('[') == std::string::npos) add(key);
+      if (!repeatsInView(key)) add(key);
     addForeignNames();
     for (const auto& [key, weights] : weights_)
       for (const auto& [word, weight] : weights)
@@ -177,7 +178,7 @@ std::string_view topTable(std::string_view path) { return path.substr(0, path.fi
 /// Returns a factor for a key in another table. The look of a picture never leads to physics.
 double nearness(std::string_view table, const Key& key) {
   const std::string_view own = topTable(table), other = topTable(key.path);
-  if (tableOf(key.path) == table) return 1.3;
+  if (tableOf(key.path) == patternOf(table)) return 1.3;
   if (own == other) return 1.15;
   const auto isPhysics = [](std::string_view top) { return top == "body" || top == "motion"; };
   const bool isKnown = isTable(own) || isTableArray(own);
@@ -201,7 +202,8 @@ std::vector<const Key*> similarKeys(std::string_view path, const std::function<b
     for (const std::string& word : words)
       if (const auto found = weights.find(word); found != weights.end())
         score += found->second * index.rarity(word);
-    if (score < 0.3 * most) continue;
+    const bool isElement = key->path.find('[') != std::string::npos;
+    if (score < 0.3 * most || (isElement && tableOf(key->path) != patternOf(tableOf(path)))) continue;
     score *= nearness(tableOf(path), *key) / most;
     if (takes) score *= takes(*key) ? 1 : 0.6;
     if (score >= kLeast) scores.emplace_back(score, key);

@@ -121,7 +121,11 @@ class Report {
       if (counterpart || name->isTable)
         problems_.add(name->place, messageOf(*name, counterpart));
       else
-        problems_.addLater(name->place, [path = name->path] { return unknownKey(path); });
+        problems_.addLater(name->place, [path = name->path, at = ours(name->path)] {
+          const std::string message = unknownKey(at);
+          return at == path ? message
+                            : core::printable(path) + message.substr(std::min(message.find(':'), message.size()));
+        });
   }
 
   /// Returns advice for a value that does not suit its key.
@@ -237,6 +241,13 @@ class Report {
         break;
     }
     const std::string key = keyFor(row, at);
+    if (auto directed = directedCounterpart(key, path)) return directed;
+    if (row.factor == 2 && key.ends_with(".size") && row.carry != Carry::kValue && isBox(path)) {
+      ForeignNames whole = row;
+      whole.factor = 1;
+      whole.note = {};
+      return ofRow(whole, path, at, carriedLines(whole, *findKey(key), valuesOf(row, path), leaves_.limits));
+    }
     if (key == "motion.gravity.g") return gravityCounterpart(row, path);
     if (key == "motion.precession" && row.carry == Carry::kNothing) return steadyCounterpart(row, path);
     if (key == "time.duration" && isOfFilm(nameOf(path)))
@@ -367,6 +378,44 @@ class Report {
                        {{"gravity", value}},
                        "",
                        "It makes a free body fall. motion.gravity.g pulls a top, which body.pivot holds."};
+  }
+
+  // ---- rotation
+
+  bool isBox(const std::string& path) const {
+    const Node* shape = anyValueOf(path, "shape");
+    const auto* word = shape ? shape->as<std::string>() : nullptr;
+    return word && nearestShape(*word) == "box";
+  }
+
+  /// Returns the other unknown name of the table whose foreign names lead to a key, with a value that fits.
+  const UnknownName* siblingFor(const std::string& path, std::string_view key, bool scalar) const {
+    for (const UnknownName& name : names_) {
+      if (name.path == path || tableOf(name.path) != tableOf(path) || taken_.contains(name.path)) continue;
+      if (scalar && name.value->as<Node::Array>()) continue;
+      const auto rows = plausibleRows(ours(name.path));
+      if (!rows.empty() && rows[0]->key == key && rows[0]->carry == Carry::kValue) return &name;
+    }
+    return nullptr;
+  }
+
+  /// Returns the angular velocity for a magnitude and an axis, which are two names of one table.
+  std::optional<Counterpart> directedCounterpart(const std::string& key, const std::string& path) const {
+    const bool isAxis = key == "motion.spin_axis", isSpeed = key == "motion.omega_body";
+    if (!isAxis && !(isSpeed && isScalar(*values_.at(path)))) return std::nullopt;
+    const UnknownName* other = siblingFor(path, isAxis ? "motion.omega_body" : "motion.spin_axis", isAxis);
+    if (!other) return std::nullopt;
+    const Node *magnitude = isAxis ? other->value : values_.at(path),
+               *axis = isAxis ? values_.at(path) : other->value;
+    const ForeignNames row{"", "motion.omega_body", "", "Its components are along the body's axes.",
+                           Carry::kDirected};
+    auto lines = carriedLines(row, *findKey(row.key), {magnitude, axis}, leaves_.limits);
+    if (lines.empty()) return std::nullopt;
+    return Counterpart{{std::string(nameOf(path)), std::string(nameOf(other->path))},
+                       std::string(row.key),
+                       std::move(lines),
+                       "",
+                       std::string(row.note)};
   }
 
   // ---- angles
@@ -690,6 +739,11 @@ class Report {
   std::optional<Counterpart> misspeltCounterpart(const std::string& path, const Node& value) const {
     const auto near = misspelt(tableOf(path), nameOf(path));
     const Key* key = near ? findKey(*near) : nullptr;
+    if (near && hasVisible(*near) && value.as<bool>())
+      return Counterpart{{std::string(nameOf(path))},
+                         *near + ".visible",
+                         {{std::string(nameOf(*near)), tomlText(value), std::string(tableOf(*near))}},
+                         ""};
     const auto carried = key ? carriedValue(*key, value, leaves_.limits) : std::nullopt;
     if (!carried || *carried == tomlText(value)) return std::nullopt;
     return Counterpart{{std::string(nameOf(path))}, *near, {{std::string(nameOf(*near)), *carried}}, ""};
@@ -719,7 +773,11 @@ class Report {
     const auto takes = [&](const Key& key) { return carriedValue(key, value, leaves_.limits).has_value(); };
     const std::vector<const Key*> keys = similarKeys(at, takes);
     if (keys.empty()) return std::nullopt;
-    Counterpart counterpart{{std::string(nameOf(path))}, keys[0]->path, {}, ""};
+    const bool isElement = keys[0]->path.find('[') != std::string::npos;  // of the same element as the name
+    Counterpart counterpart{{std::string(nameOf(path))},
+                            isElement ? pathBelow(tableOf(path), nameOf(keys[0]->path)) : keys[0]->path,
+                            {},
+                            ""};
     for (const Key* key : keys) {
       std::vector<KeyLine> lines = exampleOf(*key);
       if (const auto carried = carriedValue(*key, value, leaves_.limits)) lines = {{"", *carried}};
@@ -767,7 +825,8 @@ class Report {
          {std::pair<std::string_view, std::string_view>{
               " subplot subplots plots graph graphs chart curve panel axes figure ", "plot"},
           {" arrow arrows vectors ", "vector"},
-          {" part parts component components link solid solids piece pieces primitive body.parts ", "body.part"},
+          {" bodies part parts component components link solid solids piece pieces primitive body.parts ",
+           "body.part"},
           {" point_mass point_masses pointmass mass masses particle particles points ", "body.point_mass"},
           {" event events keyframe keyframes ", "timeline"},
           {" text texts annotation annotations ", "note"},
@@ -919,7 +978,12 @@ class Report {
   /// Returns lines for the other keys that a key needs and that the scene does not give in any way.
   std::vector<KeyLine> otherLines(const Counterpart& counterpart, const std::string& table) {
     std::vector<KeyLine> lines = parsedLines(counterpart.with);
-    std::erase_if(lines, [&](const KeyLine& line) { return isGiven(table, line.name); });
+    const bool hasShape = counterpart.with.find("shape") != std::string::npos && isGiven(table, "shape");
+    const KeyNames& lengths = shapeKeyNames();
+    std::erase_if(lines, [&](const KeyLine& line) {
+      const bool isLength = std::ranges::find(lengths, line.name) != lengths.end();
+      return (hasShape && isLength) || isGiven(table, line.name);  // a shape reports its missing lengths by itself
+    });
     for (KeyLine& line : lines) {
       offered_.insert(pathBelow(table, line.name));
       leaves_.meant.insert(pathBelow(table, line.name));  // a second message on it would say the same

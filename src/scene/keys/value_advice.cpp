@@ -63,7 +63,9 @@ std::string adviceOf(const Key& key, const std::string& path, const Node& given,
     if (std::string advice = adviceFor(path, given, leaves); !advice.empty())
       return advice;  // three numbers for L are a vector, which has another key
   const auto carried = carriedValue(key, given, leaves.limits);
-  return carried ? " For example:" + pastedLine(nameOf(path), *carried) : "";
+  if (carried) return " For example:" + pastedLine(nameOf(path), *carried);
+  const bool isPlain = key.type == ValueType::kNumber && key.dimension == Dimension::kNone && key.words.empty();
+  return isPlain && !key.example.empty() ? " For example:" + pastedLine(nameOf(path), key.example) : "";
 }
 
 }  // namespace

@@ -103,12 +103,16 @@ std::optional<Node> spelledOut(const Node& given, Dimension dimension) {
 
 /// Returns numbers with the unit at the end of a text: "0 0 3 rpm".
 std::optional<Node> numbersWithUnit(const Node& given, Dimension dimension) {
-  const auto* text = given.as<std::string>();
-  if (!text || text->size() > kLongestText || dimension == Dimension::kNone) return std::nullopt;
-  const std::size_t letter = text->find_first_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+  const auto* whole = given.as<std::string>();
+  if (!whole || whole->size() > kLongestText || dimension == Dimension::kNone) return std::nullopt;
+  std::string text = *whole;
+  for (std::size_t i = 1; i + 1 < text.size(); ++i)  // 30x20x10 cm
+    if (text[i] == 'x' && std::string_view("0123456789 .").find(text[i + 1]) != std::string_view::npos)
+      text[i] = ' ';
+  const std::size_t letter = text.find_first_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
   if (letter == std::string::npos || letter == 0) return std::nullopt;
-  const std::string unit(core::trimmed(std::string_view(*text).substr(letter)));
-  const auto numbers = numbersIn({text->substr(0, letter), given.place});
+  const std::string unit(core::trimmed(std::string_view(text).substr(letter)));
+  const auto numbers = numbersIn({text.substr(0, letter), given.place});
   if (!numbers || !parseQuantity("1 " + unit, dimension).ok()) return std::nullopt;
   return withUnit(*numbers, unit, dimension);
 }
@@ -481,12 +485,21 @@ Node withUnit(const Node& given, std::string_view unit, Dimension dimension) {
   return numberIn(given) ? Node{fmt::format("{} {}", describe(given), unit), given.place} : given;
 }
 
+/// Returns a text such as "3 x 2 x 1" with blanks in place of the crosses between numbers.
+static std::string withoutCrosses(std::string text) {
+  for (std::size_t i = 1; i + 1 < text.size(); ++i)
+    if (text[i] == 'x' && std::string_view("0123456789 .").find(text[i - 1]) != std::string_view::npos &&
+        std::string_view("0123456789 .").find(text[i + 1]) != std::string_view::npos)
+      text[i] = ' ';
+  return text;
+}
+
 std::optional<Node> numbersIn(const Node& given) {
   const auto* text = given.as<std::string>();
   if (!text || text->size() > kLongestText) return std::nullopt;
   std::vector<Node> rows(1, listNode({}, given.place));
   std::string word;
-  for (const char c : *text + " ") {
+  for (const char c : withoutCrosses(*text) + " ") {
     const bool ends = c == ';' || c == '\n', separates = std::string_view(" \t,()[]").find(c) != std::string::npos;
     if (!ends && !separates) {
       word += c;
