@@ -91,15 +91,15 @@ void addBounds(Section& section, const scene::Scene& scene) {
   const Eigen::Vector3d omega_P = scene::startOmega_P(scene), m_P = moments.angularMomentum(omega_P);
   const double square = m_P.squaredNorm(), least = square / (2 * moments.values().maxCoeff()),
                most = square / (2 * moments.values().minCoeff());
-  section.add("T_bounds", "T at this |L| is from L^2/(2 I_max) to L^2/(2 I_min)", std::vector<double>{least, most},
-              "J", "spins about the two outer axes");
+  section.addDetail("T_bounds", "T at this |L| is from L^2/(2 I_max) to L^2/(2 I_min)",
+                    std::vector<double>{least, most}, "J", "spins about the two outer axes");
   const physics::Herpolhode curve(moments, omega_P);
   const double height = physics::PoinsotConstruction(moments, omega_P).planeHeight();
   const std::vector<double> radii{curve.smallestRadius(), curve.largestRadius()};
-  section.add("omega_range", "range of |omega|",
-              std::vector<double>{std::hypot(height, radii[0]), std::hypot(height, radii[1])}, "rad/s", "");
-  section.add("omega_L_range", "range of the angle between omega and L",
-              std::vector<double>{std::atan2(radii[0], height), std::atan2(radii[1], height)}, "rad", "");
+  section.addDetail("omega_range", "range of |omega|",
+                    std::vector<double>{std::hypot(height, radii[0]), std::hypot(height, radii[1])}, "rad/s", "");
+  section.addDetail("omega_L_range", "range of the angle between omega and L",
+                    std::vector<double>{std::atan2(radii[0], height), std::atan2(radii[1], height)}, "rad", "");
 }
 
 void addMiddleAxis(Section& section, const physics::FlipTimes& flips) {
