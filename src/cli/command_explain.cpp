@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "core/error.h"
 #include "scene/keys/explanation.h"
 #include "suite/explanation.h"
 
@@ -40,12 +41,17 @@ std::vector<scene::Explanation> explanationsOf(const std::string& word) {
   return all;
 }
 
+/// Prints the explanations of all known names before it reports the unknown ones.
 int explain(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words)
-    for (const scene::Explanation& explanation : explanationsOf(word))
-      text += (text.empty() ? "" : "\n") + explanationText(explanation);
+  std::string text, unknown;
+  for (const std::string& word : words) try {
+      for (const scene::Explanation& explanation : explanationsOf(word))
+        text += (text.empty() ? "" : "\n") + explanationText(explanation);
+    } catch (const core::Error& error) {
+      unknown += (unknown.empty() ? "" : "\n") + error.message();
+    }
   writeOut(text);
+  if (!unknown.empty()) throw core::usageError(unknown);
   return kDone;
 }
 

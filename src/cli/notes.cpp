@@ -149,7 +149,8 @@ std::string smallTypeNote(const job::RenderRequest& render, const draw::Picture&
 std::string cutOffNote(const draw::Picture& picture) {
   if (std::ranges::none_of(picture.panels, [](const draw::Panel& panel) { return panel.list.isCutOff; }))
     return "";
-  return line("the zoom or the shift of the camera leaves a part of the motion outside the picture");
+  return line(
+      "camera.zoom or camera.shift leaves a part of the motion outside the picture, at this time or another");
 }
 
 }  // namespace

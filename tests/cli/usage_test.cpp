@@ -66,6 +66,10 @@ TEST(Usage, ExplainsKeysOnLinesThatFitATerminal) {
   EXPECT_THAT(run(folder, {"explain", "golden.test.image"}).out, HasSubstr("[[test]]\n           image = "));
   EXPECT_THAT(run(folder, {"explain", "size"}).out, AllOf(HasSubstr("body.size\n"), HasSubstr("\ngolden.size\n")));
   EXPECT_THAT(run(folder, {"explain", "flip_mxa"}).err, HasSubstr("did you mean flip_max?"));
+  const auto some = run(folder, {"explain", "flip_mxa", "camera.fov", "fovv"});
+  EXPECT_EQ(some.exitCode, 2);
+  EXPECT_THAT(some.out, HasSubstr("camera.fov\n"));  // a wrong name does not hide the others
+  EXPECT_THAT(some.err, AllOf(HasSubstr("flip_max"), HasSubstr("fov?")));
   const auto bad = run(folder, {"explain", "fovv"});
   EXPECT_EQ(bad.exitCode, 2);
   EXPECT_THAT(bad.err, HasSubstr("did you mean fov?"));
