@@ -49,6 +49,30 @@ std::string missingLines(const NamedShape& shape, const std::string& table, cons
   return best;
 }
 
+/// Returns the three extents of a shape that takes only its size, from the sides that a table gives; empty if the
+/// table gives fewer than two.
+std::vector<std::string_view> givenSides(const NamedShape& shape, const std::string& table, const Leaves& leaves) {
+  std::vector<std::string_view> sides;
+  if (shape.ways.size() != 1 || shape.ways[0] != KeyNames{"size"} || shape.extents != 3) return sides;
+  if (isGiven(leaves, pathBelow(table, "size"))) return sides;
+  for (const std::string_view name : {"length", "width", "height"})
+    if (leaves.values.contains(pathBelow(table, name))) sides.push_back(name);
+  if (sides.size() < 2) sides.clear();
+  return sides;
+}
+
+/// Returns the shape and its size for the sides of a table. The last of two sides counts twice, as in an egg.
+std::string sizeAdvice(const NamedShape& shape, const std::vector<std::string_view>& sides,
+                       const std::string& table, const Leaves& leaves) {
+  std::string size;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Node* side = valueIn(leaves, pathBelow(table, sides[std::min(i, sides.size() - 1)]));
+    size += (size.empty() ? "[" : ", ") + tomlText(*side);
+  }
+  return fmt::format("; did you mean \"{0}\"? For example, in place of {1}:\n    shape = \"{0}\"\n    size = {2}]",
+                     shape.word, listed({sides.begin(), sides.end()}), size);
+}
+
 bool isAnyOf(std::string_view word, std::initializer_list<std::string_view> words) {
   return std::ranges::find(words, word) != words.end();
 }
@@ -119,6 +143,8 @@ std::string shapeAdvice(const std::string& path, const Node& given, const Leaves
   if (shape == "disc" && isThick) shape = "cylinder";
   if (shape == "rod") shape = "cylinder";  // a rod alone has no moment about its line
   if (text && shape == *text) return "";
+  if (const auto sides = givenSides(*shapeNamed(shape), table, leaves); !sides.empty())
+    return note + sizeAdvice(*shapeNamed(shape), sides, table, leaves);
   return fmt::format("{}; did you mean \"{}\"? For example:\n    shape = \"{}\"{}", note, shape, shape,
                      missingLines(*shapeNamed(shape), table, leaves));
 }
