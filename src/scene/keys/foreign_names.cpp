@@ -193,7 +193,7 @@ constexpr auto kRows = std::to_array<ForeignNames>({
      "motion.spin_axis", "spin = 10"},
     {"E T energy kinetic_energy rotational_energy KE Ekin E_kin E_rot T_rot rotational_kinetic_energy E0",
      "motion.energy", "L = 4.2", "With motion.L it gives the start."},
-    {"P_precession precession_period wobble_period", "motion.P_phi", "P_psi = \"264 h\""},
+    {"P_precession precession_period wobble_period", "motion.P_phi", "P_psi = \"264 h\"; mode = \"SAM\""},
     {"rpm", "motion.spin", "spin_axis = \"largest\"", "", Carry::kValue, "rpm"},
     {"L L0 L_0 H H0 H_0 angular_momentum angular_momenta ang_mom angmom", "motion.L_body", "", kMomentum},
     {"Lx Ly Lz", "motion.L_body", "", kMomentum, Carry::kList},

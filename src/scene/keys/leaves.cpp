@@ -68,7 +68,8 @@ class Walk {
     const auto leads = [&](const Entry& entry) {
       return !entry.value.as<Node::Table>() && !plausibleRows(pathBelow(path, entry.key)).empty();
     };
-    const std::string alias = entries && !entries->empty() ? tableElsewhere(path) : "";
+    std::string alias = entries && !entries->empty() ? tableElsewhere(nameOf(path)) : "";
+    if (!tableOf(path).empty() && !alias.starts_with(std::string(tableOf(path)) + ".")) alias.clear();
     const bool isMisspelt = alias.empty() && misspelt(tableOf(path), nameOf(path));
     if (!entries || isMisspelt || becomesValue(path, place, node)) return unknown(path, place, node);
     if (!alias.empty())

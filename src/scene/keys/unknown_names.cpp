@@ -645,7 +645,7 @@ class Report {
 
   std::optional<Counterpart> boxOf(const std::string& path, const std::string& word) const {
     std::vector<Node> sides;
-    Counterpart counterpart{{}, pathBelow(tableOf(path), "size"), {}, ""};
+    Counterpart counterpart{{}, pathBelow(tableOf(path), "size"), {}, "mass = 1"};
     if (const Node* size = anyValueOf(path, "size"))
       if (const auto* two = size->as<Node::Array>(); two && two->size() == 2) {
         sides = *two;
@@ -771,7 +771,9 @@ class Report {
     const Key* nearKey = near ? findKey(*near) : nullptr;
     if (near && (!nearKey || carriedValue(*nearKey, value, leaves_.limits))) return std::nullopt;
     const auto takes = [&](const Key& key) { return carriedValue(key, value, leaves_.limits).has_value(); };
-    const std::vector<const Key*> keys = similarKeys(at, takes);
+    std::vector<const Key*> keys = similarKeys(at, takes);
+    const auto isKnown = [&](const Key* key) { return leaves_.values.contains(key->path); };
+    if (!std::ranges::all_of(keys, isKnown)) std::erase_if(keys, isKnown);
     if (keys.empty()) return std::nullopt;
     const bool isElement = keys[0]->path.find('[') != std::string::npos;  // of the same element as the name
     Counterpart counterpart{{std::string(nameOf(path))},
@@ -893,7 +895,9 @@ class Report {
     if (counterpart.choices.empty() && !replaces && leaves_.values.contains(counterpart.key) &&
         counterpart.instead.empty())
       return text + " The scene gives it too; leave this line out.";
-    if (!place.source->hasLines() || !offered_.insert(counterpart.key).second) return text;
+    if (!place.source->hasLines()) return text;
+    if (!offered_.insert(counterpart.key).second)
+      return text + " An earlier message gives it; leave this line out.";
     return text + (counterpart.choices.empty() ? pasted(path, counterpart) : oneOf(counterpart));
   }
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "scene/keys/carried_value.h"
@@ -80,7 +82,8 @@ std::string withAdvice(std::string message, const std::string& path, const Node&
       return fmt::format("{}: expected a shape (poinsot explain {} lists all), got {}{}", path, patternOf(path),
                          describe(given), advice);
   const bool hasAdvice =
-      message.find("; did you mean \"") != std::string::npos || message.find("; write [[") != std::string::npos;
+      std::ranges::any_of(std::to_array<std::string_view>({"; did you mean \"", "; write [[", "; the nearest "}),
+                          [&](std::string_view begin) { return message.find(begin) != std::string::npos; });
   if (hasAdvice) return message;
   const std::string advice = adviceOf(*findKey(path), path, given, leaves);
   return message + (advice.starts_with(" For") ? "." : "") + advice;
