@@ -189,6 +189,7 @@ std::string arrayInToml(std::string_view elements) {
 /// Returns a line in TOML for a line that is not, if its mistake is one of: a decimal comma, a tuple, numbers
 /// without brackets, text without quotes or with typographic quotes, a colon, a comma at the end. Otherwise empty.
 std::string mendedLine(std::string_view line) {
+  if (line.size() != beginOf(line).size()) return "";
   const std::string_view text = core::trimmed(line);
   for (const std::string_view mark : {"//", ";", "%", "--"})
     if (text.starts_with(mark)) return "# " + std::string(text.substr(mark.size()));
