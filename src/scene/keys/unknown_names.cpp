@@ -241,6 +241,9 @@ class Report {
         break;
     }
     const std::string key = keyFor(row, at);
+    const bool isBody = key == "body.shape" || key == "body.catalogue";
+    if (isBody && nameOf(path) == "name" && (tableOf(path) != "body" || hasBody()))
+      return std::nullopt;  // a title
     if (auto directed = directedCounterpart(key, path)) return directed;
     if (row.factor == 2 && key.ends_with(".size") && row.carry != Carry::kValue && isBox(path)) {
       ForeignNames whole = row;
@@ -381,6 +384,10 @@ class Report {
   }
 
   // ---- rotation
+
+  bool hasBody() const {
+    return mentions("body.principal") || mentions("body.inertia") || knownValue("body.shape");
+  }
 
   bool isBox(const std::string& path) const {
     const Node* shape = anyValueOf(path, "shape");
