@@ -200,6 +200,7 @@ TEST(ForeignNames, LeadToLinesThatCanBePasted) {
             row.own || row.key.empty() || row.key.find('[') != std::string_view::npos ||
             row.key == "motion.precession")
           continue;
+        if (path == "name" && row.key.starts_with("body.")) continue;  // outside [body], a name is a title
         const std::string text = sceneWith(table, linesFor(row, name), row.key);
         const auto problems = problemsOf(text);
         ASSERT_EQ(problems.size(), 1u) << text << messagesOf(text);
