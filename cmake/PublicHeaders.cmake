@@ -46,6 +46,7 @@ set(POINSOT_PUBLIC_HEADERS
   physics/composition.h
   physics/driven_motion.h
   physics/flight.h
+  physics/flight_path.h
   physics/forcing.h
   physics/free_motion.h
   physics/heavy_top.h

@@ -33,6 +33,16 @@ void validateHistory(const char* what, const TorqueHistory& history) {
   }
 }
 
+void validateForce(const PointForce& force, std::size_t i) {
+  const std::string name = fmt::format("force {}", i + 1);
+  requireFinite(force.lever_B, "the point of " + name + " (m)");
+  requireFinite(force.force_B, name + " in body axes (N)");
+  requireFinite(force.force_W, name + " in space axes (N)");
+  if (!(force.from_s < force.to_s))
+    throw core::physicsError(
+        fmt::format("{} must end after it begins, got {} s to {} s", name, force.from_s, force.to_s));
+}
+
 }  // namespace
 
 void validate(const Forcing& forcing) {
@@ -48,6 +58,7 @@ void validate(const Forcing& forcing) {
                                          forcing.dissipation));
   validateHistory("the torque table in body axes", forcing.torqueHistory_B);
   validateHistory("the torque table in space axes", forcing.torqueHistory_W);
+  for (std::size_t i = 0; i < forcing.forces.size(); ++i) validateForce(forcing.forces[i], i);
 }
 
 double potentialEnergy(const Forcing& forcing, const Quaternion& q) {

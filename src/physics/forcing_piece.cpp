@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "physics/fixed_order.h"
+
 namespace poinsot::physics {
 namespace {
 
@@ -24,35 +26,59 @@ Line lineOf(const TorqueHistory& history, double inside, double reference) {
   return {value + (reference - t[next - 1]) * slope, slope};
 }
 
-std::vector<double> boundaries(const Forcing& forcing, double end_s) {
-  std::vector<double> times = {0, end_s};
-  for (const TorqueHistory* history : {&forcing.torqueHistory_B, &forcing.torqueHistory_W})
-    for (const double t : history->t_s)
-      if (t > std::min(0.0, end_s) && t < std::max(0.0, end_s)) times.push_back(t);
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  if (end_s < 0) std::reverse(times.begin(), times.end());
-  return times;
+/// Adds the torque of the forces that act at time `inside` to a piece.
+void addForces(const Forcing& forcing, const PrincipalAxes& axes, double inside, ForcingPiece& piece) {
+  for (const PointForce& force : forcing.forces) {
+    if (!force.actsAt(inside)) continue;
+    const Eigen::Vector3d torque_P = axes.toP(crossProduct(force.lever_B, force.force_B));
+    const Eigen::Vector3d lever_P = axes.toP(force.lever_B);
+    for (std::size_t i = 0; i < 3; ++i) {
+      piece.torque_P.start[i] += torque_P[static_cast<Eigen::Index>(i)];
+      for (std::size_t c = 0; c < 3; ++c)
+        piece.lever.columns_P[c][i] +=
+            lever_P[static_cast<Eigen::Index>(i)] * force.force_W[static_cast<Eigen::Index>(c)];
+    }
+  }
 }
 
 ForcingPiece pieceBetween(const Forcing& forcing, const PrincipalAxes& axes, double begin, double end) {
   const double inside = begin + 0.5 * (end - begin);
   const Line body = lineOf(forcing.torqueHistory_B, inside, begin);
   const Line space = lineOf(forcing.torqueHistory_W, inside, begin);
-  return {begin,
-          end,
-          {components(axes.toP(forcing.torque_B + body.value)), components(axes.toP(body.slope))},
-          {components(forcing.torque_W + space.value), components(space.slope)}};
+  ForcingPiece piece{begin,
+                     end,
+                     {components(axes.toP(forcing.torque_B + body.value)), components(axes.toP(body.slope))},
+                     {components(forcing.torque_W + space.value), components(space.slope)},
+                     {}};
+  addForces(forcing, axes, inside, piece);
+  return piece;
 }
 
 }  // namespace
+
+std::vector<double> forcingTimes(const Forcing& forcing, double end_s) {
+  std::vector<double> times = {0, end_s};
+  const auto add = [&](double t) {
+    if (t > std::min(0.0, end_s) && t < std::max(0.0, end_s)) times.push_back(t);
+  };
+  for (const TorqueHistory* history : {&forcing.torqueHistory_B, &forcing.torqueHistory_W})
+    for (const double t : history->t_s) add(t);
+  for (const PointForce& force : forcing.forces) {
+    add(force.from_s);
+    add(force.to_s);
+  }
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  if (end_s < 0) std::reverse(times.begin(), times.end());
+  return times;
+}
 
 Eigen::Vector3d torqueAt(const TorqueHistory& history, double t_s) { return lineOf(history, t_s, t_s).value; }
 
 std::vector<ForcingPiece> forcingPieces(const Forcing& forcing, const PrincipalAxes& axes, double end_s) {
   std::vector<ForcingPiece> pieces;
   if (end_s == 0) return pieces;
-  const std::vector<double> times = boundaries(forcing, end_s);
+  const std::vector<double> times = forcingTimes(forcing, end_s);
   for (std::size_t i = 0; i + 1 < times.size(); ++i)
     pieces.push_back(pieceBetween(forcing, axes, times[i], times[i + 1]));
   return pieces;

@@ -14,6 +14,12 @@ using Components = std::array<double, 3>;
 
 Components componentsOf(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
+Components torqueOf(const LeverTorque& lever, const Rotor<double>& q_WP) {
+  const Components x = rotated(q_WP, lever.columns_P[0]), y = rotated(q_WP, lever.columns_P[1]),
+                   z = rotated(q_WP, lever.columns_P[2]);
+  return {z[1] - y[2], x[2] - z[0], y[0] - x[1]};
+}
+
 /// Times within a step, each rounded to a multiple of one ulp of h. The intervals between them therefore add up to
 /// exactly h. Otherwise, all steps would be too long or too short by the same rounding error.
 class StepGrid {
@@ -57,7 +63,8 @@ double Splitting::fastestRate(const DrivenState& state) const {
 double Splitting::untilRest_s(const DrivenState& state, const ForcingPiece& piece) const {
   constexpr double kNoTurn_rad = 1e-290;
   const double slowest = std::min({dragRate_[0], dragRate_[1], dragRate_[2]});
-  if (slowest == 0 || heavy_ || !piece.torque_P.zero() || !piece.torque_W.zero() || piece.end_s < piece.begin_s)
+  if (slowest == 0 || heavy_ || !piece.torque_P.zero() || !piece.torque_W.zero() || !piece.lever.zero() ||
+      piece.end_s < piece.begin_s)
     return HUGE_VAL;
   const double left_rad = norm(state.momentum_P()) / std::min({I_[0], I_[1], I_[2]}) / slowest;
   return left_rad <= kNoTurn_rad ? 0 : (logarithm(left_rad) - logarithm(kNoTurn_rad)) / slowest;
@@ -96,6 +103,7 @@ void Splitting::kick(DrivenState& state, const ForcingPiece& piece, double since
   }
   if (!piece.torque_P.zero()) state.addMomentum(h, rotated(q_WP, piece.torque_P.at(since)));
   if (!piece.torque_W.zero()) state.addMomentum(h, piece.torque_W.at(since));
+  if (!piece.lever.zero()) state.addMomentum(h, torqueOf(piece.lever, q_WP));
 }
 
 // With equal drag rates d, the attitude is that of the free motion at the time tau = (1 - e^(-d t))/d, and L

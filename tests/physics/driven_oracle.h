@@ -17,8 +17,8 @@ namespace poinsot::physics {
 /// Integrator that shares nothing with the code under test. Integrates the equations in principal axes by Taylor
 /// series of high order in time, in the arithmetic of Real, without splitting, exact flows or invariants:
 ///   m' = -Omega × m + N - d m,   q' = q (0, Omega)/2,   Omega = I^-1 m + alpha m × (I^-1 m)
-/// with N = g × R^-1(0,0,-1) + N_P + R^-1 N_W, both torques linear in time. For a torque table, the test advances
-/// the integrator from knot to knot.
+/// with N = g × R^-1(0,0,-1) + N_P + R^-1 N_W + sum of r × (F_B + R^-1 F_W), both torques linear in time. For a
+/// torque table or for windows of the forces, the test advances the integrator from knot to knot.
 template <typename Real>
 class DrivenOracle {
  public:
@@ -27,6 +27,7 @@ class DrivenOracle {
     Real t = 0;
     std::array<Real, 4> q;  // w, x, y, z of q_WP
     Vector m;
+    Vector impulse{}, shift{};  // integral and double integral over t of the forces at points, in W
   };
 
   /// Torques linear in time, 0 at t = 0, added to the constant torques of the forcing. Its tables are ignored.
@@ -41,6 +42,8 @@ class DrivenOracle {
         alpha_(forcing.dissipation),
         torque_P_{vector(forcing.torque_B), vector(slopes.torque_P)},
         torque_W_{vector(forcing.torque_W), vector(slopes.torque_W)} {
+    for (const PointForce& f : forcing.forces)
+      forces_.push_back({vector(f.lever_B), vector(f.force_B), vector(f.force_W)});
     order_ = static_cast<std::size_t>(-std::log(static_cast<double>(epsilon())) / 2) + 3;
   }
 
@@ -78,9 +81,13 @@ class DrivenOracle {
   struct Linear {
     Vector value, slope;
   };
+  struct Push {
+    Vector lever, body, space;
+  };
   struct Series {
     std::array<Terms, 4> q;
     VectorTerms m, omega, turn;  // turn: Omega
+    VectorTerms force;           // sum of the forces at points, in W
   };
 
   static Real epsilon() { return std::numeric_limits<Real>::epsilon(); }
@@ -119,6 +126,7 @@ class DrivenOracle {
       const Vector bent = cross(s.m, s.omega, n);
       for (std::size_t i = 0; i < 3; ++i) s.turn[i].push_back(s.omega[i][n] + alpha_ * bent[i]);
       R.push_back(rotation(s, n));
+      for (std::size_t i = 0; i < 3; ++i) s.force[i].push_back(forceTerm(R[n], n, i));
       const Vector torque = torqueTerm(R, n, state.t), carried = cross(s.m, s.turn, n);
       for (std::size_t i = 0; i < 3; ++i) s.m[i].push_back((carried[i] + torque[i] - drag_[i] * s.m[i][n]) / next);
       const auto term = [&](std::size_t a, std::size_t b) { return conv(s.q[a], s.turn[b - 1], n); };
@@ -143,7 +151,28 @@ class DrivenOracle {
         if (n > 0) N[j] += R[n - 1][i][j] * torque_W_.slope[i];
       }
     }
+    for (const Push& push : forces_) {
+      Vector F;  // in the body
+      for (std::size_t j = 0; j < 3; ++j) {
+        F[j] = n == 0 ? push.body[j] : Real(0);
+        for (std::size_t i = 0; i < 3; ++i) F[j] += R[n][i][j] * push.space[i];
+      }
+      const Vector& r = push.lever;
+      N[0] += r[1] * F[2] - r[2] * F[1];
+      N[1] += r[2] * F[0] - r[0] * F[2];
+      N[2] += r[0] * F[1] - r[1] * F[0];
+    }
     return N;
+  }
+
+  /// Returns term n of component i of the sum of the forces, in W.
+  Real forceTerm(const std::array<Vector, 3>& R, std::size_t n, std::size_t i) const {
+    Real sum = 0;
+    for (const Push& push : forces_) {
+      if (n == 0) sum += push.space[i];
+      for (std::size_t j = 0; j < 3; ++j) sum += R[i][j] * push.body[j];
+    }
+    return sum;
   }
 
   /// Returns the step at which the last two terms are roundings of the largest value (Jorba & Zou, Exp. Math. 14
@@ -165,6 +194,16 @@ class DrivenOracle {
       for (std::size_t n = order_; n-- > 0;) total = total * h + c[n];
       return total;
     };
+    for (std::size_t i = 0; i < 3; ++i) {
+      Real once = 0, twice = 0;
+      for (std::size_t n = order_; n-- > 0;) {
+        const Real k = Real(static_cast<double>(n + 1));
+        once = once * h + s.force[i][n] / k;
+        twice = twice * h + s.force[i][n] / (k * (k + 1));
+      }
+      state.shift[i] += h * (state.impulse[i] + h * twice);
+      state.impulse[i] += h * once;
+    }
     for (std::size_t i = 0; i < 4; ++i) state.q[i] = sum(s.q[i]);
     for (std::size_t i = 0; i < 3; ++i) state.m[i] = sum(s.m[i]);
   }
@@ -172,6 +211,7 @@ class DrivenOracle {
   Vector I_, gravity_, drag_;
   Real alpha_;
   Linear torque_P_, torque_W_;
+  std::vector<Push> forces_;
   std::size_t order_ = 0;
 };
 
