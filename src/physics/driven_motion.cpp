@@ -184,6 +184,10 @@ RigidBodyState DrivenMotion::at(double t_s) const { return solution().at(t_s); }
 const PrincipalAxes& DrivenMotion::axes() const { return solution().axes; }
 const Forcing& DrivenMotion::forcing() const { return solution().forcing; }
 const DrivenMotionReport& DrivenMotion::report() const { return solution().report; }
+TimeSpan DrivenMotion::span() const {
+  if (solution().closed) return {-HUGE_VAL, HUGE_VAL};
+  return {solution().run->backward.end_s(), solution().run->forward.end_s()};
+}
 double DrivenMotion::totalEnergy(const RigidBodyState& state) const { return solution().totalEnergy(state); }
 
 }  // namespace poinsot::physics

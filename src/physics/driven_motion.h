@@ -76,6 +76,9 @@ class DrivenMotion final : public Motion {
   double dissipation() const override { return forcing().dissipation; }
   const Forcing& forcing() const;
   const DrivenMotionReport& report() const;
+  /// Returns the span for which the motion was computed, with from_s <= 0 <= to_s. It is infinite for a motion in
+  /// closed form.
+  TimeSpan span() const;
   /// Returns kinetic plus potential energy, J (eq 12; potentialEnergy()).
   double totalEnergy(const RigidBodyState& state) const;
 

@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/interruption.h"
+#include "physics/driven_motion.h"
 #include "physics/fixed_order.h"
 #include "physics/forcing_piece.h"
 #include "physics/rotor.h"
@@ -29,10 +30,10 @@ constexpr double kLongestTurn_rad = 0.5;
 constexpr double kFinest = 1e-13;    // smallest tolerance of the direction of a force
 constexpr double kShortest = 1e-10;  // shortest interval, relative to its distance from time 0
 
-using Series = std::vector<Vector3d>;  // coefficients of Chebyshev polynomials in u, from -1 to 1
+using Chebyshev = std::vector<Vector3d>;  // coefficients of Chebyshev polynomials in u, from -1 to 1
 
 /// Returns the sum of c_k T_k(u), by Clenshaw's recurrence.
-Vector3d sumOf(const Series& c, double u) {
+Vector3d sumOf(const Chebyshev& c, double u) {
   Vector3d b1 = Vector3d::Zero(), b2 = Vector3d::Zero();
   for (std::size_t k = c.size(); k-- > 1;) {
     const Vector3d b = c[k] + 2 * u * b1 - b2;
@@ -43,10 +44,10 @@ Vector3d sumOf(const Series& c, double u) {
 }
 
 /// Returns the integral of a series over u from -1.
-Series integralOf(const Series& c) {
+Chebyshev integralOf(const Chebyshev& c) {
   if (c.empty()) return {};
   const auto at = [&](std::size_t k) { return k < c.size() ? c[k] : Vector3d(Vector3d::Zero()); };
-  Series integral(c.size() + 1, Vector3d::Zero());
+  Chebyshev integral(c.size() + 1, Vector3d::Zero());
   integral[1] = at(0) - 0.5 * at(2);
   for (std::size_t k = 2; k < integral.size(); ++k)
     integral[k] = (at(k - 1) - at(k + 1)) / (2 * static_cast<double>(k));
@@ -75,8 +76,8 @@ const Nodes& nodes() {
   return all;
 }
 
-Series seriesThrough(const std::array<Vector3d, kNodes>& values) {
-  Series c(kNodes, Vector3d::Zero());
+Chebyshev seriesThrough(const std::array<Vector3d, kNodes>& values) {
+  Chebyshev c(kNodes, Vector3d::Zero());
   for (std::size_t k = 0; k < kNodes; ++k) {
     for (std::size_t j = 0; j < kNodes; ++j) c[k] += nodes().cosine[k][j] * values[j];
     c[k] *= (k == 0 ? 1.0 : 2.0) / kNodes;
@@ -89,7 +90,7 @@ Series seriesThrough(const std::array<Vector3d, kNodes>& values) {
 struct Interval {
   double begin_s = 0, end_s = 0;
   Vector3d velocity = Vector3d::Zero(), displacement = Vector3d::Zero();  // at begin_s
-  Series speeds, places;  // integral and double integral of the acceleration, over u
+  Chebyshev speeds, places;  // integral and double integral of the acceleration, over u
 
   double half_s() const { return 0.5 * (end_s - begin_s); }
   double u(double t_s) const { return std::clamp((t_s - begin_s) / half_s() - 1, -1.0, 1.0); }
@@ -99,11 +100,6 @@ struct Interval {
   }
 };
 
-double toleranceOf(const Motion& motion) {
-  const auto* driven = dynamic_cast<const DrivenMotion*>(&motion);
-  return std::max(kFinest, driven ? driven->report().tolerance_rad : 0.0);
-}
-
 /// Sums of the forces that act in a piece, divided by the mass.
 struct Push {
   Vector3d body_B = Vector3d::Zero(), space_W = Vector3d::Zero();
@@ -112,9 +108,9 @@ struct Push {
 /// Integrates the acceleration by forces from time 0 to one end of the span.
 class Side {
  public:
-  Side(double mass_kg, const Forcing& forcing, const Motion& motion, double end_s)
-      : mass_kg_(mass_kg), forcing_(forcing), motion_(motion), tolerance_(toleranceOf(motion)) {
-    const std::vector<double> times = end_s == 0 ? std::vector<double>() : forcingTimes(forcing, end_s);
+  Side(double mass_kg, const DrivenMotion& motion, double end_s)
+      : mass_kg_(mass_kg), motion_(motion), tolerance_(std::max(kFinest, motion.report().tolerance_rad)) {
+    const std::vector<double> times = end_s == 0 ? std::vector<double>() : forcingTimes(motion.forcing(), end_s);
     for (std::size_t i = 0; i + 1 < times.size(); ++i) addPiece(times[i], times[i + 1]);
   }
 
@@ -124,13 +120,13 @@ class Side {
   void addPiece(double begin, double end) {
     const double inside = begin + 0.5 * (end - begin);
     Push push;
-    for (const PointForce& force : forcing_.forces)
+    for (const PointForce& force : motion_.forcing().forces)
       if (force.actsAt(inside)) {
         push.body_B += force.force_B / mass_kg_;
         push.space_W += force.force_W / mass_kg_;
       }
     if (push.body_B.isZero(0))
-      append(begin, end, push.space_W.isZero(0) ? Series() : Series{push.space_W});
+      append(begin, end, push.space_W.isZero(0) ? Chebyshev() : Chebyshev{push.space_W});
     else
       expand(begin, end, push);
   }
@@ -138,7 +134,7 @@ class Side {
   void expand(double begin, double end, const Push& push) {
     core::checkInterruption();
     bool isFine = false;
-    Series series = acceleration(begin, end, push, isFine);
+    Chebyshev series = acceleration(begin, end, push, isFine);
     const double length = std::abs(end - begin);
     if (isFine || length <= kShortest * std::max(std::abs(begin), std::abs(end)))
       return append(begin, end, std::move(series));
@@ -147,7 +143,7 @@ class Side {
     expand(middle, end, push);
   }
 
-  Series acceleration(double begin, double end, const Push& push, bool& isFine) const {
+  Chebyshev acceleration(double begin, double end, const Push& push, bool& isFine) const {
     std::array<Vector3d, kNodes> values;
     const double half = 0.5 * (end - begin);
     double fastest = 0;
@@ -156,7 +152,7 @@ class Side {
       fastest = std::max(fastest, std::sqrt(dotProduct(state.omega_B, state.omega_B)));
       values[j] = rotated(state.q_WB, push.body_B);
     }
-    Series series = seriesThrough(values);
+    Chebyshev series = seriesThrough(values);
     const double bound = tolerance_ * std::sqrt(dotProduct(push.body_B, push.body_B));
     isFine = fastest * std::abs(end - begin) <= kLongestTurn_rad * kNodes / 2;
     for (std::size_t k = kNodes - 3; k < kNodes; ++k) isFine = isFine && series[k].cwiseAbs().maxCoeff() <= bound;
@@ -164,7 +160,7 @@ class Side {
     return series;
   }
 
-  void append(double begin, double end, Series acceleration) {
+  void append(double begin, double end, Chebyshev acceleration) {
     if (intervals_.size() >= kMostIntervals)
       throw core::limitError(
           fmt::format("the flight needs more than {} intervals to integrate a force that turns with the body; "
@@ -180,8 +176,7 @@ class Side {
   }
 
   double mass_kg_;
-  const Forcing& forcing_;
-  const Motion& motion_;
+  const DrivenMotion& motion_;
   double tolerance_;
   std::vector<Interval> intervals_;
 };
@@ -214,17 +209,15 @@ struct FlightPath::Pushed {
   }
 };
 
-FlightPath::FlightPath(const Flight& flight, double mass_kg, const Forcing& forcing, const Motion& motion,
-                       const TimeSpan& span)
-    : gravity_(flight) {
-  validate(forcing);
-  if (forcing.forces.empty()) return;
+FlightPath::FlightPath(const Flight& flight, double mass_kg, const Motion& motion) : gravity_(flight) {
+  const auto* driven = dynamic_cast<const DrivenMotion*>(&motion);
+  if (!driven || driven->forcing().forces.empty()) return;
   requireFlightMass(mass_kg);
   auto pushed = std::make_shared<Pushed>();
-  pushed->from_s = std::min({span.from_s, span.to_s, 0.0});
-  pushed->to_s = std::max({span.from_s, span.to_s, 0.0});
-  pushed->forward = Side(mass_kg, forcing, motion, pushed->to_s).intervals();
-  pushed->backward = Side(mass_kg, forcing, motion, pushed->from_s).intervals();
+  pushed->from_s = driven->span().from_s;
+  pushed->to_s = driven->span().to_s;
+  pushed->forward = Side(mass_kg, *driven, pushed->to_s).intervals();
+  pushed->backward = Side(mass_kg, *driven, pushed->from_s).intervals();
   pushed_ = std::move(pushed);
 }
 

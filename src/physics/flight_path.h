@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "core/abi.h"
-#include "physics/driven_motion.h"
 #include "physics/flight.h"
 #include "physics/forcing.h"
 #include "physics/motion.h"
@@ -21,14 +20,14 @@ namespace poinsot::physics {
 class FlightPath {
  public:
   /// Makes the flight under gravity alone, a parabola.
-  explicit FlightPath(const Flight& flight) : gravity_(flight) {}
+  // NOLINTNEXTLINE(google-explicit-constructor): every parabola is a flight, exactly.
+  FlightPath(const Flight& flight) : gravity_(flight) {}
 
-  /// @param motion  rotation of the body under `forcing`, which covers the span
-  /// @throws core::Error(kPhysics) if the mass is not positive and finite or validate() rejects the forcing;
-  /// (kLimit) if a force that turns with the body needs more than 200000 intervals, or if a velocity or position
-  /// leaves the range of numbers.
-  FlightPath(const Flight& flight, double mass_kg, const Forcing& forcing, const Motion& motion,
-             const TimeSpan& span);
+  /// Makes the flight under gravity and under the forces of the motion, over the span of the motion.
+  /// @param motion  rotation of the body; a FreeMotion has no forces
+  /// @throws core::Error(kPhysics) if there are forces and the mass is not positive and finite; (kLimit) if a
+  /// force that turns with the body needs more than 200000 intervals.
+  FlightPath(const Flight& flight, double mass_kg, const Motion& motion);
 
   /// Returns the position of the centre of mass, m.
   /// @throws core::Error(kLimit), as velocityAt() does, for a time outside the span if there are forces, or if the

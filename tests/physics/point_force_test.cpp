@@ -173,7 +173,7 @@ Vector3d rateOf(const F& f, double t) {
 
 struct Thrown {
   explicit Thrown(const DrivenCase& c_, const Flight& flight_ = {{1, 2, -1}, {0.5, -1, 3}, {0, 0, -9.81}})
-      : c(c_), flight(flight_), motion(c.motion()), path(flight, kMass, c.forcing, motion, c.span) {}
+      : c(c_), flight(flight_), motion(c.motion()), path(flight, kMass, motion) {}
 
   FlightQuantities at(double t) const {
     return flightQuantities(kMass, path, c.forcing, motion.axes(), motion.at(t));
@@ -336,7 +336,7 @@ TEST(FlightPath, NeedsAMassAndATimeOfItsSpan) {
   EXPECT_EQ(refusal([&] { thrown.path.positionAt(20.5); }),
             "t = 20.5 s: this flight was computed only from 0 s to 20 s");
   EXPECT_EQ(refusal([&] { thrown.path.velocityAt(NAN); }), "t = nan s: must be a finite number of seconds");
-  EXPECT_EQ(refusal([&] { FlightPath(thrown.flight, 0, c.forcing, thrown.motion, c.span); }),
+  EXPECT_EQ(refusal([&] { FlightPath(thrown.flight, 0, thrown.motion); }),
             "a force moves the centre of mass of a body with a positive mass, got 0 kg");
 }
 
@@ -344,7 +344,7 @@ TEST(FlightPath, NeedsAMassAndATimeOfItsSpan) {
 TEST(FlightPath, IsTheParabolaWithoutForces) {
   const DrivenCase c = withForces({});
   const Flight flight{{1, 2, -1}, {0.5, -1, 3}, {0.3, -0.4, -9.81}};
-  const FlightPath path(flight, NAN, c.forcing, c.motion(), c.span);
+  const FlightPath path(flight, NAN, c.motion());
   for (const double t : {-100.0, 0.0, 0.3, 1e6}) {
     EXPECT_EQ(path.positionAt(t), flight.positionAt(t));
     EXPECT_EQ(path.velocityAt(t), flight.velocityAt(t));
