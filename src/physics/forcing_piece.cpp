@@ -49,7 +49,8 @@ ForcingPiece pieceBetween(const Forcing& forcing, const PrincipalAxes& axes, dou
                      end,
                      {components(axes.toP(forcing.torque_B + body.value)), components(axes.toP(body.slope))},
                      {components(forcing.torque_W + space.value), components(space.slope)},
-                     {}};
+                     {},
+                     !forcing.forces.empty()};
   addForces(forcing, axes, inside, piece);
   return piece;
 }

@@ -42,6 +42,7 @@ struct ForcingPiece {
   LinearTorque torque_P;
   LinearTorque torque_W;
   LeverTorque lever;
+  bool hasForces = false;  ///< whether forces act on the body at some time, in this piece or in another
 };
 
 /// Returns the times from 0 to end_s (either sign), both included, at which a torque table or a force changes, in

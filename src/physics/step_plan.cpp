@@ -106,7 +106,8 @@ void Pilot::refuseIfHopeless(const ForcingPiece& piece, double since) const {
 
 std::vector<PilotStep> Pilot::over(const ForcingPiece& piece) {
   const double length = std::abs(piece.end_s - piece.begin_s), sense = piece.end_s < piece.begin_s ? -1 : 1;
-  if (h_ == 0) h_ = length;
+  // A window of a force can be as short as a blow. The step that fits the blow would be far too short after it.
+  if (h_ == 0 || piece.hasForces) h_ = length;
   std::vector<PilotStep> steps;
   DrivenState after;
   for (double since = 0; since < length;) {
