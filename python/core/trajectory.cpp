@@ -126,7 +126,7 @@ TrajectoryArrays trajectoryOf(const LoadedScene& loaded, const Doubles& times,
                               const std::vector<std::string>& quantities) {
   const Shape shape(times.shape(), times.shape() + times.ndim());
   const std::span<const double> times_s(times.data(), static_cast<std::size_t>(times.size()));
-  const reference::ChosenColumns chosen = [&] {
+  reference::ChosenColumns chosen = [&] {
     const WithoutGil others;
     return reference::ChosenColumns(loaded.scene(), quantities, "quantities");
   }();
@@ -137,6 +137,7 @@ TrajectoryArrays trajectoryOf(const LoadedScene& loaded, const Doubles& times,
     const auto [earliest, latest] = std::ranges::minmax(times_s);
     note = reference::accuracyNote(loaded.scene(), reference::TrajectoryTimes({earliest, latest}));
     const auto motion = motionFor(loaded, times_s, shape, span_s);
+    chosen.follow(*motion);
     for (std::size_t k = 0; k < times_s.size(); ++k) {
       core::checkInterruption();
       table.add(*motion, naming([&] { return motion->at(times_s[k]); }, [&] { return placeOf(k, shape); }));

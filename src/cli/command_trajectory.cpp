@@ -125,7 +125,7 @@ int trajectory(const TrajectoryOptions& options) {
   const auto target = reference::parseTrajectoryTarget(options.output);
   const scene::Allowance allowance = granted(options);
   const scene::Scene scene = loadScene(options, allowance);
-  const reference::ChosenColumns columns = chosenColumns(options, scene);
+  reference::ChosenColumns columns = chosenColumns(options, scene);
   output::RunFiles files = enteredInputs(options, scene, options.force);
   files.writes(target.path, "-o", reference::trajectoryKind(target.format, columns.header()));
   const reference::TrajectoryTimes times = requestedTimes(options, scene);
@@ -133,6 +133,7 @@ int trajectory(const TrajectoryOptions& options) {
   noteFarTimes(scene, times);
   process::watchInterrupts();
   const auto motion = scene::makeMotion(scene, times.earliest_s(), times.latest_s());
+  columns.follow(*motion);
   writeTo(target, [&](const reference::TextSink& sink) {
     reference::writeTrajectory(*motion, columns, times, target.format, scene.name, sink);
   });

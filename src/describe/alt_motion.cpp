@@ -192,6 +192,15 @@ void addTorque(Sentences& sentences, const Eigen::Vector3d& torque, bool changes
   sentences.push_back(say("A constant torque of {} N m acts on it, {}.", numberWords(torque.norm()), where));
 }
 
+std::string forceSentence(const physics::PointForce& force) {
+  const std::string size = numberWords((force.force_B + force.force_W).norm());
+  const std::string where = force.force_B.isZero(0) ? say("fixed in space") : say("fixed in the body");
+  std::string window;
+  if (std::isfinite(force.from_s)) window += say(" from {}", timeWords(force.from_s));
+  if (std::isfinite(force.to_s)) window += say(" until {}", timeWords(force.to_s));
+  return say("A force of {} N, {}, acts at a point of the body{}.", size, where, window);
+}
+
 Sentences drivenSentences(const scene::Scene& scene) {
   const physics::Forcing& forcing = scene.motion.forcing;
   Sentences sentences;
@@ -202,6 +211,7 @@ Sentences drivenSentences(const scene::Scene& scene) {
     for (const std::string& sentence : gravitySentences(scene, rest.none())) sentences.push_back(sentence);
   addTorque(sentences, forcing.torque_B, acts(forcing.torqueHistory_B), say("fixed in the body"));
   addTorque(sentences, forcing.torque_W, acts(forcing.torqueHistory_W), say("fixed in space"));
+  for (const physics::PointForce& force : forcing.forces) sentences.push_back(forceSentence(force));
   if (!forcing.dragRate_P.isZero(0)) sentences.push_back(dragSentence(forcing.dragRate_P));
   rest = forcing;
   rest.dissipation = 0;
@@ -209,8 +219,14 @@ Sentences drivenSentences(const scene::Scene& scene) {
   return sentences;
 }
 
-Sentences flightSentences(const scene::Flight& flight) {
+Sentences flightSentences(const scene::Flight& flight, bool pushed) {
   const std::string speed = say("{} m/s", numberWords(flight.velocity_W.norm()));
+  if (pushed)
+    return {flight.gravity_W.isZero(0)
+                ? say("Its centre of mass moves at {} at the start, and the forces change this velocity.", speed)
+                : say("Its centre of mass moves at {} at the start, and the forces and its weight change this "
+                      "velocity.",
+                      speed)};
   if (flight.gravity_W.isZero(0)) return {say("Its centre of mass flies straight on at {}.", speed)};
   const physics::FlightTop top = flight.top();
   const std::string rise =
@@ -226,7 +242,8 @@ Sentences flightSentences(const scene::Flight& flight) {
 Sentences motionSentences(const scene::Scene& scene) {
   Sentences sentences = scene.motion.forcing.none() ? freeSentences(scene) : drivenSentences(scene);
   if (scene.motion.flight)
-    for (const std::string& sentence : flightSentences(*scene.motion.flight)) sentences.push_back(sentence);
+    for (const std::string& sentence : flightSentences(*scene.motion.flight, !scene.motion.forcing.forces.empty()))
+      sentences.push_back(sentence);
   return sentences;
 }
 

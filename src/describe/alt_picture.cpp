@@ -136,7 +136,11 @@ std::string otherWords(const scene::Scene& scene) {
   static const std::vector<Thing> things{
       {"an arrow for the torque", [](const scene::Show& s) { return s.figures.torque.visible; }},
       {"the axes x, y and z of space", [](const scene::Show& s) { return s.figures.spaceAxes.visible; }}};
+  static const Thing forces{"an arrow for each force at its point of the body, while it acts",
+                            [](const scene::Show& s) { return s.figures.forces.visible; }};
   std::vector<std::string> words = shown(things, scene.views);
+  if (!scene.motion.forcing.forces.empty())
+    for (const std::string& arrows : shown({forces}, scene.views)) words.push_back(arrows);
   const bool gravity = !scene.motion.forcing.gravity_B.isZero(0);
   const Thing theta{gravity ? "the angle θ between k and the vertical" : "the angle θ between L and k",
                     [](const scene::Show& s) { return s.figures.theta.visible; }};

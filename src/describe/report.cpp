@@ -219,11 +219,11 @@ Report sceneReport(const scene::Scene& scene) {
   const double start_s = scene.time.start_s;
   const ReportSpan span{start_s, stage::filmClock(scene).motionTime_s(scene.time.duration_s)};
   const auto motion = scene::makeMotion(scene, span.from_s, span.to_s);
-  return {
-      scene.name,
-      {bodySection(scene), startSection(scene), flightSection(scene), constructionSection(scene),
-       symmetricSection(scene), heavyTopSection(scene), lossSection(scene, *motion, span), stabilitySection(scene),
-       loopSection(scene), eventsSection(scene, *motion, span), accuracySection(scene, *motion, span)}};
+  return {scene.name,
+          {bodySection(scene), startSection(scene), forcesSection(scene, *motion, span), flightSection(scene),
+           constructionSection(scene), symmetricSection(scene), heavyTopSection(scene),
+           lossSection(scene, *motion, span), stabilitySection(scene), loopSection(scene),
+           eventsSection(scene, *motion, span), accuracySection(scene, *motion, span)}};
 }
 
 }  // namespace poinsot::describe

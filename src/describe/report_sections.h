@@ -20,6 +20,10 @@ Section bodySection(const scene::Scene& scene);
 Section startSection(const scene::Scene& scene);
 /// Returns the flight of a thrown body. If the mass is given, also momenta and energies (eq 1 to 10).
 Section flightSection(const scene::Scene& scene);
+/// Returns the forces at points of the body, their sum and their torque at motion time 0 and, if this is another
+/// time, at the film's start (eq 1, 8, 9).
+/// @param motion  motion of the scene over the span
+Section forcesSection(const scene::Scene& scene, const physics::Motion& motion, const ReportSpan& span);
 /// Returns Poinsot's construction, polhode, herpolhode and flips of a free motion (eq 38 to 40).
 Section constructionSection(const scene::Scene& scene);
 /// Returns cones and rates of a free symmetric top (eq 19 to 37). If the top has the Earth's shape and spin, also

@@ -82,6 +82,11 @@ class ChosenColumns {
   /// that the scene does not have
   ChosenColumns(const scene::Scene& scene, const std::vector<std::string>& names, std::string_view option);
 
+  /// Prepares for states of this motion. Required before evaluate() if forces at points act on a thrown body.
+  void follow(const physics::Motion& motion) {
+    if (basis_) basis_->follow(motion);
+  }
+
   std::span<const TrajectoryColumn> columns() const { return columns_; }
   /// Returns the names of the columns, separated by commas.
   std::string header() const;

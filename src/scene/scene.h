@@ -75,8 +75,9 @@ struct Motion {
   std::optional<physics::Quaternion> orientation_WB;  ///< unit quaternion; nullopt: L is made vertical
   LPoints lPoints = LPoints::kAuto;
   physics::Forcing forcing;
-  double tolerance_rad = 1e-12;  ///< allowed error of the attitude in a driven motion
-  double mostSteps = 2e6;        ///< largest number of integration steps (Limit::kSteps)
+  std::vector<std::string> forceNames;  ///< label of each force of `forcing`; empty for none
+  double tolerance_rad = 1e-12;         ///< allowed error of the attitude in a driven motion
+  double mostSteps = 2e6;               ///< largest number of integration steps (Limit::kSteps)
   std::optional<Flight> flight;
 };
 

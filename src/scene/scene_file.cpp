@@ -181,6 +181,7 @@ Scene parseScene(std::string_view text, const std::string& fileName, const std::
   scene.inputs = folder.filesRead();
   doubtValues(scene, leaves, findings);
   doubtPrecession(scene, findings);
+  doubtForces(scene, findings);
   scene.doubts = findings.doubts();
   scene.motion.mostSteps = static_cast<double>(limits[Limit::kSteps]);
   return scene;

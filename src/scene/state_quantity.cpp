@@ -74,9 +74,9 @@ double LSize(const RigidBodyState& s, const Basis&) { return size(s.L_W); }
 /// Returns the quantities of the flight. If the body does not fly, they are 0, except L. If the mass of a flying
 /// body is unknown, they are NaN.
 physics::FlightQuantities flightOf(const RigidBodyState& s, const Basis& b) {
-  static const ThrownBody still{.flight = {.gravity_W = Vector3d::Zero()}, .mass_kg = 0};
+  static const ThrownBody still{.flight = physics::Flight{.gravity_W = Vector3d::Zero()}, .mass_kg = 0};
   const ThrownBody& thrown = b.thrown() ? *b.thrown() : still;
-  return physics::flightQuantities(thrown.mass_kg, thrown.flight, s);
+  return physics::flightQuantities(thrown.mass_kg, thrown.flight, b.forcing(), b.axes(), s);
 }
 
 template <int axis>
@@ -291,6 +291,10 @@ QuantityBasis::QuantityBasis(const physics::PrincipalAxes& axes, const physics::
 Vector3d QuantityBasis::pole_W(const RigidBodyState& state) const {
   if (!forcing_.gravity_B.isZero(0) || state.L_W.isZero(0)) return Vector3d::UnitZ();
   return state.L_W.normalized();
+}
+
+void QuantityBasis::follow(const physics::Motion& motion) {
+  if (thrown_) thrown_->flight = {thrown_->flight.gravityAlone(), thrown_->mass_kg, motion};
 }
 
 Dimension dimensionOf(QuantityUnit unit) {

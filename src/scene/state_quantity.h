@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/abi.h"
-#include "physics/flight.h"
+#include "physics/flight_path.h"
 #include "physics/forcing.h"
 #include "physics/principal_axes.h"
 #include "physics/rigid_body_state.h"
@@ -18,7 +18,7 @@ namespace poinsot::scene {
 
 /// Flight of a thrown body, and its mass. Without a mass (NaN), momentum and energy of the flight are NaN.
 struct ThrownBody {
-  physics::Flight flight;
+  physics::FlightPath flight;
   double mass_kg = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -36,6 +36,9 @@ class QuantityBasis {
   const physics::PrincipalAxes& axes() const { return axes_; }
   const physics::Forcing& forcing() const { return forcing_; }
   const std::optional<ThrownBody>& thrown() const { return thrown_; }
+  /// Sets the motion whose states the basis is used for. Forces at points of a thrown body make its flight depend
+  /// on the motion. Has no effect for other bodies.
+  void follow(const physics::Motion& motion);
 
   /// Unit vectors in P: the third Euler axis k of the body, and its first Euler axis, perpendicular to k.
   const Eigen::Vector3d& k_P() const { return k_P_; }
@@ -105,6 +108,6 @@ const StateQuantity& stateQuantity(int index);
 /// @pre index of a quantity.
 std::string quantityTex(int index, const physics::Forcing& forcing);
 
-static_assert(core::laidOut<ThrownBody, 80>());
+static_assert(core::laidOut<ThrownBody, 96>());
 
 }  // namespace poinsot::scene

@@ -12,7 +12,6 @@ namespace {
 
 /// Returns the SI unit with these exponents, such as "m". Empty for a plain number.
 std::string_view siOf(const Exponents& exponents) {
-  if (exponents == kForce) return "N";  // not in kDimensions, because no key takes a force
   // Searches backwards. Torque and energy have the same exponents, and J of the energy is preferred to N·m.
   const auto found =
       std::find_if(std::rbegin(kDimensions), std::rend(kDimensions),

@@ -23,6 +23,7 @@ enum class Dimension {
   kDensity,
   kVelocity,
   kAcceleration,
+  kForce,
   kTorque,
   kEnergy,
   kMomentum,

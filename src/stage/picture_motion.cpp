@@ -115,6 +115,7 @@ PictureMotion::PictureMotion(const scene::Scene& scene, std::shared_ptr<const ph
       repeats_(scene.time.loop.has_value()),
       forcing_(scene.motion.forcing),
       flight_(scene::movesAlong(scene.motion, scene.camera, scene.show) ? scene.motion.flight : std::nullopt),
+      path_(flight_ ? scene::flightPath(scene, *motion_) : std::nullopt),
       frame_(scene.camera.frame),
       R_VB_(standingBody(scene)),
       precession_(frame_ == scene::CameraFrame::kPrecession ? precessionOf(scene, *motion_) : Precession()),
@@ -164,7 +165,6 @@ PictureState PictureMotion::atPlayed(double played_s) const {
   const Matrix3d R_VW = this->R_VW(played_s, state);
   const Matrix3d R_VB = R_VW * R_WB;
   const Matrix3d R_VP = axes().aligned() ? R_VB : Matrix3d(R_VB * axes().q_BP().toRotationMatrix());
-  const physics::Flight still{.gravity_W = Vector3d::Zero()}, &flight = flight_ ? *flight_ : still;
   return {R_VB,
           R_VP,
           R_VW,
@@ -173,8 +173,9 @@ PictureState PictureMotion::atPlayed(double played_s) const {
           R_VW * state.L_W,
           state.L_W,
           R_VW * physics::torque_W(forcing_, axes(), state),
-          R_VW * flight.positionAt(state.t_s),
-          R_VW * flight.velocityAt(state.t_s)};
+          path_ ? Vector3d(R_VW * path_->positionAt(state.t_s)) : Vector3d::Zero(),
+          path_ ? Vector3d(R_VW * path_->velocityAt(state.t_s)) : Vector3d::Zero(),
+          state.t_s};
 }
 
 }  // namespace poinsot::stage

@@ -33,6 +33,7 @@ struct PictureState {
   Eigen::Vector3d torque_V;
   Eigen::Vector3d centre_V;    ///< position of the centre of mass in space; zero unless the body flies in the view
   Eigen::Vector3d velocity_V;  ///< velocity of the centre of mass; zero unless the body flies in the view
+  double t_s = 0;              ///< motion time
 
   /// Returns the velocity of a body point, m/s: velocity_V + omega_V × r.
   /// @param r_B  vector from the fixed point to the body point, m
@@ -120,6 +121,7 @@ class PictureMotion {
   bool repeats_;
   physics::Forcing forcing_;
   std::optional<physics::Flight> flight_;
+  std::optional<physics::FlightPath> path_;  // of a body that moves through the view
   scene::CameraFrame frame_;
   Eigen::Matrix3d R_VB_;
   Precession precession_;
@@ -128,6 +130,6 @@ class PictureMotion {
   double pathStep_s_;
 };
 
-static_assert(core::laidOut<PictureState, 384>());
+static_assert(core::laidOut<PictureState, 392>());
 
 }  // namespace poinsot::stage

@@ -134,6 +134,23 @@ TEST(AltText, DescribesTorquesAndPlots) {
   EXPECT_THAT(text, HasSubstr("A plot shows ω₂ against ω₁, with a cursor at the instant of the picture."));
 }
 
+TEST(AltText, DescribesForcesAtPoints) {
+  const std::string body = "body.principal_moments=[1, 2, 2.5]\nbody.mass=3\nmotion.omega_body=[1, 2, 3]\n";
+  const std::string forces =
+      "[[motion.force]]\nat=[1, 0, 0]\nspace=[0, 3, 4]\nfrom=1\nto=2\n[[motion.force]]\nat=[0, 1, 0]\n"
+      "body=[0, 0, '20 mN']\n";
+  const std::string text = altText(sceneOf(body + forces));
+  EXPECT_THAT(text, HasSubstr("A force of 5 N, fixed in space, acts at a point of the body from 1 s until 2 s."));
+  EXPECT_THAT(text, HasSubstr("A force of 0.02 N, fixed in the body, acts at a point of the body."));
+  EXPECT_THAT(text, HasSubstr("an arrow for each force at its point of the body, while it acts"));
+  EXPECT_THAT(altText(sceneOf(body + forces + "[show]\nforces=false\n")),
+              Not(HasSubstr("an arrow for each force")));
+  EXPECT_THAT(
+      altText(sceneOf(body + "[motion.flight]\nvelocity=[3, 0, 4]\n" + forces)),
+      HasSubstr("Its centre of mass moves at 5 m/s at the start, and the forces and its weight change this "
+                "velocity."));
+}
+
 // Worked by hand: the speed is 5 m/s; 4 m/s upward against 9.80665 m/s² last 0.408 s and reach 0.816 m.
 TEST(AltText, DescribesAThrownBody) {
   const std::string top =

@@ -235,8 +235,8 @@ std::string textOf(const std::filesystem::path& path) {
 }
 
 void expectDocumented(const std::string& docs, const std::string& key, const std::string& where) {
-  const bool ofAnyAxis = key.starts_with("axis_");  // axis_1_rate stands for all three
-  EXPECT_THAT(docs, HasSubstr("`" + (ofAnyAxis ? "axis_1" + key.substr(6) : key) + "`")) << where;
+  const std::regex numbered("^(axis|force)_[0-9]+");  // axis_1_rate stands for all three
+  EXPECT_THAT(docs, HasSubstr("`" + std::regex_replace(key, numbered, "$1_1") + "`")) << where;
 }
 
 TEST(Report, KeysOfGalleryScenesAreDocumented) {
@@ -248,6 +248,43 @@ TEST(Report, KeysOfGalleryScenesAreDocumented) {
     for (const Section& section : report.sections)
       for (const Fact& fact : section.facts) expectDocumented(docs, fact.key, entry.path());
   }
+}
+
+// Worked by hand. The first force acts 2 m from the centre of mass: r x F = (2, 0, 0) x (0, 0, 3) = (0, -6, 0).
+// The centre of mass is at R = (0, 5, 0), and R x F = (15, 0, 0).
+TEST(Report, SumsTheForcesAtPoints) {
+  const json facts = json::parse(
+      reportJson(reportOf("[body]\nprincipal_moments = [1, 2, 2.5]\nmass = 4\ncentre_of_mass = [1, 0, "
+                          "0]\n[motion]\nomega_body = [0, 0, 1e-9]\n"
+                          "[motion.flight]\nposition = [0, 5, 0]\ngravity = [0, 0, 0]\n[time]\nduration = 2\n"
+                          "[[motion.force]]\nat = [3, 0, 0]\nspace = [0, 0, 3]\n"
+                          "[[motion.force]]\nat = [1, 1, 0]\nbody = [7, 0, 0]\nfrom = 1.5\n")));
+  EXPECT_EQ(facts.at("force_1_point_B"), json::parse("[3, 0, 0]"));
+  EXPECT_EQ(facts.at("force_1_W"), json::parse("[0, 0, 3]"));
+  EXPECT_EQ(facts.at("force_2_B"), json::parse("[7, 0, 0]"));
+  EXPECT_EQ(facts.at("force_2_from"), 1.5);
+  EXPECT_FALSE(facts.contains("force_1_from") || facts.contains("force_2_to"));
+  EXPECT_EQ(facts.at("forces_W"), json::parse("[0, 0, 3]"));
+  EXPECT_EQ(facts.at("forces_torque_W"), json::parse("[0, -6, 0]"));
+  EXPECT_EQ(facts.at("forces_torque_about_origin_W"), json::parse("[15, -6, 0]"));
+  EXPECT_EQ(facts.at("force_W"), json::parse("[0, 0, 3]"));
+  EXPECT_EQ(facts.at("torque_about_origin_W"), json::parse("[15, -6, 0]"));
+  EXPECT_EQ(facts.at("from").at("forces_torque_W"), "eq 9");
+  // Neither the energy nor the highest point of a parabola exists under such forces.
+  EXPECT_FALSE(facts.contains("energy_drift") || facts.contains("rise_time") || facts.contains("plane_height"));
+  EXPECT_FALSE(facts.contains("forces_at_start_W"));
+}
+
+// At the film's start, 2 s, only the second force acts.
+TEST(Report, SumsTheForcesAtTheStartOfTheFilm) {
+  const json facts = json::parse(reportJson(reportOf(
+      "[body]\nprincipal_moments = [1, 1, 2]\n[motion]\nomega_body = [0, 0, 0]\n[time]\nstart = 2\nduration = 1\n"
+      "[[motion.force]]\nat = [1, 0, 0]\nspace = [1, 0, 0]\nto = 1\n"
+      "[[motion.force]]\nat = [0, 2, 0]\nspace = [0, 0, 3]\nfrom = 2\n")));
+  EXPECT_EQ(facts.at("forces_W"), json::parse("[1, 0, 0]"));
+  EXPECT_EQ(facts.at("forces_torque_W"), json::parse("[0, 0, 0]"));
+  EXPECT_EQ(facts.at("forces_at_start_W"), json::parse("[0, 0, 3]"));
+  EXPECT_EQ(facts.at("forces_torque_at_start_W"), json::parse("[6, 0, 0]"));
 }
 
 // The sources spell out all keys, also keys that no gallery scene has, such as the keys of a film that repeats.

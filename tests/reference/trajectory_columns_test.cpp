@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -143,6 +144,23 @@ TEST(ChosenColumns, MatchTheParabolaOfAFlight) {
     EXPECT_NEAR(row.at("T_total"), row.at("T_cm") + row.at("T"), 1e-14 * m * scale * scale);
     EXPECT_NEAR(row.at("V"), m * 9.80665 * R.z(), 1e-14 * m * 10 * scale);
     EXPECT_NEAR(row.at("E"), row.at("T_total") + row.at("V"), 1e-14 * m * 10 * scale * scale);
+  }
+}
+
+// A force of (0, 6, 0) N at the centre of mass of 3 kg from 1 s to 3 s: V_y grows by 2 m/s² while it acts.
+TEST(ChosenColumns, FollowTheForcesOnAThrownBody) {
+  const scene::Scene scene =
+      sceneOf(kThrown + "[[motion.force]]\nat = [0, 0, 0]\nspace = [0, 6, 0]\nfrom = 1\nto = 3\n");
+  ChosenColumns chosen(scene, {"V_y", "R_y", "P_y"}, "--quantities");
+  const auto motion = scene::makeMotion(scene, -1, 6);
+  chosen.follow(*motion);
+  for (const double t_s : {-1.0, 0.5, 2.0, 5.0}) {
+    const double in = std::clamp(t_s - 1, 0.0, 2.0), after = std::max(t_s - 3, 0.0);
+    std::vector<double> row;
+    chosen.evaluate(*motion, motion->at(t_s), row);
+    EXPECT_NEAR(row.at(1), -5 + 2 * in, 1e-14);
+    EXPECT_NEAR(row.at(2), 2 - 5 * t_s + in * in + 2 * in * after, 1e-13);
+    EXPECT_NEAR(row.at(3), 3 * (-5 + 2 * in), 1e-13);
   }
 }
 

@@ -105,6 +105,89 @@ TEST(Torque, ReportsAFaultyFileAtTheKeyThatNamesIt) {
       HasSubstr("motion.torque.step[0]: motion.torque.file is given too"));
 }
 
+const std::string kForce = "[[motion.force]]\n";
+
+// The points are measured from the centre of mass or from the pivot. The cone's centre is its origin.
+TEST(PointForce, IsReadWithItsPointAndWindow) {
+  const Scene scene = sceneWith(kTop + kForce + "at=['10 cm', 0, -1]\nspace=['2 kN', 0, '1 lbf']\n" + kForce +
+                                "at=[0, 0, 0]\nbody=[0, '-20 mN', 0]\nfrom='2 min'\nto=130\nname='thruster'\n");
+  const auto& forces = scene.motion.forcing.forces;
+  ASSERT_EQ(forces.size(), 2u);
+  EXPECT_LE((forces[0].lever_B - Vector3d(0.1, 0, 0.275)).norm(), 1e-15);
+  EXPECT_EQ(forces[0].force_W, Vector3d(2000, 0, 4.4482216152605));
+  EXPECT_EQ(forces[0].force_B, Vector3d::Zero());
+  EXPECT_TRUE(forces[0].actsAt(-1e9) && forces[0].actsAt(1e9));
+  EXPECT_EQ(forces[1].lever_B, Vector3d(0, 0, 1.275));
+  EXPECT_EQ(forces[1].force_B, Vector3d(0, -0.02, 0));
+  EXPECT_FALSE(forces[1].actsAt(119.9));
+  EXPECT_TRUE(forces[1].actsAt(120));
+  EXPECT_FALSE(forces[1].actsAt(130));
+  EXPECT_EQ(scene.motion.forceNames, (std::vector<std::string>{"$\\mathbf{F}_{1}$", "thruster"}));
+  EXPECT_EQ(sceneWith(kBare + kForce + "at=[1, 0, 0]\nbody=[0, 1, 0]\n").motion.forceNames,
+            (std::vector<std::string>{"$\\mathbf{F}$"}));
+  EXPECT_TRUE(sceneWith(kBare + kForce + "at=[1, 0, 0]\nbody=[0, 1, 0]\n").motion.orientation_WB);
+}
+
+TEST(PointForce, NeedsAPointAndOneVector) {
+  const std::string at = "at=[1, 0, 0]\n", body = "body=[0, 1, 0]\n", space = "space=[0, 1, 0]\n";
+  EXPECT_EQ(problems(kBare + kForce + body),
+            "motion.force[0]: at = [x, y, z] is missing: a force has a point and a vector\n");
+  EXPECT_EQ(
+      problems(kBare + kForce + at + body + kForce + at),
+      "motion.force[1]: body = [x, y, z] or space = [x, y, z] is missing: a force has a point and a vector\n");
+  EXPECT_EQ(problems(kBare + kForce + at + body + space),
+            "motion.force[0].body: motion.force[0].space is given too; a force turns with the body or keeps its "
+            "direction in space; for both, give two forces\n");
+  EXPECT_EQ(problems(kBare + kForce + at + body + "from=3\nto='3 s'\n"),
+            "motion.force[0].to: must be later than from, got 3 s after 3 s\n");
+  EXPECT_THAT(problems(kBare + kForce + at + "body=[0, 2e30, 0]\n"), HasSubstr("motion.force[0].body: must be"));
+  EXPECT_THAT(problems(kBare + kForce + at + "body=[0, '2 kg', 0]\n"), HasSubstr("a force"));
+  EXPECT_THAT(problems(kBare + kForce + at + "bdy=[0, 2, 0]\n"),
+              HasSubstr("motion.force[0].bdy: unknown key; did you mean motion.force[0].body?"));
+}
+
+TEST(PointForce, NeedsAMassToMoveAThrownBody) {
+  const std::string force = kForce + "at=[1, 0, 0]\nbody=[0, 1, 0]\n";
+  EXPECT_EQ(problems(kBare + force + "[motion.flight]\n"),
+            "motion.force[0]: moves the centre of mass of a thrown body, so it needs a body with a mass; give "
+            "body.mass in addition to the moments of inertia\n");
+  EXPECT_EQ(problems(kBare + "body.mass=2\n" + force + "[motion.flight]\n"), "");
+  EXPECT_EQ(problems(kBare + force), "");
+}
+
+TEST(PointForce, IsDoubtedIfItNeverActs) {
+  const auto doubts = [](const std::string& window) {
+    std::string all;
+    for (const Doubt& doubt : sceneWith(kBare + "[time]\nduration=4\nspeed=0.5\nstart=1\n" + kForce +
+                                        "at=[1, 0, 0]\nbody=[0, 1, 0]\n" + window)
+                                  .doubts)
+      all += doubt.message + "\n";
+    return all;
+  };
+  EXPECT_EQ(doubts(""), "");
+  EXPECT_EQ(doubts("from=2.5\n"), "");
+  EXPECT_EQ(doubts("to=0.5\n"), "");  // acts before the film, and changes its start
+  EXPECT_EQ(
+      doubts("from=3.5\n"),
+      "motion.force[0].from: the force begins at 3.5 s, so it never acts: the film shows the motion from 1 s "
+      "to 3 s, and the start is given at 0 s\n");
+  EXPECT_EQ(
+      doubts("to=0\n"),
+      "motion.force[0].to: the force ends at 0 s, so it never acts: the film shows the motion from 1 s to 3 s, "
+      "and the start is given at 0 s\n");
+}
+
+TEST(PointForce, HidesTheConstructionAndRefusesALoop) {
+  const std::string force = kForce + "at=[1, 0, 0]\nbody=[0, 1, 0]\n";
+  EXPECT_FALSE(sceneWith(kBare + force).views.at(0).show.plane.visible);
+  EXPECT_TRUE(sceneWith(kBare + force).views.at(0).show.figures.forces.visible);
+  EXPECT_FALSE(sceneWith(kBare + force + "[show]\nforces=false\n").views.at(0).show.figures.forces.visible);
+  EXPECT_THAT(problems(kBare + force + "[time]\nloop=true\n"), HasSubstr("something acts on the body"));
+  EXPECT_EQ(problems(kBare + "[show.forces]\nscale=2\n"),
+            "show.forces: no force acts at a point of the body: give [[motion.force]], or leave it out\n");
+  EXPECT_EQ(problems("body.principal_moments=[2, 4, 5]\nmotion.omega_body=[0, 0, 0]\n" + force), "");
+}
+
 TEST(Losses, AreReadFromDragAndDissipation) {
   EXPECT_EQ(forcingOf(kBare + "[motion.drag]\nrate=0.25").dragRate_P, Vector3d(0.25, 0.25, 0.25));
   EXPECT_EQ(forcingOf(kBare + "[motion.drag]\nrate=[0, 0.5, '30 1/min']").dragRate_P, Vector3d(0, 0.5, 0.5));

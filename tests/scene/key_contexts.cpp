@@ -109,6 +109,14 @@ std::string sceneFor(const Key& key) {
   if (ofAThrownBody(key))
     return kOmega + kBox + "body.mass = 1\nmotion.flight.velocity = [1, 0, 2]\n" +
            (key.path.starts_with("view") ? "[[view]]\n" : "");
+  if (key.path.starts_with("motion.force[]")) {
+    const std::string_view part = nameOf(key.path);
+    return kMoments + kOmega + "[[motion.force]]\n" + (part == "at" ? "" : "at = [1, 0, 0]\n") +
+           (part == "space" || part == "body" ? "" : "body = [0, 1, 0]\n");
+  }
+  if (key.path.find("show.forces") != std::string::npos)
+    return kMoments + kOmega + "[[motion.force]]\nat = [1, 0, 0]\nbody = [0, 1, 0]\n" +
+           (key.path.starts_with("view") ? "[[view]]\n" : "");
   if (key.path == "timeline[].around")
     return kOmega + "body.principal_moments = [1, 2, 3]\n[[timeline]]\nspeed = 0.5\n";
   if (key.path.find("show.cones") != std::string::npos || key.path.find("show.decomposition") != std::string::npos)

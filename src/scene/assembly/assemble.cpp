@@ -21,7 +21,7 @@ constexpr const char* kNothing =
 std::optional<Rest> bodyAndMotion(const Draft& draft, Findings& findings, const SceneFolder& folder,
                                   Scene& scene) {
   const std::optional<Body> body = assembleBody(draft, findings, folder);
-  scene.motion.forcing = assembleForcing(draft, body ? &*body : nullptr, findings, folder);
+  assembleForcing(draft, body ? &*body : nullptr, findings, folder, scene.motion);
   scene.motion.flight = assembleFlight(draft, findings);
   auto rest = assembleStart(draft, body ? &*body : nullptr, findings, scene.motion);
   if (body) scene.body = *body;

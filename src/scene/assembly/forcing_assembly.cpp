@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
 #include "core/error.h"
 #include "scene/assembly/torque_table.h"
 #include "scene/keys/shape_advice.h"
@@ -17,7 +21,8 @@ class ForcingAssembly {
   ForcingAssembly(const Draft& draft, const Body* body, Findings& findings, const SceneFolder& folder)
       : draft_(draft.forcing), body_(body), findings_(findings), folder_(folder) {}
 
-  physics::Forcing run() {
+  /// @param names  receives the labels of the forces
+  physics::Forcing run(std::vector<std::string>& names) {
     forcing_.torque_B = draft_.torque_B.value_or(Vector3d::Zero());
     forcing_.torque_W = draft_.torque_W.value_or(Vector3d::Zero());
     forcing_.dragRate_P = draft_.dragRates.value_or(Vector3d::Zero());
@@ -25,6 +30,7 @@ class ForcingAssembly {
     emptyTables();
     gravity();
     torqueHistory();
+    pointForces(names);
     return std::move(forcing_);
   }
 
@@ -169,6 +175,59 @@ class ForcingAssembly {
     return false;
   }
 
+  void pointForces(std::vector<std::string>& names) {
+    const std::size_t count = findings_.count("motion.force");
+    const bool flies = findings_.hasTable("motion.flight");
+    if (count > 0 && flies && body_ && !body_->mass)
+      findings_.refuse("motion.force[0]",
+                       fmt::format("moves the centre of mass of a thrown body, so it {}", kNeedsMass));
+    bool good = true;
+    for (std::size_t i = 0; i < count; ++i) good &= forceFits(i);
+    if (!good || !body_) return;
+    for (const PointForceDraft& force : draft_.forces) {
+      forcing_.forces.push_back({.lever_B = *force.at_B - body_->fixedPoint_B(),
+                                 .force_B = force.force_B.value_or(Vector3d::Zero()),
+                                 .force_W = force.force_W.value_or(Vector3d::Zero()),
+                                 .from_s = force.from.value_or(-HUGE_VAL),
+                                 .to_s = force.to.value_or(HUGE_VAL)});
+      const std::string number = count > 1 ? fmt::format("_{{{}}}", forcing_.forces.size()) : "";
+      names.push_back(force.name.value_or(fmt::format("$\\mathbf{{F}}{}$", number)));
+    }
+  }
+
+  /// Checks that a force has its point, one vector and an end after its beginning.
+  bool forceFits(std::size_t i) {
+    const std::string table = fmt::format("motion.force[{}]", i);
+    const bool body = findings_.has(table + ".body"), space = findings_.has(table + ".space");
+    if (!findings_.has(table + ".at") || !(body || space)) {
+      if (!isMisspelt(table, {".at", ".body", ".space"}))
+        findings_.refuse(
+            table, fmt::format("{} missing: a force has a point and a vector",
+                               body || space ? "at = [x, y, z] is" : "body = [x, y, z] or space = [x, y, z] is"));
+      return false;
+    }
+    if (body && space) {
+      findings_.refuse(table + ".body", fmt::format("{}.space is given too; a force turns with the body or keeps "
+                                                    "its direction in space; for both, give two forces",
+                                                    table));
+      return false;
+    }
+    for (const char* name : {".at", ".body", ".space", ".from", ".to", ".name"})
+      if (findings_.failed(table + name)) return false;
+    return endsLater(draft_.forces[i], table);
+  }
+
+  bool isMisspelt(const std::string& table, std::initializer_list<const char*> names) const {
+    return std::ranges::any_of(names, [&](const char* name) { return findings_.misspelt(table + name); });
+  }
+
+  bool endsLater(const PointForceDraft& force, const std::string& table) {
+    if (!force.from || !force.to || *force.from < *force.to) return true;
+    findings_.refuse(table + ".to",
+                     fmt::format("must be later than from, got {} s after {} s", *force.to, *force.from));
+    return false;
+  }
+
   const ForcingDraft& draft_;
   const Body* body_;
   Findings& findings_;
@@ -178,9 +237,9 @@ class ForcingAssembly {
 
 }  // namespace
 
-physics::Forcing assembleForcing(const Draft& draft, const Body* body, Findings& findings,
-                                 const SceneFolder& folder) {
-  return ForcingAssembly(draft, body, findings, folder).run();
+void assembleForcing(const Draft& draft, const Body* body, Findings& findings, const SceneFolder& folder,
+                     Motion& motion) {
+  motion.forcing = ForcingAssembly(draft, body, findings, folder).run(motion.forceNames);
 }
 
 std::optional<Flight> assembleFlight(const Draft& draft, Findings& findings) {

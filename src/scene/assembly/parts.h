@@ -22,11 +22,12 @@ bool massIsUnknown(const Findings& findings);
 inline constexpr const char* kNeedsMass =
     "needs a body with a mass; give body.mass in addition to the moments of inertia";
 
-/// Makes the forcing of the body from the keys in [motion]: gravity, torques, drag, dissipation. Reports problems
-/// to `findings`.
+/// Makes the forcing of the body from the keys in [motion]: gravity, torques, forces at points, drag, dissipation.
+/// Reports problems to `findings`.
 /// @param body  null if the body is invalid
-physics::Forcing assembleForcing(const Draft& draft, const Body* body, Findings& findings,
-                                 const SceneFolder& folder);
+/// @param motion  receives the forcing and the labels of the forces
+void assembleForcing(const Draft& draft, const Body* body, Findings& findings, const SceneFolder& folder,
+                     Motion& motion);
 
 /// Makes the flight of a thrown body. Returns nullopt if the scene has no table [motion.flight].
 std::optional<Flight> assembleFlight(const Draft& draft, Findings& findings);

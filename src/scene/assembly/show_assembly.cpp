@@ -79,6 +79,12 @@ void checkThrown(const Scene& scene, const std::string& prefix, Findings& findin
     findings.refuse(total, kNeedsMass);
 }
 
+void checkForces(const std::string& prefix, Findings& findings, const Show& show) {
+  const std::string path = prefix + "show.forces";
+  if (findings.count("motion.force") == 0 && findings.hasBelow(path) && show.figures.forces.visible)
+    findings.refuse(path, "no force acts at a point of the body: give [[motion.force]], or leave it out");
+}
+
 /// Rejects visible cones and the decomposition of omega if the motion has no steady precession.
 void checkPrecession(const Scene& scene, const std::optional<Rest>& rest, const std::string& prefix,
                      Findings& findings, const Show& show) {
@@ -115,6 +121,7 @@ void assembleVisible(const Scene& scene, const std::optional<Rest>& rest, const 
                      Findings& findings, Show& show) {
   const Motion& motion = scene.motion;
   checkThrown(scene, prefix, findings, show);
+  checkForces(prefix, findings, show);
   checkPrecession(scene, rest, prefix, findings, show);
   if (!momentumIsConstant(motion.forcing)) withoutConstruction(prefix, findings, show);
   const std::string shown = rest ? needingRotation(prefix, show) : "";

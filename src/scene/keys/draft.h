@@ -87,6 +87,12 @@ struct TorqueStepDraft {
   std::optional<Eigen::Vector3d> torque_B, torque_W;
 };
 
+struct PointForceDraft {
+  std::optional<Eigen::Vector3d> at_B, force_B, force_W;
+  std::optional<double> from, to;
+  std::optional<std::string> name;
+};
+
 struct ForcingDraft {
   std::optional<Eigen::Vector3d> mgr_B, torque_B, torque_W, dragRates;
   std::optional<double> g, dissipation;
@@ -94,6 +100,7 @@ struct ForcingDraft {
   int fileAxes = 0;       ///< axes of the torque file; 0: body, 1: space
   int interpolation = 0;  ///< of the torque between two times of the file; 0: linear, 1: steps
   std::vector<TorqueStepDraft> steps;
+  std::vector<PointForceDraft> forces;
 };
 
 struct FlightDraft {

@@ -12,6 +12,8 @@ using enum Dimension;
 constexpr Range kTorques{.least = 1e-140, .most = kMostTorque, .ofSize = true};
 constexpr Range kAccelerations{.least = 1e-12, .most = 1e12, .ofSize = true};
 constexpr Range kVelocities{.least = 1e-12, .most = 1e12, .ofSize = true};
+constexpr Range kForces{.least = 1e-30, .most = 1e30, .ofSize = true};
+constexpr Range kForceName{.least = 0, .most = 80};
 constexpr Range kPull{.least = 0, .most = 1e12};
 constexpr Range kRates{.least = 0, .most = 1e20};  // decay rates; rate times time is an exponent
 constexpr Range kAlphas{.least = 0, .most = 1e100};
@@ -19,6 +21,11 @@ constexpr Range kAlphas{.least = 0, .most = 1e100};
 template <class F>
 Put intoStep(F place) {
   return into([place](Draft& d, std::size_t i) { return place(elementAt(d.forcing.steps, i)); });
+}
+
+template <class F>
+Put intoForce(F place) {
+  return into([place](Draft& d, std::size_t i) { return place(elementAt(d.forcing.forces, i)); });
 }
 
 std::vector<Key> gravityKeys() {
@@ -109,6 +116,54 @@ std::vector<Key> stepKeys() {
   };
 }
 
+std::vector<Key> forceKeys() {
+  return {
+      {.path = "motion.force[].at",
+       .type = kVector,
+       .dimension = kLength,
+       .range = kPositions,
+       .example = "[0.3, 0, \"-5 cm\"]",
+       .help = "Point of the body at which the force acts, in the axes in which the body is described. The torque "
+               "is that about body.pivot or, without a pivot, about the centre of mass. If the body has no mass, "
+               "this reference point is the origin of the body's axes.",
+       .put = intoForce([](PointForceDraft& f) { return &f.at_B; })},
+      {.path = "motion.force[].space",
+       .type = kVector,
+       .dimension = kForce,
+       .range = kForces,
+       .example = "[0, \"2 kN\", 0]",
+       .help = "Force that keeps its direction in space, in world axes. A force has `space` or `body`, not both.",
+       .put = intoForce([](PointForceDraft& f) { return &f.force_W; })},
+      {.path = "motion.force[].body",
+       .type = kVector,
+       .dimension = kForce,
+       .range = kForces,
+       .example = "[\"20 mN\", 0, 0]",
+       .help = "Force that turns with the body, as that of a thruster does, in body axes.",
+       .put = intoForce([](PointForceDraft& f) { return &f.force_B; })},
+      {.path = "motion.force[].from",
+       .dimension = kTime,
+       .range = kInstants,
+       .example = "-2.5",
+       .help = "Motion time at which the force begins. By default, it acts from the beginning.",
+       .put = intoForce([](PointForceDraft& f) { return &f.from; })},
+      {.path = "motion.force[].to",
+       .dimension = kTime,
+       .range = kInstants,
+       .example = "3.5",
+       .help = "Motion time at which the force ends. By default, it never ends.",
+       .put = intoForce([](PointForceDraft& f) { return &f.to; })},
+      {.path = "motion.force[].name",
+       .type = kText,
+       .range = kForceName,
+       .example = "'$\\mathbf{F}_a$'",
+       .help = "Text at the arrow of the force. By default, it is F or, if there are several forces, F with the "
+               "number of the force.",
+       .isTex = true,
+       .put = intoForce([](PointForceDraft& f) { return &f.name; })},
+  };
+}
+
 std::vector<Key> lossKeys() {
   return {
       {.path = "motion.drag.rate",
@@ -160,7 +215,7 @@ std::vector<Key> flightKeys() {
 }  // namespace
 
 std::vector<Key> forcingKeys() {
-  return joined({gravityKeys(), torqueKeys(), stepKeys(), lossKeys(), flightKeys()});
+  return joined({gravityKeys(), torqueKeys(), stepKeys(), forceKeys(), lossKeys(), flightKeys()});
 }
 
 }  // namespace poinsot::scene

@@ -241,7 +241,7 @@ std::vector<Key> polhodeKeys(const ShowTable& table) {
 }
 
 std::vector<Key> vectorKeys(const ShowTable& table) {
-  const FigureKeys torque(table, "torque"), plane(table, "plane_of_L");
+  const FigureKeys torque(table, "torque"), forces(table, "forces"), plane(table, "plane_of_L");
   return {
       torque.visible(
           "The torque on the body: gravity, given torques and drag together.",
@@ -249,6 +249,13 @@ std::vector<Key> vectorKeys(const ShowTable& table) {
       torque.scale(
           "Factor on the length of the torque's arrow. The length is relative to the largest torque of the film.",
           [](ShownFigures & f) -> auto& { return f.torque.scale; }),
+      forces.flag(
+          "visible", true,
+          "An arrow for each force of [[motion.force]], at its point of the body, while the force acts.",
+          [](ShownFigures & f) -> auto& { return f.forces.visible; }),
+      forces.scale(
+          "Factor on the lengths of the forces' arrows. The lengths are relative to the largest of the forces.",
+          [](ShownFigures & f) -> auto& { return f.forces.scale; }),
       plane.visible(
           "The plane that contains L and omega. The axis of a symmetric top lies in this plane too.",
           [](ShownFigures & f) -> auto& { return f.planeOfL.visible; }),

@@ -38,6 +38,7 @@ command also prints a note for each likely mistake:
 - a `hold` (a standstill) that would last beyond the film's end
 - a caption that a later caption hides
 - a film that shows less than a tenth of a turn of a heavy top's precession
+- a force that begins after the film's end, or ends before the start
 
 To override a key of a scene, add the option `-D key.path=value` to any command that takes a scene. For example,
 `-D time.duration=5 -D style.theme=dark` overrides two keys. poinsot checks such a value like a value in the file.

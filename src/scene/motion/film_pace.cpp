@@ -108,4 +108,20 @@ void doubtPrecession(const Scene& scene, Findings& findings) {
                   turns, *round_s, remedy(scene, *round_s, std::copysign(played_s, speed))));
 }
 
+void doubtForces(const Scene& scene, Findings& findings) {
+  const double from_s = scene.time.start_s;
+  const double to_s = FilmClock(from_s, chosenSpeed(scene), scene.timeline).motionTime_s(scene.time.duration_s);
+  const double first_s = std::min({0.0, from_s, to_s}), last_s = std::max({0.0, from_s, to_s});
+  const auto& forces = scene.motion.forcing.forces;
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const bool early = forces[i].to_s <= first_s;
+    if (!early && forces[i].from_s < last_s) continue;
+    findings.doubt(
+        fmt::format("motion.force[{}].{}", i, early ? "to" : "from"),
+        fmt::format("the force {} at {:g} s, so it never acts: the film shows the motion from {:g} s to "
+                    "{:g} s, and the start is given at 0 s",
+                    early ? "ends" : "begins", early ? forces[i].to_s : forces[i].from_s, from_s, to_s));
+  }
+}
+
 }  // namespace poinsot::scene

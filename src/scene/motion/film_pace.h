@@ -23,4 +23,8 @@ std::optional<double> precessionPeriod_s(const Scene& scene);
 /// @pre a scene without problems
 void doubtPrecession(const Scene& scene, Findings& findings);
 
+/// Adds a note for each force that never acts between motion time 0 and the ends of the film.
+/// @pre a scene without problems
+void doubtForces(const Scene& scene, Findings& findings);
+
 }  // namespace poinsot::scene

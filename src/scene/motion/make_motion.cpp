@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/error.h"
 #include "physics/driven_motion.h"
@@ -70,6 +71,12 @@ Eigen::Vector3d undrawnOmega_P(const Scene& scene, const Eigen::Vector3d& drawn_
   if (scene.show.exaggerateAngles == 1) return drawn_P;
   const int axis = spinAxis(startOmega_P(scene));
   return exaggerated(drawn_P, axis, 1 / scene.show.exaggerateAngles);
+}
+
+std::optional<physics::FlightPath> flightPath(const Scene& scene, const physics::Motion& motion) {
+  if (!scene.motion.flight) return std::nullopt;
+  const double mass_kg = scene.body.mass ? scene.body.mass->mass_kg() : std::numeric_limits<double>::quiet_NaN();
+  return physics::FlightPath(*scene.motion.flight, mass_kg, motion);
 }
 
 std::unique_ptr<const physics::Motion> makeMotion(const Scene& scene, double from_s, double to_s) {

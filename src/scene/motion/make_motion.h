@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
+#include "physics/flight_path.h"
 #include "physics/level_attitude.h"
 #include "physics/motion.h"
 #include "physics/unaligned_types.h"
@@ -33,6 +35,11 @@ int spinAxis(const Eigen::Vector3d& omega_P);
 Eigen::Vector3d drawnOmega_P(const Scene& scene);
 /// Returns the omega for which drawnOmega_P() returns `drawn_P`.
 Eigen::Vector3d undrawnOmega_P(const Scene& scene, const Eigen::Vector3d& drawn_P);
+
+/// Returns the flight of a thrown body under gravity and forces, over the span of its motion; nullopt for a body
+/// that is not thrown.
+/// @throws core::Error(kLimit) as physics::FlightPath does.
+std::optional<physics::FlightPath> flightPath(const Scene& scene, const physics::Motion& motion);
 
 /// Makes the motion of a scene. The motion is valid at all times between 0, from_s and to_s, in any order. If no
 /// forcing acts, the motion is exact; otherwise it is integrated to Motion::tolerance_rad.

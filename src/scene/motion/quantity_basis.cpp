@@ -17,7 +17,9 @@ std::optional<ThrownBody> thrownBody(const Scene& scene) {
 
 QuantityBasis quantityBasis(const Scene& scene, const physics::Motion& motion) {
   const physics::RigidBodyState start = motion.at(scene.time.start_s);
-  return {motion.axes(), scene.motion.forcing, motion.axes().toP(start.omega_B), thrownBody(scene)};
+  QuantityBasis basis(motion.axes(), scene.motion.forcing, motion.axes().toP(start.omega_B), thrownBody(scene));
+  basis.follow(motion);
+  return basis;
 }
 
 }  // namespace poinsot::scene

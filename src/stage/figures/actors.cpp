@@ -12,6 +12,7 @@
 #include "stage/figures/construction_figures.h"
 #include "stage/figures/decomposition_figure.h"
 #include "stage/figures/flight_figures.h"
+#include "stage/figures/forces_figure.h"
 #include "stage/figures/ghosts_figure.h"
 #include "stage/figures/main_axis_figure.h"
 #include "stage/figures/named_figures.h"
@@ -80,6 +81,7 @@ std::vector<ShownActor> makeActors(const Setting& setting) {
   addIf(figures.polhodes.visible, "polhodes", kA<PolhodesFigure>);
   addIf(figures.binet.visible, "binet", kA<BinetFigure>);
   addIf(figures.torque.visible, "torque", kA<TorqueFigure>);
+  addIf(figures.forces.visible && !setting.scene.motion.forcing.forces.empty(), "forces", kA<ForcesFigure>);
   addIf(figures.planeOfL.visible, "plane_of_L", kA<PlaneOfLFigure>);
   if (setting.motion.flight()) {
     addIf(true, "flight", kA<FlightFigure>);

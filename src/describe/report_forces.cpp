@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "describe/report_sections.h"
+#include "physics/fixed_order.h"
+#include "physics/torque.h"
+#include "scene/motion/make_motion.h"
+
+namespace poinsot::describe {
+namespace {
+
+using Eigen::Vector3d;
+
+void addForce(Section& section, const scene::Scene& scene, std::size_t i) {
+  const physics::PointForce& force = scene.motion.forcing.forces[i];
+  const std::string key = fmt::format("force_{}", i + 1);
+  section.add(key + "_point_B", fmt::format("force {} acts at the point", i + 1),
+              Vector3d(force.lever_B + scene.body.fixedPoint_B()), "m", "");
+  if (force.force_B.isZero(0))
+    section.add(key + "_W", "  fixed in space, in W", force.force_W, "N", "");
+  else
+    section.add(key + "_B", "  turns with the body, in B", force.force_B, "N", "");
+  if (std::isfinite(force.from_s)) section.add(key + "_from", "  from", force.from_s, "s", "motion time");
+  if (std::isfinite(force.to_s)) section.add(key + "_to", "  to", force.to_s, "s", "motion time");
+}
+
+/// Adds the sums of the forces that act at a time.
+/// @param when  suffix of the keys, such as "_at_start"
+/// @param words  time in words
+void addSums(Section& section, const scene::Scene& scene, const physics::Motion& motion, double t_s,
+             const std::string& when, const std::string& words) {
+  const physics::Forcing& forcing = scene.motion.forcing;
+  const physics::RigidBodyState state = motion.at(t_s);
+  const Vector3d sum_W = totalForce_W(forcing, state), torque_W = torqueOfForces_W(forcing, state);
+  section.add("forces" + when + "_W", fmt::format("sum of the forces at {}, in W", words), sum_W, "N", "eq 1");
+  section.add("forces_torque" + when + "_W",
+              scene.body.pivot_B ? "  torque about the pivot, in W" : "  torque about the centre of mass, in W",
+              torque_W, "N m", scene.body.pivot_B ? "eq 8" : "eq 9");
+  if (const auto path = scene::flightPath(scene, motion))
+    section.add("forces_torque_about_origin" + when + "_W", "  torque about the origin O, in W",
+                Vector3d(physics::crossProduct(path->positionAt(t_s), sum_W) + torque_W), "N m", "eq 8");
+}
+
+}  // namespace
+
+Section forcesSection(const scene::Scene& scene, const physics::Motion& motion, const ReportSpan& span) {
+  Section section{"Forces at points of the body (B: axes of the scene, W: inertial axes)", {}};
+  const std::size_t count = scene.motion.forcing.forces.size();
+  if (count == 0) return section;
+  for (std::size_t i = 0; i < count; ++i) addForce(section, scene, i);
+  addSums(section, scene, motion, 0, "", "motion time 0");
+  if (span.from_s != 0) addSums(section, scene, motion, span.from_s, "_at_start", "the film's start");
+  return section;
+}
+
+}  // namespace poinsot::describe
