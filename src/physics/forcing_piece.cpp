@@ -26,22 +26,38 @@ Line lineOf(const TorqueHistory& history, double inside, double reference) {
   return {value + (reference - t[next - 1]) * slope, slope};
 }
 
-/// Adds the torque of the forces that act at time `inside` to a piece.
-void addForces(const Forcing& forcing, const PrincipalAxes& axes, double inside, ForcingPiece& piece) {
+/// Force at a point, with its torque along P.
+struct PushingForce {
+  const PointForce* force;
+  std::array<double, 3> torque_P;  // of the part that turns with the body
+  LeverTorque lever;               // of the part that keeps its direction in space
+};
+
+std::vector<PushingForce> pushingForces(const Forcing& forcing, const PrincipalAxes& axes) {
+  std::vector<PushingForce> all;
   for (const PointForce& force : forcing.forces) {
-    if (!force.actsAt(inside)) continue;
-    const Eigen::Vector3d torque_P = axes.toP(crossProduct(force.lever_B, force.force_B));
+    PushingForce pushing{&force, components(axes.toP(crossProduct(force.lever_B, force.force_B))), {}};
     const Eigen::Vector3d lever_P = axes.toP(force.lever_B);
+    for (std::size_t c = 0; c < 3; ++c)
+      pushing.lever.columns_P[c] = components(lever_P * force.force_W[static_cast<Eigen::Index>(c)]);
+    all.push_back(pushing);
+  }
+  return all;
+}
+
+/// Adds the torques of the forces that act at the time `inside` to a piece.
+void addForces(const std::vector<PushingForce>& forces, double inside, ForcingPiece& piece) {
+  for (const PushingForce& pushing : forces) {
+    if (!pushing.force->actsAt(inside)) continue;
     for (std::size_t i = 0; i < 3; ++i) {
-      piece.torque_P.start[i] += torque_P[static_cast<Eigen::Index>(i)];
-      for (std::size_t c = 0; c < 3; ++c)
-        piece.lever.columns_P[c][i] +=
-            lever_P[static_cast<Eigen::Index>(i)] * force.force_W[static_cast<Eigen::Index>(c)];
+      piece.torque_P.start[i] += pushing.torque_P[i];
+      for (std::size_t c = 0; c < 3; ++c) piece.lever.columns_P[c][i] += pushing.lever.columns_P[c][i];
     }
   }
 }
 
-ForcingPiece pieceBetween(const Forcing& forcing, const PrincipalAxes& axes, double begin, double end) {
+ForcingPiece pieceBetween(const Forcing& forcing, const std::vector<PushingForce>& forces,
+                          const PrincipalAxes& axes, double begin, double end) {
   const double inside = begin + 0.5 * (end - begin);
   const Line body = lineOf(forcing.torqueHistory_B, inside, begin);
   const Line space = lineOf(forcing.torqueHistory_W, inside, begin);
@@ -50,8 +66,8 @@ ForcingPiece pieceBetween(const Forcing& forcing, const PrincipalAxes& axes, dou
                      {components(axes.toP(forcing.torque_B + body.value)), components(axes.toP(body.slope))},
                      {components(forcing.torque_W + space.value), components(space.slope)},
                      {},
-                     !forcing.forces.empty()};
-  addForces(forcing, axes, inside, piece);
+                     !forces.empty()};
+  addForces(forces, inside, piece);
   return piece;
 }
 
@@ -80,8 +96,9 @@ std::vector<ForcingPiece> forcingPieces(const Forcing& forcing, const PrincipalA
   std::vector<ForcingPiece> pieces;
   if (end_s == 0) return pieces;
   const std::vector<double> times = forcingTimes(forcing, end_s);
+  const std::vector<PushingForce> forces = pushingForces(forcing, axes);
   for (std::size_t i = 0; i + 1 < times.size(); ++i)
-    pieces.push_back(pieceBetween(forcing, axes, times[i], times[i + 1]));
+    pieces.push_back(pieceBetween(forcing, forces, axes, times[i], times[i + 1]));
   return pieces;
 }
 

@@ -88,8 +88,8 @@ void expectLikeOracle(const char* name, const DrivenCase& c, const std::vector<d
     attitude = std::max(attitude, TaylorOracle<Real30>::angle(state.q, tested.q_WB));
     L = std::max(L, TaylorOracle<Real30>::distance(Oracle::momentum_W(state), tested.L_W));
   }
-  expectResidual(name, attitude, 1e-12);
-  expectResidual("  L", L, 1e-12);
+  expectResidual(name, attitude, 1e-12);  // measured 1.3e-14 to 1.1e-13
+  expectResidual("  L", L, 1e-12);        // measured 1.4e-14 to 1.5e-13
   EXPECT_LE(attitude, 3 * motion.report().estimatedAttitudeError_rad) << name;
   EXPECT_FALSE(motion.report().energyDrift) << name;
 }
@@ -135,10 +135,10 @@ TEST(PointForce, LeavesAFreeMotionOutsideItsWindow) {
   const auto angle = [](const RigidBodyState& a, const RigidBodyState& b) {
     return 2 * (a.q_WB.conjugate() * b.q_WB).vec().norm();
   };
-  expectResidual("before", angle(motion.at(1.7), before.at(1.7)), 1e-14);
+  expectResidual("before", angle(motion.at(1.7), before.at(1.7)), 1e-14);  // measured 2.5e-16
   double worst = 0;
   for (double t = 3; t <= 30; t += 0.6875) worst = std::max(worst, angle(motion.at(t), after.at(t - 3)));
-  expectResidual("after", worst, 5e-13);
+  expectResidual("after", worst, 5e-13);  // measured 6.6e-15
 }
 
 // lever × force is (0.5, 0.25, -0.5) × (1, -2, 0.5) = (-0.875, -0.75, -1.25), exact in doubles.
@@ -160,7 +160,7 @@ TEST(PointForce, DownwardsInSpaceIsGravity) {
   double worst = 0;
   for (double t = 0; t <= 20; t += 1.1875)
     worst = std::max(worst, 2 * (a.at(t).q_WB.conjugate() * b.at(t).q_WB).vec().norm());
-  expectResidual("gravity as a force", worst, 2e-12);
+  expectResidual("gravity as a force", worst, 2e-12);  // measured: equal
 }
 
 /// Returns the rate of change of f at t, by a difference of sixth order.
@@ -203,21 +203,20 @@ TEST(PointForce, SumsAreTheRatesOfChangeOfPAndL) {
                         .norm());
     R = std::max(R, (kMass * rateOf([&](double s) { return thrown.path.positionAt(s); }, t) - q.P_W).norm());
   }
-  expectResidual("dP/dt - F", P, 1e-9);
-  expectResidual("dL_tot/dt - N, relative", total, 1e-9);
-  expectResidual("dL/dt - N", L, 1e-9);
-  expectResidual("M dR/dt - P", R, 1e-9);
+  expectResidual("dP/dt - F", P, 1e-9);                    // measured 3.7e-12
+  expectResidual("dL_tot/dt - N, relative", total, 1e-9);  // measured 2.1e-13
+  expectResidual("dL/dt - N", L, 1e-9);                    // measured 3.2e-13
+  expectResidual("M dR/dt - P", R, 1e-9);                  // measured 1.2e-11
 }
 
 TEST(PointForce, MovesTheCentreOfMassLikeTheOracle) {
   DrivenCase c = withForces(overlapping());
   c.span = {-7, 40};
-  const Thrown thrown(c);
+  const Thrown thrown(c, {Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()});
   double velocity = 0, position = 0;
   for (const double t : {-7.0, -4.2, -1.75, -0.3, 0.5, 1.6, 3.0, 4.0, 9.0, 12.0, 23.3, 40.0}) {
     const auto state = led(c, t);
-    const Vector3d v = thrown.flight.velocityAt(t) + toVector(state.impulse) / kMass;
-    const Vector3d r = thrown.flight.positionAt(t) + toVector(state.shift) / kMass;
+    const Vector3d v = toVector(state.impulse) / kMass, r = toVector(state.shift) / kMass;
     velocity = std::max(velocity, (thrown.path.velocityAt(t) - v).norm() / v.norm());
     position = std::max(position, (thrown.path.positionAt(t) - r).norm() / r.norm());
   }
@@ -242,8 +241,8 @@ TEST(PointForce, ThroughTheCentreTurnsWithASpinningBody) {
     velocity = std::max(velocity, (thrown.path.velocityAt(t) - v).norm());
     position = std::max(position, (thrown.path.positionAt(t) - r).norm());
   }
-  expectResidual("V, m/s", velocity, 1e-12);
-  expectResidual("R, m", position, 1e-11);  // of 40 m
+  expectResidual("V, m/s", velocity, 1e-12);  // measured 2.1e-14
+  expectResidual("R, m", position, 1e-11);    // measured 2.3e-12, of 60 m
 }
 
 // R = R0 + V0 t + (g + F/M) t²/2 while the force acts, then a straight line plus free fall.
@@ -292,7 +291,8 @@ TEST(PointForce, BlowAtTheCentreOfPercussionLeavesTheEndAtRest) {
   const Vector3d end_W = thrown.path.velocityAt(blow_s) + after.omega_W.cross(after.q_WB * Vector3d(-l / 2, 0, 0));
   EXPECT_NEAR(thrown.path.velocityAt(blow_s)[1], J / kMass, 1e-15);
   EXPECT_NEAR(after.omega_W[2], 2 * J / (kMass * l), 1e-12);
-  expectResidual("velocity of the end, m/s", end_W.norm(), 1e-6);  // the rod turns by 2.5e-7 rad during the blow
+  // The rod turns by 2.5e-7 rad during the blow. Measured 7.5e-8.
+  expectResidual("velocity of the end, m/s", end_W.norm(), 1e-6);
   // Hung at this end, the rod needs no force of the pivot: the blow gives its centre of mass the acceleration F/M.
   DrivenCase hung = rod;
   hung.I = {1e-4, kMass * l * l / 3, kMass * l * l / 3};

@@ -22,6 +22,8 @@ ForcesFigure::ForcesFigure(const Setting& setting) {
   const scene::Motion& motion = setting.scene.motion;
   double largest = 0;
   for (const physics::PointForce& force : motion.forcing.forces) largest = std::max(largest, sizeOf(force));
+  std::vector<PictureState> states;
+  for (const PathPoint& p : setting.motion.outline()) states.push_back(setting.motion.atPlayed(p.played_s));
   const double scale = largest > 0 ? kLongestForce * setting.scene.show.figures.forces.scale / largest : 0;
   for (std::size_t i = 0; i < motion.forcing.forces.size(); ++i) {
     const physics::PointForce& force = motion.forcing.forces[i];
@@ -32,7 +34,7 @@ ForcesFigure::ForcesFigure(const Setting& setting) {
                 force.to_s,
                 false,
                 motion.forceNames[i]};
-    drawn.endsAtPoint = leadsInwards(setting, drawn);
+    drawn.endsAtPoint = leadsInwards(setting, states, drawn);
     forces_.push_back(std::move(drawn));
   }
 }
@@ -43,12 +45,12 @@ Vector3d ForcesFigure::along_V(const Drawn& force, const PictureState& state) co
 
 /// Returns whether a force points towards the centre of mass when it begins. The arrow keeps its end at the point
 /// while the body turns, so that it does not jump.
-bool ForcesFigure::leadsInwards(const Setting& setting, const Drawn& force) const {
+bool ForcesFigure::leadsInwards(const Setting& setting, const std::vector<PictureState>& states,
+                                const Drawn& force) const {
   const scene::Body& body = setting.scene.body;
   const Vector3d centre_B = body.mass ? Vector3d(body.mass->centre_B() - body.fixedPoint_B()) : Vector3d::Zero();
   const Vector3d outwards_B = force.point_B - setting.scales.body * centre_B;
-  for (const PathPoint& p : setting.motion.outline()) {
-    const PictureState state = setting.motion.atPlayed(p.played_s);
+  for (const PictureState& state : states) {
     if (!(force.from_s <= state.t_s && state.t_s < force.to_s)) continue;
     const Vector3d along = along_V(force, state);
     return along.dot(state.R_VB * outwards_B) < -kInwards * along.norm() * outwards_B.norm();

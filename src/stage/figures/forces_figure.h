@@ -38,7 +38,7 @@ class ForcesFigure final : public Actor {
   };
 
   Eigen::Vector3d along_V(const Drawn& force, const PictureState& state) const;
-  bool leadsInwards(const Setting& setting, const Drawn& force) const;
+  bool leadsInwards(const Setting& setting, const std::vector<PictureState>& states, const Drawn& force) const;
 
   std::vector<Drawn> forces_;
 };
