@@ -19,6 +19,7 @@ namespace poinsot::physics {
 /// or below the accuracy of the rotation. The polynomials are integrated twice.
 class FlightPath {
  public:
+  FlightPath() = default;
   /// Makes the flight under gravity alone, a parabola.
   // NOLINTNEXTLINE(google-explicit-constructor): every parabola is a flight, exactly.
   FlightPath(const Flight& flight) : gravity_(flight) {}
