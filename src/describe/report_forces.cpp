@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "describe/report_sections.h"
@@ -12,6 +13,25 @@ namespace poinsot::describe {
 namespace {
 
 using Eigen::Vector3d;
+
+/// Adds the torque r x F of a force, in the axes in which the scene gives the force. In space it depends on the
+/// attitude, which is that at the time when the force begins.
+void addTorque(Section& section, const scene::Scene& scene, const physics::Motion& motion, const ReportSpan& span,
+               std::size_t i) {
+  const physics::PointForce& force = scene.motion.forcing.forces[i];
+  const std::string key = fmt::format("force_{}_torque", i + 1);
+  if (force.force_W.isZero(0)) {
+    section.add(key + "_B", "  torque r x F, in B", physics::crossProduct(force.lever_B, force.force_B), "N m",
+                "eq 9");
+    return;
+  }
+  const double begin_s = std::isfinite(force.from_s) ? force.from_s : 0;
+  if (begin_s < std::min({0.0, span.from_s, span.to_s}) || begin_s > std::max({0.0, span.from_s, span.to_s}))
+    return;
+  const Vector3d lever_W = motion.at(begin_s).q_WB * force.lever_B;
+  section.add(key + "_W", fmt::format("  torque r x F at {:g} s, in W", begin_s),
+              physics::crossProduct(lever_W, force.force_W), "N m", "eq 9");
+}
 
 void addForce(Section& section, const scene::Scene& scene, std::size_t i) {
   const physics::PointForce& force = scene.motion.forcing.forces[i];
@@ -49,7 +69,10 @@ Section forcesSection(const scene::Scene& scene, const physics::Motion& motion, 
   Section section{"Forces at points of the body (B: axes of the scene, W: inertial axes)", {}};
   const std::size_t count = scene.motion.forcing.forces.size();
   if (count == 0) return section;
-  for (std::size_t i = 0; i < count; ++i) addForce(section, scene, i);
+  for (std::size_t i = 0; i < count; ++i) {
+    addForce(section, scene, i);
+    addTorque(section, scene, motion, span, i);
+  }
   addSums(section, scene, motion, 0, "", "motion time 0");
   if (span.from_s != 0) addSums(section, scene, motion, span.from_s, "_at_start", "the film's start");
   return section;

@@ -74,6 +74,7 @@ class DrivenMotion final : public Motion {
 
   const PrincipalAxes& axes() const override;
   double dissipation() const override { return forcing().dissipation; }
+  const DrivenMotion* driven() const override { return this; }
   const Forcing& forcing() const;
   const DrivenMotionReport& report() const;
   /// Returns the span for which the motion was computed, with from_s <= 0 <= to_s. It is infinite for a motion in

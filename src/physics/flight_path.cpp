@@ -210,7 +210,7 @@ struct FlightPath::Pushed {
 };
 
 FlightPath::FlightPath(const Flight& flight, double mass_kg, const Motion& motion) : gravity_(flight) {
-  const auto* driven = dynamic_cast<const DrivenMotion*>(&motion);
+  const DrivenMotion* driven = motion.driven();
   if (!driven || driven->forcing().forces.empty()) return;
   requireFlightMass(mass_kg);
   auto pushed = std::make_shared<Pushed>();

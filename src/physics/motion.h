@@ -21,6 +21,8 @@ inline constexpr double kExactPhase_rad = 1e14;
 /// Reports that a motion has no state at a time. @throws core::Error(kLimit) always.
 [[noreturn]] void refuseTime(double t_s);
 
+class DrivenMotion;
+
 /// Rotation of a rigid body about its centre of mass or a fixed point, available at any time. Immutable and
 /// thread-safe: at(t) depends on t alone.
 class Motion {
@@ -41,6 +43,10 @@ class Motion {
   /// Returns the rate alpha of energy loss at constant L, s/(kg·m²) (forcing.h), or 0 if the motion has no such
   /// loss.
   virtual double dissipation() const = 0;
+
+  /// Returns the motion as a driven motion, which has a forcing, or null for other motions. A wrapper returns the
+  /// motion that it wraps.
+  virtual const DrivenMotion* driven() const { return nullptr; }
 
  protected:
   Motion() = default;

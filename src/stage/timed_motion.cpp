@@ -17,6 +17,7 @@ class TimedMotion : public physics::Motion {
   }
   const physics::PrincipalAxes& axes() const override { return motion_->axes(); }
   double dissipation() const override { return motion_->dissipation(); }
+  const physics::DrivenMotion* driven() const override { return motion_->driven(); }
 
  private:
   std::shared_ptr<const physics::Motion> motion_;

@@ -262,6 +262,8 @@ TEST(Report, SumsTheForcesAtPoints) {
   EXPECT_EQ(facts.at("force_1_point_B"), json::parse("[3, 0, 0]"));
   EXPECT_EQ(facts.at("force_1_W"), json::parse("[0, 0, 3]"));
   EXPECT_EQ(facts.at("force_2_B"), json::parse("[7, 0, 0]"));
+  EXPECT_EQ(facts.at("force_1_torque_W"), json::parse("[0, -6, 0]"));
+  EXPECT_EQ(facts.at("force_2_torque_B"), json::parse("[0, 0, -7]"));
   EXPECT_EQ(facts.at("force_2_from"), 1.5);
   EXPECT_FALSE(facts.contains("force_1_from") || facts.contains("force_2_to"));
   EXPECT_EQ(facts.at("forces_W"), json::parse("[0, 0, 3]"));

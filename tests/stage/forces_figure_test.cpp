@@ -6,6 +6,7 @@
 
 #include "scene_samples.h"
 #include "scenery.h"
+#include "stage/timed_motion.h"
 
 namespace poinsot::stage {
 namespace {
@@ -80,6 +81,9 @@ TEST(ForcesFigure, MovesTheCentreOfMassOfAThrownBody) {
   const PictureState state = s.motion.at(3);
   EXPECT_LT((state.velocity_V - Vector3d(0, 1.5, 0)).norm(), 1e-14);
   EXPECT_LT((state.centre_V - Vector3d(0, 2.25, 0)).norm(), 1e-14);
+  core::StepLedger steps;
+  const PictureMotion measured(s.scene, timed(drawnMotion(s.scene), &steps));
+  EXPECT_EQ(measured.at(3).velocity_V, state.velocity_V);
   EXPECT_LT((state.torque_V - (state.R_VB * Vector3d(1.5, 0, 0)).cross(Vector3d(0, 2, 0))).norm(), 1e-14);
 }
 

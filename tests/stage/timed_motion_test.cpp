@@ -21,6 +21,7 @@ TEST(TimedMotion, ReturnsTheStatesOfTheMotionItTimes) {
   const physics::RigidBodyState state = timedMotion->at(2);
   EXPECT_EQ(state.omega_B, motion->at(2).omega_B);
   EXPECT_EQ(timedMotion->dissipation(), 0.05);
+  EXPECT_EQ(timedMotion->driven(), motion.get());
   EXPECT_EQ(physics::turningRate_B(*timedMotion, state), physics::turningRate_B(*motion, state));
   EXPECT_EQ(physics::turningRate_W(*timedMotion, state), physics::turningRate_W(*motion, state));
 }
