@@ -255,7 +255,7 @@ TEST(Report, KeysOfGalleryScenesAreDocumented) {
 TEST(Report, SumsTheForcesAtPoints) {
   const json facts = json::parse(
       reportJson(reportOf("[body]\nprincipal_moments = [1, 2, 2.5]\nmass = 4\ncentre_of_mass = [1, 0, "
-                          "0]\n[motion]\nomega_body = [0, 0, 1e-9]\n"
+                          "0]\n[motion]\nomega_body = [0, 0, 0]\n"
                           "[motion.flight]\nposition = [0, 5, 0]\ngravity = [0, 0, 0]\n[time]\nduration = 2\n"
                           "[[motion.force]]\nat = [3, 0, 0]\nspace = [0, 0, 3]\n"
                           "[[motion.force]]\nat = [1, 1, 0]\nbody = [7, 0, 0]\nfrom = 1.5\n")));

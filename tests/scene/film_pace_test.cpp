@@ -64,6 +64,13 @@ double turnsOf(const Scene& scene, double time_s) {
   return turned / kTurn;
 }
 
+// A force of 1 N at 4 m turns a body of 400 kg m² at the rate sqrt(4/400) = 0.1 rad/s, and the pace is 2.1/0.1.
+TEST(FilmPace, FollowsForcesOnABodyAtRest) {
+  const std::string rest = "body.principal_moments=[400, 300, 200]\nmotion.omega_body=[0, 0, 0]\n";
+  EXPECT_NEAR(automaticPace(sceneOf(rest + "[[motion.force]]\nat=[0, 4, 0]\nspace=[0, 0, 1]\n")), 21, 1e-12);
+  EXPECT_EQ(automaticPace(sceneOf(rest + "[[motion.force]]\nat=[0, 4, 0]\nspace=[0, 0, 100]\n")), 1);
+}
+
 // I1 cos(60 deg) W² - I3 omega_3 W + M g l = 0 with W = 0.5 rad/s gives omega_3 = 6.5 rad/s, by hand.
 TEST(PrecessionPeriod, MatchesSteadyPrecession) {
   const double W = 0.5, root = std::sqrt(0.75);

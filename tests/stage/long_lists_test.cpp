@@ -26,7 +26,7 @@ constexpr List kLists[] = {
     {"part", "[[body.part]]\nshape = 'box'\nsize = 1\nmass = 1\noffset = [{0}, {2}, 0]\n"},
     {"point_mass", "[[body.point_mass]]\nmass = 1\nposition = [{0}, {2}, 1]\n", 400},
     {"torque_step", "[[motion.torque.step]]\nfrom = {1}\nbody = [0, 0, {2}]\n"},
-    {"force", "[[motion.force]]\nat = [{0}, 1, 0]\nbody = [0, 0, 0.00{2}]\nfrom = {1}\n", 1000},
+    {"force", "[[motion.force]]\nname = ''\nat = [{2}, 1, 0]\nbody = [0, 0, 1e-9]\nfrom = {1}\n", 800},
     {"speed", "[[timeline]]\nat = {1}\nover = 1e-4\nspeed = 0.{2}5\n"},
     {"hold", "[[timeline]]\nat = {1}\nover = 1e-4\nhold = 1e-4\n"},
     {"azimuth", "[[timeline]]\nat = {1}\nover = 1e-4\ncamera.azimuth = {2}\n"},

@@ -24,12 +24,22 @@ constexpr double kMostTurns = 5000;                   // turns of the body in on
 constexpr double kLeastPrecession = 0.1;              // turns of precession; a film with fewer seems to show none
 constexpr double kSeen_rad = std::numbers::pi / 180;  // smallest visible opening of a cone or nutation
 
+/// Returns the rate at which forces at points turn a body at rest, in rad/s: sqrt(N/I), where N is the largest
+/// torque that one of the forces can have, and I the largest moment.
+double rateOfForces(const Scene& scene) {
+  double torque = 0;
+  for (const physics::PointForce& force : scene.motion.forcing.forces)
+    torque = std::max(torque, force.lever_B.norm() * (force.force_B.norm() + force.force_W.norm()));
+  return std::sqrt(torque / scene.body.axes.moments().values().maxCoeff());
+}
+
 /// Returns the rate of the motion in rad/s: |omega| at the start or, if larger, the frequency of small swings of
-/// the hanging body. For this frequency, uses its lower bound sqrt(M g l/I), where I is the largest moment.
+/// the hanging body or the rate of forces. For the frequency, uses its lower bound sqrt(M g l/I), where I is the
+/// largest moment.
 double rateOfMotion(const Scene& scene) {
   const double swing =
       std::sqrt(scene.motion.forcing.gravity_B.norm() / scene.body.axes.moments().values().maxCoeff());
-  return std::max(scene.motion.omega_B.norm(), swing);
+  return std::max({scene.motion.omega_B.norm(), swing, rateOfForces(scene)});
 }
 
 double paceOfMotion(double rate) {
