@@ -104,8 +104,11 @@ def paragraphs(path, text):
 
 
 def sentences(text):
-    """Splits a paragraph at full stops, question marks and exclamation marks; a code span becomes one word."""
-    flat = re.sub(r"\s+", " ", re.sub(r"`[^`]*`", "`code`", text))
+    """Splits a paragraph at full stops, question marks and exclamation marks.
+
+    A code span becomes one word, and so does a list of quoted words, such as those that a key takes.
+    """
+    flat = re.sub(r"\s+", " ", re.sub(r'`[^`]*`|"\w+"(?:, "\w+")+', "`code`", text))
     flat = re.sub(r"\b(e\.g|i\.e|cf|vs|approx|Eq|Fig|No)\. ", r"\1 ", flat)
     return [part for part in re.split(r"(?<=[.!?])[)\"'”]* (?=[A-Z`(\"'“\d])", flat) if part]
 

@@ -52,6 +52,10 @@ class Words(unittest.TestCase):
     def test_counts_code_as_one_word_and_code_blocks_as_none(self):
         self.assertEqual(problems("a.md", f"`{SENTENCE}` {SENTENCE[5:]}\n\n```\nWord {SENTENCE}\n```\n"), [])
 
+    def test_counts_a_list_of_quoted_words_as_one_word(self):
+        listed = ", ".join(f'"word_{i}"' for i in range(words.MOST_WORDS + 1))
+        self.assertEqual(problems("a.md", f"| a | b |\n| - | - |\n| c | {listed} |\n"), [])
+
     def test_finds_a_page_with_too_many_long_sentences(self):
         page = "A word.\n\n" * 18 + f"{LONG}\n\n"
         self.assertEqual(problems("a.md", page + "A word.\n"), [])
