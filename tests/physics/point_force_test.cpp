@@ -220,8 +220,8 @@ TEST(PointForce, MovesTheCentreOfMassLikeTheOracle) {
     velocity = std::max(velocity, (thrown.path.velocityAt(t) - v).norm() / v.norm());
     position = std::max(position, (thrown.path.positionAt(t) - r).norm() / r.norm());
   }
-  expectResidual("V, relative", velocity, 1e-12);
-  expectResidual("R, relative", position, 1e-12);
+  expectResidual("V, relative", velocity, 1e-12);  // measured 1.04e-14
+  expectResidual("R, relative", position, 1e-12);  // measured 7e-15
 }
 
 // A symmetric body that spins about its axis at 3 rad/s, under a force across the axis at its centre of mass:
