@@ -49,6 +49,7 @@ set(POINSOT_PUBLIC_HEADERS
   physics/flight_path.h
   physics/forcing.h
   physics/free_motion.h
+  physics/geometric_phase.h
   physics/heavy_top.h
   physics/herpolhode.h
   physics/inertia_tensor.h

@@ -78,7 +78,9 @@ const std::vector<Thing>& thingsOfOmega() {
       {"the polhode on the body", [](const scene::Show& s) { return s.polhode.visible; }},
       {"the herpolhode in space", [](const scene::Show& s) { return s.herpolhode.visible; }},
       {"polhodes of other starts, with the separatrix",
-       [](const scene::Show& s) { return s.figures.polhodes.visible; }}};
+       [](const scene::Show& s) { return s.figures.polhodes.visible; }},
+      {"the area on the sphere that the polhode encloses",
+       [](const scene::Show& s) { return s.figures.binet.visible && s.figures.binet.area; }}};
   return things;
 }
 

@@ -206,6 +206,7 @@ constexpr Translation kGerman[] = {
     {"the parts of ω, as a parallelogram", "die Teile von ω als Parallelogramm"},
     {"the components of ω along the principal axes", "die Komponenten von ω entlang der Hauptachsen"},
     {"the body", "der Körper"},
+    {"the area on the sphere that the polhode encloses", "die Fläche der Kugel, die die Polhodie umschließt"},
     {"paler poses of it at other times", "blassere Lagen von ihm zu anderen Zeiten"},
     {"its principal axes e1, e2 and e3", "seine Hauptachsen e1, e2 und e3"},
     {"some of its principal axes", "einige seiner Hauptachsen"},

@@ -5,6 +5,7 @@
 #include "describe/report_sections.h"
 #include "physics/binet.h"
 #include "physics/herpolhode.h"
+#include "physics/geometric_phase.h"
 #include "physics/mean_periods.h"
 #include "physics/poinsot_construction.h"
 #include "physics/polhode.h"
@@ -164,6 +165,25 @@ void addPoleDistance(Section& section, const scene::Scene& scene, const Precessi
   section.add("pole_distance", "  at the end of k, omega is off by", reach_m * std::tan(cones.bodyCone_rad), "m",
               "half the length along k, times tan beta");
 }
+/// Adds Montgomery's phase. The facts are details, unless the scene draws the solid angle.
+void addGeometricPhase(Section& section, const scene::Scene& scene) {
+  const auto phase = physics::geometricPhase(scene.body.axes.moments(), scene::startOmega_P(scene));
+  if (!phase) return;
+  const bool isDrawn = std::ranges::any_of(scene.views, [](const scene::View& view) {
+    return view.show.figures.binet.visible && view.show.figures.binet.area;
+  });
+  const auto add = [&](const char* key, const char* label, double value, const char* unit, const char* from) {
+    section.add(key, label, value, unit, from).detail = !isDrawn;
+  };
+  add("period_turn", "turn of the body about L in a period of the polhode", phase->turn_rad, "rad",
+      "Montgomery; shows modulo 2 pi");
+  add("dynamic_phase", "  dynamic part", phase->dynamic_rad, "rad", "2 T Tp/L");
+  add("geometric_phase", "  geometric part", phase->geometric_rad, "rad",
+      phase->sense > 0 ? "minus the solid angle" : "the solid angle");
+  add("polhode_solid_angle", "solid angle of the polhode, from the centre", phase->solidAngle_sr, "sr",
+      "on the momentum sphere");
+}
+
 
 /// Reports whether a top resembles the Earth: (C - A)/A within 2 % and the spin within 1 %. The unit of the
 /// moments does not matter. Rigid models of the Earth differ by 1 % in (C - A)/A (0.0033 and 1/306). One turn a
@@ -206,6 +226,7 @@ Section constructionSection(const scene::Scene& scene) {
   if (!turnsFreely(scene)) return section;
   addEllipsoids(section, scene);
   addPolhode(section, scene);
+  addGeometricPhase(section, scene);
   addHerpolhode(section, scene);
   return section;
 }

@@ -45,8 +45,9 @@ struct ShownFigures {
   } polhodes;       ///< family of polhodes on the energy ellipsoid
   struct : Extra {
     double opacity = 0;
-    int count = 0;  ///< number of curves, counted as in polhodes
-  } binet;          ///< momentum sphere and energy ellipsoid in the space of L
+    int count = 0;      ///< number of curves, counted as in polhodes
+    bool area = false;  ///< whether the area of the sphere that the polhode encloses is filled
+  } binet;              ///< momentum sphere and energy ellipsoid in the space of L
   struct : Extra {
     std::optional<Eigen::Vector3d> point_B;  ///< point of the body, m; nullopt for a point on k
     double opacity = 0;                      ///< opacity of the sphere on which the path lies

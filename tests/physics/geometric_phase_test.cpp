@@ -132,7 +132,7 @@ TEST(GeometricPhase, SolidAngleKeepsItsDigitsNearSteadySpinsAndTheSeparatrix) {
   EXPECT_LT(nearest, 1e-7);
 }
 
-// By hand: on a symmetric top, L goes round a circle at the angle theta from the axis, which encloses 2 pi (1 -
+// Worked by hand: on a symmetric top, L goes round a circle at the angle theta from the axis, which encloses 2 pi (1 -
 // cos theta). Omega_p = (I3/I1 - 1) omega_3 (eq 29) gives the period, and 2T = I1 omega_1² + I3 omega_3².
 TEST(GeometricPhase, OfASymmetricTopFollowsFromItsCone) {
   Draw draw(416);
@@ -151,7 +151,7 @@ TEST(GeometricPhase, OfASymmetricTopFollowsFromItsCone) {
   }
 }
 
-// By hand: a small polhode is an ellipse. With I = (1, 2, 3) and |L| = 3, the energy gives the ratio of its
+// Worked by hand: a small polhode is an ellipse. With I = (1, 2, 3) and |L| = 3, the energy gives the ratio of its
 // semi-axes m_1/m_2 = sqrt((1/2 - 1/3)/(1 - 1/3)) = 1/2. The area is pi m_1 m_2/L².
 TEST(GeometricPhase, OfASmallWobbleEnclosesAnEllipse) {
   for (const double m1 : {1e-4, 1e-8, 1e-12, 1e-60}) {
@@ -160,7 +160,7 @@ TEST(GeometricPhase, OfASmallWobbleEnclosesAnEllipse) {
   }
 }
 
-// By hand: next to the separatrix, the polhode about the axis of largest moment bounds the lune between two great
+// Worked by hand: next to the separatrix, the polhode about the axis of largest moment bounds the lune between two great
 // circles that make the angle pi - 2 psi, with tan² psi = I3 (I2 - I1)/(I1 (I3 - I2)). The polhode about the axis
 // of smallest moment bounds the other lune, of angle 2 psi.
 TEST(GeometricPhase, NextToTheSeparatrixEnclosesALune) {

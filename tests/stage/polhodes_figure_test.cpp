@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "physics/geometric_phase.h"
 #include "scene_samples.h"
 #include "scenery.h"
 #include "stage/figures/axes_figure.h"
@@ -64,6 +65,46 @@ TEST(BinetFigure, TheTipOfLIsOnBothSurfacesAndOnTheCurve) {
   }
   for (const BodyCurve& curve : figure.curves())
     for (const Vector3d& p_P : curve.points_P) EXPECT_NEAR(p_P.norm(), figure.sphereRadius(), 1e-13);
+}
+
+/// Solid angle of a triangle of directions from the origin (van Oosterom & Strackee, IEEE Trans. Biomed. Eng. 30
+/// (1983) 125).
+double solidAngle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  const double A = a.norm(), B = b.norm(), C = c.norm();
+  return 2 * std::atan2(a.dot(b.cross(c)), A * B * C + a.dot(b) * C + b.dot(c) * A + c.dot(a) * B);
+}
+
+// The triangles of the outer sheet, seen from the centre, add up to the solid angle of the polhode; those of the
+// inner sheet are turned inwards.
+TEST(BinetFigure, FilledAreaHasTheSolidAngleOfThePolhode) {
+  for (const char* omega : {"[0.9, 0.35, 1.1]", "[-1.5, 0.2, 0.3]", "[0.3, 0.1, -1.1]"}) {
+    const Scenery s("[body]\nprincipal_moments = [1, 1.7, 2.6]\n[motion]\nomega_body = " + std::string(omega) +
+                    "\n[show.binet]\nvisible = true\narea = true\n");
+    const BinetFigure figure(s.setting);
+    ASSERT_TRUE(figure.area_P());
+    double outer = 0, sum = 0;
+    for (const auto& triangle : figure.area_P()->triangles) {
+      const auto at = [&](int i) {
+        const glm::vec3& v = figure.area_P()->vertices_M[triangle[static_cast<std::size_t>(i)]];
+        return Vector3d(v.x, v.y, v.z);
+      };
+      const double part = solidAngle(at(0), at(1), at(2));
+      const bool isOuter = std::min({at(0).norm(), at(1).norm(), at(2).norm()}) > figure.sphereRadius();
+      outer += isOuter ? part : 0;
+      sum += part;
+    }
+    const Vector3d& omega_P = s.motion.liveliest().omega_P;
+    const double expected = physics::geometricPhase(s.motion.moments(), omega_P)->solidAngle_sr;
+    EXPECT_NEAR(outer / expected, 1, 1e-3);  // the polhode is a polygon here
+    EXPECT_NEAR(sum, 0, 1e-4);               // a closed surface
+  }
+}
+
+TEST(BinetFigure, FillsNoAreaOfASteadySpin) {
+  const Scenery s(
+      "[body]\nprincipal_moments = [1, 1.7, 2.6]\n[motion]\nomega_body = [0, 0, 1]\n"
+      "[show.binet]\nvisible = true\narea = true\n");
+  EXPECT_THROW(BinetFigure{s.setting}, core::Error);
 }
 
 TEST(PolhodesFigure, NeedsAFreeMotion) {

@@ -237,6 +237,12 @@ std::vector<Key> polhodeKeys(const ShowTable& table) {
           "0.12", [](ShownFigures & f) -> auto& { return f.binet.opacity; }),
       binet.count(
           "4", [](ShownFigures & f) -> auto& { return f.binet.count; }),
+      binet.flag(
+          "area", false,
+          "The part of the momentum sphere that the polhode encloses. Its solid angle is the geometric phase of "
+          "one "
+          "period of the polhode, which `info` prints.",
+          [](ShownFigures & f) -> auto& { return f.binet.area; }),
   };
 }
 
