@@ -60,6 +60,7 @@ set(POINSOT_PUBLIC_HEADERS
   physics/possible_inertia.h
   physics/precession_cones.h
   physics/principal_axes.h
+  physics/rolling_cone.h
   physics/run_condition.h
   physics/solid.h
   physics/stability.h

@@ -61,7 +61,7 @@ std::string flightNote(const scene::Scene& scene) {
 
 std::string torqueNote(const scene::Scene& scene) {
   const auto asks = [](const scene::View& view) { return view.show.figures.torque.visible; };
-  if (!scene.motion.forcing.none() || std::ranges::none_of(scene.views, asks)) return "";
+  if (!scene.motion.isFree() || std::ranges::none_of(scene.views, asks)) return "";
   return line("show.torque has no effect, because no torque acts on the body");
 }
 

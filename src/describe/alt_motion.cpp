@@ -201,7 +201,16 @@ std::string forceSentence(const physics::PointForce& force) {
   return say("A force of {} N, {}, acts at a point of the body{}.", size, where, window);
 }
 
+Sentences rollingSentences(const physics::RollingCone& cone) {
+  return {
+      say("It is a cone that rolls on a level table without slipping; its apex stays at one point."),
+      say("Its axis goes round the vertical once in {}, and the cone turns about the line on which it touches the "
+          "table, which is at rest, at {}.",
+          timeWords(2 * std::numbers::pi / std::abs(cone.rate)), rateWords(std::abs(cone.alongContact())))};
+}
+
 Sentences drivenSentences(const scene::Scene& scene) {
+  if (scene.motion.rolling) return rollingSentences(scene.motion.rolling->cone);
   const physics::Forcing& forcing = scene.motion.forcing;
   Sentences sentences;
   if (!scene.motion.omega_B.isZero(0)) sentences.push_back(say("At the start it turns at {}.", spinWords(scene)));
@@ -240,7 +249,7 @@ Sentences flightSentences(const scene::Flight& flight, bool pushed) {
 }  // namespace
 
 Sentences motionSentences(const scene::Scene& scene) {
-  Sentences sentences = scene.motion.forcing.none() ? freeSentences(scene) : drivenSentences(scene);
+  Sentences sentences = scene.motion.isFree() ? freeSentences(scene) : drivenSentences(scene);
   if (scene.motion.flight)
     for (const std::string& sentence : flightSentences(*scene.motion.flight, !scene.motion.forcing.forces.empty()))
       sentences.push_back(sentence);

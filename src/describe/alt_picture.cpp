@@ -143,7 +143,10 @@ std::string otherWords(const scene::Scene& scene) {
   std::vector<std::string> words = shown(things, scene.views);
   if (!scene.motion.forcing.forces.empty())
     for (const std::string& arrows : shown({forces}, scene.views)) words.push_back(arrows);
-  const bool gravity = !scene.motion.forcing.gravity_B.isZero(0);
+  const Thing table{"the table on which it rolls",
+                    [&](const scene::Show& s) { return scene.motion.rolling && s.figures.table.visible; }};
+  for (const std::string& word : shown({table}, scene.views)) words.push_back(word);
+  const bool gravity = !scene.motion.forcing.gravity_B.isZero(0) || scene.motion.rolling;
   const Thing theta{gravity ? "the angle θ between k and the vertical" : "the angle θ between L and k",
                     [](const scene::Show& s) { return s.figures.theta.visible; }};
   for (const std::string& angle : shown({theta}, scene.views)) words.push_back(angle);

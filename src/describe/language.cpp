@@ -142,6 +142,14 @@ constexpr Translation kGerman[] = {
      "(Präzession)"},
     {"Gravity pulls at the centre of mass and turns L; the vertical component of L stays constant.",
      "Die Schwerkraft greift im Schwerpunkt an und dreht L; die senkrechte Komponente von L bleibt konstant."},
+    {"It is a cone that rolls on a level table without slipping; its apex stays at one point.",
+     "Er ist ein Kegel, der auf einem ebenen Tisch rollt, ohne zu gleiten; seine Spitze bleibt an einem Ort."},
+    {"Its axis goes round the vertical once in {}, and the cone turns about the line on which it touches the "
+     "table, "
+     "which is at rest, at {}.",
+     "Seine Achse geht in {} einmal um die Senkrechte, und der Kegel dreht sich um die ruhende Linie, auf der er "
+     "den "
+     "Tisch berührt, mit {}."},
     {"Its axis {}.", "Seine Achse {}."},
     {"an axis across {}", "eine Achse quer zu {}"},
     {"{}, the axis of largest moment", "{}, die Achse des größten Moments"},
@@ -198,6 +206,7 @@ constexpr Translation kGerman[] = {
     {"the angular momentum about the origin, with R × P and L as its parts",
      "der Drehimpuls um den Ursprung mit seinen Teilen R × P und L"},
     {"the sphere on which the tip of L stays", "die Kugel, auf der die Spitze von L bleibt"},
+    {"the area on the sphere that the polhode encloses", "die Fläche der Kugel, die die Polhodie umschließt"},
     {"an arrow for ω", "ein Pfeil für ω"},
     {"the polhode on the body", "die Polhodie im Körper"},
     {"the herpolhode in space", "die Herpolhodie im Raum"},
@@ -205,8 +214,8 @@ constexpr Translation kGerman[] = {
     {"the energy ellipsoid", "das Energieellipsoid"},
     {"the parts of ω, as a parallelogram", "die Teile von ω als Parallelogramm"},
     {"the components of ω along the principal axes", "die Komponenten von ω entlang der Hauptachsen"},
+    {"the table on which it rolls", "der Tisch, auf dem er rollt"},
     {"the body", "der Körper"},
-    {"the area on the sphere that the polhode encloses", "die Fläche der Kugel, die die Polhodie umschließt"},
     {"paler poses of it at other times", "blassere Lagen von ihm zu anderen Zeiten"},
     {"its principal axes e1, e2 and e3", "seine Hauptachsen e1, e2 und e3"},
     {"some of its principal axes", "einige seiner Hauptachsen"},

@@ -221,7 +221,7 @@ Report sceneReport(const scene::Scene& scene) {
   const auto motion = scene::makeMotion(scene, span.from_s, span.to_s);
   return {scene.name,
           {bodySection(scene), startSection(scene), forcesSection(scene, *motion, span), flightSection(scene),
-           constructionSection(scene), symmetricSection(scene), heavyTopSection(scene),
+           constructionSection(scene), symmetricSection(scene), heavyTopSection(scene), rollingSection(scene),
            lossSection(scene, *motion, span), stabilitySection(scene), loopSection(scene),
            eventsSection(scene, *motion, span), accuracySection(scene, *motion, span)}};
 }

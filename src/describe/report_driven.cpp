@@ -200,7 +200,7 @@ Section accuracySection(const scene::Scene& scene, const physics::Motion& motion
     section.add("precession_turns", "turns of the precession in the film",
                 std::abs(span.to_s - span.from_s) / *round_s, "",
                 scene::heavyTopStart(scene) ? "" : "estimate, without losses and asymmetry");
-  if (scene.motion.forcing.none()) {
+  if (scene.motion.isFree()) {
     addCondition(section, scene, span);
     return section;
   }

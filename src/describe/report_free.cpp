@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "describe/report_sections.h"
 #include "physics/binet.h"
-#include "physics/herpolhode.h"
 #include "physics/geometric_phase.h"
+#include "physics/herpolhode.h"
 #include "physics/mean_periods.h"
 #include "physics/poinsot_construction.h"
 #include "physics/polhode.h"
@@ -22,9 +23,7 @@ using physics::PrecessionCones;
 constexpr int kMostRadialPeriods = 1000;
 constexpr double kClosureTolerance = 1e-9;  // rad; 0.001 pixels on a circle with a radius of a million pixels
 
-bool turnsFreely(const scene::Scene& scene) {
-  return scene.motion.forcing.none() && !scene.motion.omega_B.isZero(0);
-}
+bool turnsFreely(const scene::Scene& scene) { return scene.motion.isFree() && !scene.motion.omega_B.isZero(0); }
 
 std::string regimeWord(physics::PolhodeRegime regime) {
   switch (regime) {
@@ -165,6 +164,7 @@ void addPoleDistance(Section& section, const scene::Scene& scene, const Precessi
   section.add("pole_distance", "  at the end of k, omega is off by", reach_m * std::tan(cones.bodyCone_rad), "m",
               "half the length along k, times tan beta");
 }
+
 /// Adds Montgomery's phase. The facts are details, unless the scene draws the solid angle.
 void addGeometricPhase(Section& section, const scene::Scene& scene) {
   const auto phase = physics::geometricPhase(scene.body.axes.moments(), scene::startOmega_P(scene));
@@ -183,7 +183,6 @@ void addGeometricPhase(Section& section, const scene::Scene& scene) {
   add("polhode_solid_angle", "solid angle of the polhode, from the centre", phase->solidAngle_sr, "sr",
       "on the momentum sphere");
 }
-
 
 /// Reports whether a top resembles the Earth: (C - A)/A within 2 % and the spin within 1 %. The unit of the
 /// moments does not matter. Rigid models of the Earth differ by 1 % in (C - A)/A (0.0033 and 1/306). One turn a
@@ -226,8 +225,8 @@ Section constructionSection(const scene::Scene& scene) {
   if (!turnsFreely(scene)) return section;
   addEllipsoids(section, scene);
   addPolhode(section, scene);
-  addGeometricPhase(section, scene);
   addHerpolhode(section, scene);
+  addGeometricPhase(section, scene);
   return section;
 }
 
@@ -264,7 +263,7 @@ Section symmetricSection(const scene::Scene& scene) {
 }
 
 Section stabilitySection(const scene::Scene& scene) {
-  const bool free = scene.motion.forcing.none();
+  const bool free = scene.motion.isFree();
   Section section{free ? "Spin about each principal axis, at the present |omega|"
                        : "Spin about each principal axis, at the present |omega|, if nothing acted on the body",
                   {}};

@@ -33,6 +33,8 @@ Section symmetricSection(const scene::Scene& scene);
 Section stabilitySection(const scene::Scene& scene);
 /// Returns sleeping spin, steady precession and nutation of a symmetric top on a pivot, if only gravity acts.
 Section heavyTopSection(const scene::Scene& scene);
+/// Returns the two parts of omega, L and the forces of a cone that rolls on a table.
+Section rollingSection(const scene::Scene& scene);
 /// Returns time constants of drag. If only dissipation acts, also its damping time, the time of crossing the
 /// separatrix, and the final spin, which is about the axis of largest moment and has the same |L|.
 /// @param motion  motion of the scene over the span

@@ -88,7 +88,7 @@ RollingForces rollingForces(const RollingCone& cone, double mass_kg, double cent
 /// Motion of a rolling cone in closed form, at any time. Immutable and thread-safe. L is about the apex.
 class RollingMotion final : public Motion {
  public:
-  /// @pre `cone` is the result of rollingCone() with the same axes.
+  /// @param cone  result of rollingCone() with the same axes
   RollingMotion(const PrincipalAxes& axes, const RollingCone& cone) : axes_(axes), cone_(cone) {}
 
   /// Returns the state at motion time t_s (seconds).

@@ -89,7 +89,7 @@ std::string uncertaintyNote(double t_s, double angle_rad, const physics::RunCond
 }  // namespace
 
 std::string accuracyNote(const scene::Scene& scene, const TrajectoryTimes& times) {
-  if (!scene.motion.forcing.none()) return {};
+  if (!scene.motion.isFree()) return {};
   const double farthest_s = std::max(std::abs(times.earliest_s()), std::abs(times.latest_s()));
   const double angle_rad = scene.motion.omega_B.norm() * farthest_s;
   if (angle_rad > physics::kExactPhase_rad) return farTurnNote(farthest_s, angle_rad);

@@ -19,6 +19,7 @@
 #include "physics/forcing.h"
 #include "physics/mass_properties.h"
 #include "physics/principal_axes.h"
+#include "physics/rolling_cone.h"
 #include "physics/unaligned_types.h"
 #include "scene/document/problem.h"
 #include "scene/grid_place.h"
@@ -70,6 +71,13 @@ enum class LPoints { kAuto, kDown, kUp };
 
 using Flight = physics::Flight;
 
+/// Cone that rolls on a table, whose points of contact are at rest.
+struct Rolling {
+  physics::RollingCone cone;
+  double g = 9.80665;   ///< acceleration of gravity, m/s², which sets the place of the normal force
+  double centre_m = 0;  ///< distance of the centre of mass from the apex
+};
+
 struct Motion {
   Eigen::Vector3d omega_B = Eigen::Vector3d::Zero();  ///< angular velocity at motion time 0, rad/s
   std::optional<physics::Quaternion> orientation_WB;  ///< unit quaternion; nullopt: L is made vertical
@@ -79,6 +87,10 @@ struct Motion {
   double tolerance_rad = 1e-12;         ///< allowed error of the attitude in a driven motion
   double mostSteps = 2e6;               ///< largest number of integration steps (Limit::kSteps)
   std::optional<Flight> flight;
+  std::optional<Rolling> rolling;
+
+  /// Returns whether no torque acts on the body, so that the motion is free.
+  bool isFree() const { return forcing.none() && !rolling; }
 };
 
 /// Record of the changes to a scene that make its film repeat without a jump (film_loop.h).

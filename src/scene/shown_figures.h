@@ -59,6 +59,7 @@ struct ShownFigures {
     bool position = true, velocity = true, weight = false;
   } flight;      ///< path of a thrown body through the views of space
   Drawn forces;  ///< forces at points of the body, while they act
+  Drawn table;   ///< table on which a cone rolls, with the line of contact
   struct : Extra {
     bool torque = false;  ///< whether the torque about the origin is drawn
   } totalL;               ///< angular momentum of a thrown body about the origin, and its parts

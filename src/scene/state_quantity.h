@@ -26,7 +26,7 @@ struct ThrownBody {
 /// - for a top under gravity whose centre of mass lies on a principal axis: this axis, towards the centre of mass;
 /// - for any other symmetric body: the axis of symmetry (lecture, eq 19 to 37);
 /// - for any other body: the principal axis with the largest component of omega at the start.
-/// Without gravity, the sense of k is that of omega at the start.
+/// Without gravity, the sense of k is that of omega at the start. For a cone on a table, k points to its base.
 class QuantityBasis {
  public:
   /// @param thrown  flight of a thrown body; nullopt for other bodies

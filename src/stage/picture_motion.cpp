@@ -114,6 +114,7 @@ PictureMotion::PictureMotion(const scene::Scene& scene, std::shared_ptr<const ph
       length_s_(clock_.played_s(scene.time.duration_s)),
       repeats_(scene.time.loop.has_value()),
       forcing_(scene.motion.forcing),
+      rolling_(scene.motion.rolling),
       flight_(scene::movesAlong(scene.motion, scene.camera, scene.show) ? scene.motion.flight : std::nullopt),
       path_(flight_ ? scene::flightPath(scene, *motion_) : std::nullopt),
       frame_(scene.camera.frame),
@@ -145,6 +146,12 @@ Trail PictureMotion::trail(double filmTime_s, double longest_s) const {
   return {std::max(begin, from - longest_s), from, now, repeats_ ? now : std::min(length_s_, now + longest_s)};
 }
 
+// On a table, weight and normal force turn L about the vertical.
+Vector3d PictureMotion::torque_W(const physics::RigidBodyState& state) const {
+  if (rolling_) return rolling_->cone.rate * Vector3d::UnitZ().cross(state.L_W);
+  return physics::torque_W(forcing_, axes(), state);
+}
+
 Matrix3d PictureMotion::R_VW(double played_s, const physics::RigidBodyState& state) const {
   switch (frame_) {
     case scene::CameraFrame::kSpace:
@@ -172,7 +179,7 @@ PictureState PictureMotion::atPlayed(double played_s) const {
           axes().toP(state.omega_B),
           R_VW * state.L_W,
           state.L_W,
-          R_VW * physics::torque_W(forcing_, axes(), state),
+          R_VW * torque_W(state),
           path_ ? Vector3d(R_VW * path_->positionAt(state.t_s)) : Vector3d::Zero(),
           path_ ? Vector3d(R_VW * path_->velocityAt(state.t_s)) : Vector3d::Zero(),
           state.t_s};

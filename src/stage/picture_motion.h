@@ -103,7 +103,9 @@ class PictureMotion {
   /// Returns the flight of a body that moves through the view; otherwise nullopt.
   const std::optional<physics::Flight>& flight() const { return flight_; }
   /// Returns true if nothing acts on the body, so that L and the energy are constant.
-  bool isFree() const { return forcing_.none(); }
+  bool isFree() const { return forcing_.none() && !rolling_; }
+  /// Returns the cone that rolls on a table; otherwise nullopt.
+  const std::optional<scene::Rolling>& rolling() const { return rolling_; }
   /// Returns seconds of motion per second of played time.
   double speed() const { return clock_.speed(); }
   /// Returns the played time of the complete film.
@@ -112,6 +114,7 @@ class PictureMotion {
  private:
   static constexpr std::size_t kMostPathPoints = 6000;
 
+  Eigen::Vector3d torque_W(const physics::RigidBodyState& state) const;
   Eigen::Matrix3d R_VW(double played_s, const physics::RigidBodyState& state) const;
   physics::RigidBodyState stateAt(double played_s) const { return motion_->at(clock_.motionTimeOf(played_s)); }
 
@@ -120,6 +123,7 @@ class PictureMotion {
   double length_s_;
   bool repeats_;
   physics::Forcing forcing_;
+  std::optional<scene::Rolling> rolling_;
   std::optional<physics::Flight> flight_;
   std::optional<physics::FlightPath> path_;  // of a body that moves through the view
   scene::CameraFrame frame_;

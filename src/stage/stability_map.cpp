@@ -50,7 +50,7 @@ constexpr double kLeastRim_px = 2;  // wide enough to cover the jagged edges of 
 [[noreturn]] void refuse(const std::string& why) { throw core::physicsError("stability map: " + why); }
 
 Vector3d startingL_P(const scene::Scene& scene) {
-  if (!scene.motion.forcing.none()) refuse("the body is not free: leave out gravity, torques and losses");
+  if (!scene.motion.isFree()) refuse("the body is not free: leave out gravity, torques and losses");
   if (!physics::separatrix(scene.body.axes.moments()))
     refuse("two principal moments are equal: such a body has no middle axis, and never flips");
   Vector3d m_P = scene.body.axes.moments().angularMomentum(scene::startOmega_P(scene));

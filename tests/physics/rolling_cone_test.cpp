@@ -168,7 +168,7 @@ TEST(RollingCone, PointsOfTheLineOfContactAreAtRestOnTheTable) {
     for (const double s : {0.3, 0.8, 1.25}) {
       const Vector3d p_B = touching_B(motion, t, s);
       const auto place = [&](double at) { return Vector3d(Quaterniond(motion.at(at).q_WB) * p_B); };
-      // By differences of the attitude: the velocity is 0, and the point leaves the table upwards, with |a| ~ s.
+      // Differences of the attitude: the velocity is 0, and the point leaves the table upwards, with |a| ~ s.
       EXPECT_LT((place(t + h) - place(t - h)).norm() / (2 * h), 1e-7);
       EXPECT_GT(place(t + 0.1)[2], 1e-4);
       EXPECT_GT(place(t - 0.1)[2], 1e-4);
@@ -188,7 +188,7 @@ TEST(RollingCone, NoPointOfTheConeIsBelowTheTable) {
   }
 }
 
-// By hand, with sin alpha = 0.6, cos alpha = 0.8 and Omega_v = 1.5: omega = 1.5 cot alpha = 2 towards the apex,
+// Worked by hand, with sin alpha = 0.6, cos alpha = 0.8 and Omega_v = 1.5: omega = 1.5 cot alpha = 2 towards the apex,
 // and its two parts are 1.5 upwards and -1.5/0.6 = -2.5 along the axis.
 TEST(RollingCone, AngularVelocityHasTwoParts) {
   const RollingMotion motion = solidMotion(1.5);
@@ -252,7 +252,7 @@ TEST(RollingCone, TorqueIsTheRateOfChangeOfL) {
   }
 }
 
-// By hand for the solid cone of 2 kg, radius 0.75 and height 1: I_a = (3/10) M r² = 0.3375, I_t = (3/5) M h² +
+// Worked by hand for the solid cone of 2 kg, radius 0.75 and height 1: I_a = (3/10) M r² = 0.3375, I_t = (3/5) M h² +
 // (3/20) M r² = 1.36875, and cot alpha (I_t sin² alpha + I_a cos² alpha) = 4/3 (0.49275 + 0.216) = 0.945. With g =
 // 10, the normal force of 20 N acts at 0.75·0.8 + 0.945·Omega²/20 from the apex.
 TEST(RollingForces, BalanceTheTorque) {

@@ -37,6 +37,10 @@ std::string shapeWith(const std::string& table, std::string_view name) {
   return "shape = \"box\"\nsize = [3, 2, 1]\n";
 }
 
+const std::string kCone =
+    "body.shape = \"cone\"\nbody.radius = 0.75\nbody.height = 1\nbody.mass = 2\nbody.pivot = [0, 0, 0.75]\n";
+const std::string kRolling = "motion.rolling.rate = 1\n";
+
 bool ofAThrownBody(const Key& key) {
   constexpr std::string_view kNames[] = {"show.flight", "show.total_L", "camera.follow"};
   return std::ranges::any_of(kNames, [&](auto name) { return key.path.find(name) != std::string::npos; });
@@ -87,6 +91,8 @@ const std::map<std::string_view, std::string>& contexts() {
       {"motion.L", kMoments + "motion.energy = 4.5\n"},
       {"motion.phase", kMoments + "motion.energy = 4.5\nmotion.L = 4.2\n"},
       {"motion.branch", kMoments + "motion.energy = 4.5\nmotion.L = 4.2\n"},
+      {"motion.rolling.rate", kCone},
+      {"motion.rolling.g", kCone + kRolling},
       {"motion.gravity.g", kOmega + kBox + "body.mass = 1\nbody.pivot = [0, 0, -1]\n"},
       {"motion.torque.file_axes", kMoments + kOmega + "motion.torque.file = \"torque.csv\"\n"},
       {"motion.torque.interpolation", kMoments + kOmega + "motion.torque.file = \"torque.csv\"\n"},
@@ -117,6 +123,8 @@ std::string sceneFor(const Key& key) {
   if (key.path.find("show.forces") != std::string::npos)
     return kMoments + kOmega + "[[motion.force]]\nat = [1, 0, 0]\nbody = [0, 1, 0]\n" +
            (key.path.starts_with("view") ? "[[view]]\n" : "");
+  if (key.path.find("show.table") != std::string::npos)
+    return kCone + kRolling + (key.path.starts_with("view") ? "[[view]]\n" : "");
   if (key.path == "timeline[].around")
     return kOmega + "body.principal_moments = [1, 2, 3]\n[[timeline]]\nspeed = 0.5\n";
   if (key.path.find("show.cones") != std::string::npos || key.path.find("show.decomposition") != std::string::npos)

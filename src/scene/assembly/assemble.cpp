@@ -23,7 +23,11 @@ std::optional<Rest> bodyAndMotion(const Draft& draft, Findings& findings, const 
   const std::optional<Body> body = assembleBody(draft, findings, folder);
   assembleForcing(draft, body ? &*body : nullptr, findings, folder, scene.motion);
   scene.motion.flight = assembleFlight(draft, findings);
-  auto rest = assembleStart(draft, body ? &*body : nullptr, findings, scene.motion);
+  std::optional<Rest> rest;
+  if (findings.hasTable("motion.rolling"))
+    assembleRolling(draft, body ? &*body : nullptr, findings, scene.motion);
+  else
+    rest = assembleStart(draft, body ? &*body : nullptr, findings, scene.motion);
   if (body) scene.body = *body;
   return rest;
 }

@@ -32,6 +32,11 @@ void assembleForcing(const Draft& draft, const Body* body, Findings& findings, c
 /// Makes the flight of a thrown body. Returns nullopt if the scene has no table [motion.flight].
 std::optional<Flight> assembleFlight(const Draft& draft, Findings& findings);
 
+/// Makes the motion of a cone that rolls on a table, with its start, if the scene has the table [motion.rolling].
+/// Reports problems to `findings`.
+/// @param body  null if the body is invalid
+void assembleRolling(const Draft& draft, const Body* body, Findings& findings, Motion& motion);
+
 /// Path and value of the key that sets the rotation to 0, for a body that stays at rest.
 struct Rest {
   std::string path, value;

@@ -23,19 +23,20 @@ std::vector<Thing> construction(Show& show) {
 }
 
 /// Returns whether L is constant. Dissipation is allowed, because it changes only the energy.
-bool momentumIsConstant(const physics::Forcing& forcing) {
-  physics::Forcing others = forcing;
+bool momentumIsConstant(const Motion& motion) {
+  physics::Forcing others = motion.forcing;
   others.dissipation = 0;
-  return others.none();
+  return others.none() && !motion.rolling;
 }
 
-void withoutConstruction(const std::string& prefix, Findings& findings, Show& show) {
+void withoutConstruction(const Motion& motion, const std::string& prefix, Findings& findings, Show& show) {
+  const char* const where = motion.rolling ? "for a rolling cone" : "under gravity, torque or drag";
   for (const Thing& thing : construction(show)) {
     const std::string path = fmt::format("{}show.{}.visible", prefix, thing.name);
     if (findings.has(path) && thing.visible)
-      findings.refuse(path,
-                      "under gravity, torque or drag L is not constant, so Poinsot's construction does not exist; "
-                      "leave it out");
+      findings.refuse(
+          path,
+          fmt::format("{} L is not constant, so Poinsot's construction does not exist; leave it out", where));
     thing.visible = false;
   }
 }
@@ -97,7 +98,14 @@ void checkPrecession(const Scene& scene, const std::optional<Rest>& rest, const 
       findings.refuse(path, why + "; leave it out");
   };
   check("show.cones", show.figures.cones.visible);
-  check("show.decomposition", show.figures.decomposition.visible);
+  if (!scene.motion.rolling) check("show.decomposition", show.figures.decomposition.visible);
+}
+
+void checkTable(const Scene& scene, const std::string& prefix, Findings& findings, const Show& show) {
+  const std::string table = prefix + "show.table";
+  if (!scene.motion.rolling && findings.hasBelow(table) && show.figures.table.visible &&
+      !findings.hasTable("motion.rolling"))
+    findings.refuse(table, "nothing rolls on a table: give [motion.rolling], or leave it out");
 }
 
 }  // namespace
@@ -123,14 +131,15 @@ void assembleVisible(const Scene& scene, const std::optional<Rest>& rest, const 
   checkThrown(scene, prefix, findings, show);
   checkForces(prefix, findings, show);
   checkPrecession(scene, rest, prefix, findings, show);
-  if (!momentumIsConstant(motion.forcing)) withoutConstruction(prefix, findings, show);
+  checkTable(scene, prefix, findings, show);
+  if (!momentumIsConstant(motion)) withoutConstruction(motion, prefix, findings, show);
   const std::string shown = rest ? needingRotation(prefix, show) : "";
   if (!shown.empty())
     findings.refuse(rest->path,
                     fmt::format("must not be zero, got {}: without rotation there is nothing to draw for "
                                 "{}; give a rotation, or set these to false",
                                 rest->value, shown));
-  if (prefix.empty() && !motion.forcing.none() && show.exaggerateAngles != 1)
+  if (prefix.empty() && !motion.isFree() && show.exaggerateAngles != 1)
     findings.refuse("show.exaggerate_angles",
                     "exaggerated angles belong to another motion, which is exact only if nothing acts on the "
                     "body; leave it out");

@@ -10,7 +10,7 @@
 namespace poinsot::scene {
 
 std::string withoutPrecession(const Scene& scene, const std::optional<Rest>& rest) {
-  if (!scene.motion.forcing.none())
+  if (!scene.motion.isFree())
     return "only free motion precesses steadily about L; here something acts on the body";
   if (rest) return "a body at rest does not precess";
   const physics::PrincipalAxes& axes = scene.body.axes;

@@ -107,6 +107,10 @@ struct FlightDraft {
   std::optional<Eigen::Vector3d> position, velocity, gravity;
 };
 
+struct RollingDraft {
+  std::optional<double> rate, g;
+};
+
 struct VectorDraft {
   std::string name;
   std::optional<Eigen::Vector3d> components, position, velocity;
@@ -152,6 +156,7 @@ struct Draft {
   StartDraft start;
   ForcingDraft forcing;
   FlightDraft flight;
+  RollingDraft rolling;
   ShapeDraft drawn;
   std::optional<int> preset;  ///< index of the camera's preset in cameraPresets()
   std::optional<std::vector<CameraFrame>> frames;

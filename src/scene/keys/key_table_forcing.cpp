@@ -15,6 +15,7 @@ constexpr Range kVelocities{.least = 1e-12, .most = 1e12, .ofSize = true};
 constexpr Range kForces{.least = 1e-30, .most = 1e30, .ofSize = true};
 constexpr Range kForceName{.least = 0, .most = 80};
 constexpr Range kPull{.least = 0, .most = 1e12};
+constexpr Range kPullOnTable{.least = 1e-12, .most = 1e12};
 constexpr Range kRates{.least = 0, .most = 1e20};  // decay rates; rate times time is an exponent
 constexpr Range kAlphas{.least = 0, .most = 1e100};
 
@@ -212,10 +213,32 @@ std::vector<Key> flightKeys() {
   };
 }
 
+std::vector<Key> rollingKeys() {
+  return {
+      {.path = "motion.rolling.rate",
+       .dimension = kAngularVelocity,
+       .range = kSpins,
+       .example = "\"12 rpm\"",
+       .help = "Rate at which the axis of a cone goes round the vertical, while the cone rolls on a level table "
+               "without slipping. Its apex stays at one point of the table. A positive rate is counter-clockwise "
+               "seen from above. The table gives the whole motion: the scene has no other start. The body is one "
+               "shape \"cone\" or \"cone_shell\", with body.pivot at its apex.",
+       .put = into([](Draft& d) { return &d.rolling.rate; })},
+      {.path = "motion.rolling.g",
+       .dimension = kAcceleration,
+       .range = kPullOnTable,
+       .fallback = "9.80665",
+       .example = "1.62",
+       .help = "Acceleration of gravity, which holds a rolling cone on its table. If the cone rolls too fast, it "
+               "tips over the rim of its base, and the scene is refused.",
+       .put = into([](Draft& d) { return &d.rolling.g; })},
+  };
+}
+
 }  // namespace
 
 std::vector<Key> forcingKeys() {
-  return joined({gravityKeys(), torqueKeys(), stepKeys(), forceKeys(), lossKeys(), flightKeys()});
+  return joined({gravityKeys(), torqueKeys(), stepKeys(), forceKeys(), lossKeys(), flightKeys(), rollingKeys()});
 }
 
 }  // namespace poinsot::scene

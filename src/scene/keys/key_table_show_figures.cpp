@@ -343,11 +343,25 @@ std::vector<Key> flightKeys(const ShowTable& table) {
   };
 }
 
+std::vector<Key> tableKeys(const ShowTable& table) {
+  const FigureKeys key(table, "table");
+  return {
+      key.flag(
+          "visible", true,
+          "The table on which a cone rolls ([motion.rolling]), with the line of contact and the circle on which "
+          "the "
+          "base touches the table.",
+          [](ShownFigures & f) -> auto& { return f.table.visible; }),
+      key.scale(
+          "Factor on the table's size.", [](ShownFigures & f) -> auto& { return f.table.scale; }),
+  };
+}
+
 }  // namespace
 
 std::vector<Key> figureKeys(const ShowTable& table) {
   return joined({coneKeys(table), decompositionKeys(table), angleKeys(table), axesKeys(table), polhodeKeys(table),
-                 traceKeys(table), vectorKeys(table), ghostKeys(table), flightKeys(table)});
+                 traceKeys(table), vectorKeys(table), ghostKeys(table), flightKeys(table), tableKeys(table)});
 }
 
 }  // namespace poinsot::scene

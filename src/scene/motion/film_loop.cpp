@@ -24,6 +24,11 @@ void checkCanRepeat(const Scene& scene, double speed) {
     throw core::sceneError(
         "a thrown body does not return to its starting point; with show.flight = false the picture follows the "
         "centre of mass and can repeat");
+  if (scene.motion.rolling)
+    throw core::sceneError(
+        "the loop of a rolling cone is not computed; leave out the loop, and choose time.duration so that the "
+        "film "
+        "ends where it begins");
   if (speed == 0) throw core::sceneError("nothing moves at speed 0: there is no period");
 }
 

@@ -81,6 +81,7 @@ std::optional<physics::FlightPath> flightPath(const Scene& scene, const physics:
 
 std::unique_ptr<const physics::Motion> makeMotion(const Scene& scene, double from_s, double to_s) {
   const Motion& motion = scene.motion;
+  if (motion.rolling) return std::make_unique<physics::RollingMotion>(scene.body.axes, motion.rolling->cone);
   const physics::Quaternion q0_WB = startOrientation(scene);
   if (motion.forcing.none()) return std::make_unique<physics::FreeMotion>(scene.body.axes, motion.omega_B, q0_WB);
   try {

@@ -42,7 +42,7 @@ Eigen::Vector3d undrawnOmega_P(const Scene& scene, const Eigen::Vector3d& drawn_
 std::optional<physics::FlightPath> flightPath(const Scene& scene, const physics::Motion& motion);
 
 /// Makes the motion of a scene. The motion is valid at all times between 0, from_s and to_s, in any order. If no
-/// forcing acts, the motion is exact; otherwise it is integrated to Motion::tolerance_rad.
+/// forcing acts, or a cone rolls, the motion is exact; otherwise it is integrated to Motion::tolerance_rad.
 /// @throws core::Error(kPhysics) for a body or a start without a solution; core::Error(kLimit) if the integration
 /// needs more steps than the user allows.
 std::unique_ptr<const physics::Motion> makeMotion(const Scene& scene, double from_s, double to_s);

@@ -17,7 +17,9 @@ std::optional<ThrownBody> thrownBody(const Scene& scene) {
 
 QuantityBasis quantityBasis(const Scene& scene, const physics::Motion& motion) {
   const physics::RigidBodyState start = motion.at(scene.time.start_s);
-  QuantityBasis basis(motion.axes(), scene.motion.forcing, motion.axes().toP(start.omega_B), thrownBody(scene));
+  // The axis k of a rolling cone points to its base, as the figures draw it.
+  const Eigen::Vector3d sense_B = scene.motion.rolling ? scene.motion.rolling->cone.axis_B : start.omega_B;
+  QuantityBasis basis(motion.axes(), scene.motion.forcing, motion.axes().toP(sense_B), thrownBody(scene));
   basis.follow(motion);
   return basis;
 }

@@ -58,8 +58,9 @@ void addFlight(const Scene& scene, const physics::Motion& motion, const physics:
 std::vector<SceneEvent> sceneEvents(const Scene& scene, const physics::Motion& motion, const FilmClock& clock,
                                     const physics::TimeSpan& span) {
   std::vector<SceneEvent> events;
-  for (const physics::MotionEvent& event : physics::motionEvents(motion, scene.motion.forcing, span))
-    events.push_back({static_cast<int>(event.kind), event.t_s, {}});
+  if (!scene.motion.rolling)
+    for (const physics::MotionEvent& event : physics::motionEvents(motion, scene.motion.forcing, span))
+      events.push_back({static_cast<int>(event.kind), event.t_s, {}});
   addFlight(scene, motion, span, events);
   const bool backwards = span.to_s < span.from_s;
   std::ranges::stable_sort(

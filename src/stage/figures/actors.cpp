@@ -20,6 +20,7 @@
 #include "stage/figures/plane_of_L_figure.h"
 #include "stage/figures/polhodes_figure.h"
 #include "stage/figures/principal_axes_figure.h"
+#include "stage/figures/table_figure.h"
 #include "stage/figures/trace_figure.h"
 #include "stage/figures/vector_figures.h"
 
@@ -83,6 +84,7 @@ std::vector<ShownActor> makeActors(const Setting& setting) {
   addIf(figures.torque.visible, "torque", kA<TorqueFigure>);
   addIf(figures.forces.visible && !setting.scene.motion.forcing.forces.empty(), "forces", kA<ForcesFigure>);
   addIf(figures.planeOfL.visible, "plane_of_L", kA<PlaneOfLFigure>);
+  if (setting.motion.rolling()) addIf(figures.table.visible, "table", kA<TableFigure>);
   if (setting.motion.flight()) {
     addIf(true, "flight", kA<FlightFigure>);
     addIf(figures.totalL.visible, "total_L", kA<TotalAngularMomentumFigure>);

@@ -13,10 +13,17 @@ constexpr double kPartArrowRadius = 0.023;  // thicker than the arrows of L and 
 }  // namespace
 
 DecompositionFigure::DecompositionFigure(const Setting& setting)
-    : cones_(precessionOf(setting.motion, "show.decomposition.visible")),
-      scale_(setting.scales.omega * setting.scene.show.figures.decomposition.scale) {}
+    : scale_(setting.scales.omega * setting.scene.show.figures.decomposition.scale) {
+  if (const auto& rolling = setting.motion.rolling())
+    rolling_ = rolling->cone;
+  else
+    cones_ = precessionOf(setting.motion, "show.decomposition.visible");
+}
 
 physics::AngularVelocityParts DecompositionFigure::parts_V(const PictureState& state) const {
+  if (rolling_)
+    return {scale_ * rolling_->rate * state.R_VW.col(2),
+            scale_ * rolling_->spin() * (state.R_VB * rolling_->axis_B)};
   return cones_.parts(scale_ * state.omega_V, scale_ * state.R_VP * cones_.k_P);
 }
 

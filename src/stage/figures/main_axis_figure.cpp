@@ -9,8 +9,13 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double kBeyondBase = 1.4;
+
 Vector3d tip(const Setting& setting) {
   const Vector3d k_P = mainAxis_P(setting.motion);
+  if (const auto& rolling = setting.motion.rolling())  // the axis ends beyond the base
+    return kBeyondBase * setting.scene.show.figures.mainAxis.scale * setting.scales.body * rolling->cone.height_m *
+           k_P;
   return setting.scene.show.figures.mainAxis.scale * setting.axisLengths.dot(k_P.cwiseAbs()) * k_P;
 }
 

@@ -194,7 +194,7 @@ std::vector<Vector3d> AngleFigure::outermostPoints(const PictureState& state) co
 }
 
 ThetaFigure::ThetaFigure(const Setting& setting)
-    : fromVertical_(!setting.scene.motion.forcing.gravity_B.isZero(0)),
+    : fromVertical_(!setting.scene.motion.forcing.gravity_B.isZero(0) || setting.scene.motion.rolling),
       angle_(setting, {.from = fromVertical_ ? Direction::kZ : Direction::kL,
                        .to = Direction::kAxis,
                        .name = setting.scene.labels[scene::LabelName::kTheta],

@@ -22,6 +22,7 @@ physics::PrecessionCones precessionOf(const PictureMotion& motion, const char* k
 }
 
 Vector3d mainAxis_P(const PictureMotion& motion) {
+  if (motion.rolling()) return motion.axes().toP(motion.rolling()->cone.axis_B);
   const Vector3d omega_P = motion.outline().front().omega_P;
   if (const auto cones = physics::precessionCones(motion.moments(), omega_P)) return cones->k_P;
   int axis = 0;

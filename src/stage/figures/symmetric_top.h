@@ -12,7 +12,8 @@ namespace poinsot::stage {
 physics::PrecessionCones precessionOf(const PictureMotion& motion, const char* key);
 
 /// Returns the axis k of the body, from which theta is measured, on the side of the spin. For a symmetric body, k
-/// is the symmetry axis. Otherwise k is the principal axis with the largest component of omega at the start.
+/// is the symmetry axis. For a cone on a table, k points from its apex to its base. Otherwise k is the principal
+/// axis with the largest component of omega at the start.
 Eigen::Vector3d mainAxis_P(const PictureMotion& motion);
 
 }  // namespace poinsot::stage
