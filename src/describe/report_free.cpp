@@ -5,6 +5,7 @@
 
 #include "describe/report_sections.h"
 #include "physics/binet.h"
+#include "physics/earth.h"
 #include "physics/geometric_phase.h"
 #include "physics/herpolhode.h"
 #include "physics/mean_periods.h"
@@ -184,21 +185,31 @@ void addGeometricPhase(Section& section, const scene::Scene& scene) {
       "on the momentum sphere");
 }
 
-/// Reports whether a top resembles the Earth: (C - A)/A within 2 % and the spin within 1 %. The unit of the
-/// moments does not matter. Rigid models of the Earth differ by 1 % in (C - A)/A (0.0033 and 1/306). One turn a
-/// solar day and one turn a sidereal day differ by 0.3 %.
-bool isEarth(const PrecessionCones& cones) {
-  constexpr double kEllipticity = 0.0032845, kSpin = 7.292115e-5;  // (C - A)/A and rad/s; IERS Conventions (2010)
-  const double ellipticity = cones.bodyRate / cones.spinRate;      // eq 29
-  return std::abs(ellipticity / kEllipticity - 1) < 0.02 && std::abs(cones.spinRate / kSpin - 1) < 0.01;
+/// Adds a period of the Earth's wobble in solar days, and as a detail in sidereal days.
+void addEarthPeriod(Section& section, const std::string& key, const std::string& label, double period_s,
+                    const std::string& from) {
+  section.add(key + "_solar_days", label, period_s / physics::kSolarDay_s, "d", from);
+  section.addDetail(key + "_sidereal_days", "  in sidereal days", period_s / physics::kSiderealDay_s, "sidereal d",
+                    "86 164.09 s each, the time of one turn of the Earth");
 }
 
-void addChandler(Section& section, const PrecessionCones& cones) {
-  const double period_s = cones.wobblePeriod();
-  section.add("chandler_period_solar_days", "Chandler period, if rigid", period_s / physics::kSolarDay_s, "d",
-              "eq 29; observed, not rigid: 433 d");
-  section.addDetail("chandler_period_sidereal_days", "  in sidereal days", period_s / physics::kSiderealDay_s,
-                    "sidereal d", "86 164.09 s each, the time of one turn of the Earth");
+void addDeformableEarth(Section& section, const physics::EarthWobble& wobble) {
+  addEarthPeriod(section, "chandler_elastic", "  if elastic", wobble.elastic_s, "computed: rigid/(1 - k/k_s)");
+  section.addDetail("love_number", "  Love number k", physics::earth::kLoveNumber, "",
+                    "quoted: Wahr (1981, 1985)");
+  section.addDetail("secular_love_number", "  secular Love number k_s", wobble.secularLoveNumber, "",
+                    "computed: 3 G (C - A)/(Omega^2 a^5)");
+  addEarthPeriod(section, "chandler_fluid_core", "  if elastic, with a fluid core", wobble.fluidCore_s,
+                 "computed: elastic A_m/A");
+  section.addDetail("mantle_share", "  share of the mantle A_m/A", physics::earth::kMantleShare, "",
+                    "quoted: Mathews et al. (1991)");
+}
+
+void addChandler(Section& section, const physics::PrincipalMoments& moments, const PrecessionCones& cones) {
+  addEarthPeriod(section, "chandler_period", "Chandler period, if rigid", cones.wobblePeriod(), "computed: eq 29");
+  if (const auto wobble = physics::earthWobble(moments, cones)) addDeformableEarth(section, *wobble);
+  addEarthPeriod(section, "chandler_observed", "  observed", physics::earth::kObserved_days * physics::kSolarDay_s,
+                 "quoted, +- 1.1 d: Wilson & Vicente (1990)");
 }
 
 /// Returns how the body cone rolls, "outside" or "inside"; "none" for a steady spin, in which no cone rolls.
@@ -258,7 +269,7 @@ Section symmetricSection(const scene::Scene& scene) {
       cones->steady();
   section.add("wobble_period", "wobble seen from the body 2 pi/|Omega_p|", cones->wobblePeriod(), "s", "eq 29")
       .detail = cones->steady();
-  if (isEarth(*cones)) addChandler(section, *cones);
+  if (physics::resemblesEarth(*cones)) addChandler(section, scene.body.axes.moments(), *cones);
   return section;
 }
 
