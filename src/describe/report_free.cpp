@@ -156,7 +156,7 @@ void addHerpolhode(Section& section, const scene::Scene& scene) {
   section.add("closure_time", "  that is", closure->radialPeriods * curve.radialPeriod(), "s", "");
 }
 
-/// Adds the distance at which omega leaves the surface from the end of k, if the size of the body is known.
+/// Adds the distances between the places where k, omega and L leave the surface, if the size of the body is known.
 void addPoleDistance(Section& section, const scene::Scene& scene, const PrecessionCones& cones) {
   constexpr double kSmall_rad = 0.1;  // a larger angle is easier to imagine than a distance
   if (cones.bodyCone_rad == 0 || cones.bodyCone_rad > kSmall_rad) return;
@@ -164,6 +164,8 @@ void addPoleDistance(Section& section, const scene::Scene& scene, const Precessi
   const double reach_m = stage::BodyFigure(scene).halfExtents()[cones.axis];
   section.add("pole_distance", "  at the end of k, omega is off by", reach_m * std::tan(cones.bodyCone_rad), "m",
               "half the length along k, times tan beta");
+  section.add("pole_distance_of_L", "  and L is off omega by", reach_m * std::tan(cones.spaceCone_rad), "m",
+              "half the length along k, times tan |theta - beta|");
 }
 
 /// Adds Montgomery's phase. The facts are details, unless the scene draws the solid angle.

@@ -69,10 +69,31 @@ TEST(ReportWords, OmitTheChandlerPeriodForATopUnlikeTheEarth) {
 }
 
 // H = (C - A)/C = 0.003273795 (IERS Conventions 2010), eq 29: (1 - H)/H = 304.4559 sidereal days of 2 pi/omega_3.
-TEST(ReportWords, GiveTheChandlerPeriodOfTheEarth) {
+// The other numbers by hand in tests/physics/earth_test.cpp; k_s falls with omega_3², here by 2.3e-7 of its value.
+TEST(ReportWords, GiveTheChandlerPeriodsOfTheEarth) {
   const Printed earth("[body]\ncatalogue = \"earth\"\n[motion]\nomega_body = [1.145e-10, 0, 7.2921158553e-5]\n");
   EXPECT_NEAR(earth.facts["chandler_period_sidereal_days"], 304.4559, 1e-4);
-  EXPECT_THAT(earth.table, HasSubstr("observed, not rigid: 433 d"));
+  EXPECT_NEAR(earth.facts["chandler_elastic_sidereal_days"], 446.0914, 2e-4);
+  EXPECT_NEAR(earth.facts["chandler_fluid_core_sidereal_days"], 395.3322, 2e-4);
+  EXPECT_NEAR(earth.facts["secular_love_number"], 0.9385729, 4e-7);
+  EXPECT_NEAR(earth.facts["chandler_observed_solar_days"], 433, 1e-12);
+  EXPECT_THAT(earth.table, AllOf(HasSubstr("computed: rigid/(1 - k/k_s)"), HasSubstr("computed: elastic A_m/A"),
+                                 HasSubstr("quoted, +- 1.1 d: Wilson & Vicente (1990)")));
+}
+
+// Without the unit of the moments, k_s is unknown.
+TEST(ReportWords, OmitTheDeformableEarthForMomentsInOtherUnits) {
+  const Printed top(body("[1, 1, 1.0033]", "omega_body = [1.145e-10, 0, 7.292115e-5]"));
+  EXPECT_TRUE(top.facts.contains("chandler_observed_solar_days"));
+  for (const char* key : {"chandler_elastic_solar_days", "chandler_fluid_core_solar_days", "secular_love_number"})
+    EXPECT_FALSE(top.facts.contains(key)) << key;
+}
+
+// 6356752 m times the angles: 1.145e-10/7.292115e-5 and, between omega and L, H times as much.
+TEST(ReportWords, GiveTheDistancesAtThePoleOfTheEarth) {
+  const Printed earth("[body]\ncatalogue = \"earth\"\n[motion]\nomega_body = [1.145e-10, 0, 7.292115e-5]\n");
+  EXPECT_NEAR(earth.facts["pole_distance"], 9.9813, 1e-4);
+  EXPECT_NEAR(earth.facts["pole_distance_of_L"], 9.9813 * 0.003273795, 1e-6);
 }
 
 // The body turns about L at L/I1 = 2/1.5 (eq 20), so that the circle closes after 2 pi/(L/I1).

@@ -22,8 +22,8 @@ std::optional<EarthWobble> wobbleOf(const PrincipalMoments& moments, double spin
   return earthWobble(moments, *precessionCones(moments, Vector3d(1.145e-10, 0, spin)));
 }
 
-// By hand: C - A = 0.003273795 8.0365e37 = 2.6309854e35 kg m²; Omega² a⁵ = 5.3174941e-9 1.0555175e34 =
-// 5.6127081e25 m⁵/s²; k_s = 3 G (C - A)/(Omega² a⁵) = 5.2679356e25/5.6127081e25 = 0.9385729; k/k_s =
+// Worked by hand: C - A = 0.003273795 8.0365e37 = 2.6309854e35 kg m²; Omega² a⁵ = 5.3174941e-9 1.0555264e34 =
+// 5.6127552e25 m⁵/s²; k_s = 3 G (C - A)/(Omega² a⁵) = 5.2679799e25/5.6127552e25 = 0.9385729; k/k_s =
 // 0.298/0.9385729 = 0.3175033. In turns: (1 - H)/H = 304.45590; divided by 0.6824967: 446.0914; times 0.8862136:
 // 395.3322.
 TEST(Earth, WobblesMoreSlowlyIfElasticAndFasterWithAFluidCore) {
