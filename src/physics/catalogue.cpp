@@ -137,20 +137,19 @@ CatalogueBody earthBody() {
   const double equator = earth::kEquatorialRadius_m, pole = equator * (1 - 1 / earth::kInverseFlattening);
   const double C = earth::kPolarMoment, A = C * (1 - earth::kDynamicalFlattening);
   const double mass_kg = earth::kGM / earth::kGravitation;
-  return {
-      "earth",
-      "Earth",
-      mass_kg,
-      {whole(Ellipsoid{{equator, equator, pole}}, mass_kg)},
-      PrincipalMoments({A, A, C}),
-      "Published: polar moment C = 8.0365e37 kg·m² (E. Groten, J. Geodesy 77 (2004) 724). Also published: "
-      "dynamical flattening H = (C - A)/C = 0.003273795, GM, G, equatorial radius and flattening of the IERS "
-      "Conventions (2010), table 1.1. Computed: A = C (1 - H), the mean of the two equatorial moments; mass "
-      "GM/G. Assumed: rigid and symmetric. The difference B - A = 7.26e-6 M R² (Liu & Chao, Geophys. J. Int. "
-      "106 (1991) 699) is left out. Therefore, this Earth wobbles in A/(C - A) = 304.46 sidereal days. The "
-      "real one takes 433 days. Its fluid core shortens the period, and its elasticity and its oceans "
-      "lengthen it by more (Smith & Dahlen, Geophys. J. R. astr. Soc. 64 (1981) 223). `info` prints the periods "
-      "of an elastic Earth and of one with a fluid core."};
+  return {"earth",
+          "Earth",
+          mass_kg,
+          {whole(Ellipsoid{{equator, equator, pole}}, mass_kg)},
+          PrincipalMoments({A, A, C}),
+          "Published: polar moment C = 8.0365e37 kg·m² (E. Groten, J. Geodesy 77 (2004) 724). Also published: "
+          "dynamical flattening H = (C - A)/C = 0.003273795, GM, G, equatorial radius and flattening of the IERS "
+          "Conventions (2010), table 1.1. Computed: A = C (1 - H), the mean of the two equatorial moments; mass "
+          "GM/G. Assumed: rigid and symmetric. The difference B - A = 7.26e-6 M R² (Liu & Chao, Geophys. J. Int. "
+          "106 (1991) 699) is left out. Therefore, this Earth wobbles in A/(C - A) = 304.46 sidereal days. The "
+          "real one takes 433 days. Its fluid core shortens the period, and its elasticity and its oceans "
+          "lengthen it by more (Smith & Dahlen, Geophys. J. R. astr. Soc. 64 (1981) 223). The command info prints "
+          "the periods of an elastic Earth and of one with a fluid core."};
 }
 
 CatalogueBody toutatis() {
