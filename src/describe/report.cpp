@@ -30,7 +30,8 @@ std::string numberText(double value, int digits) { return fmt::format("{:.{}g}",
 /// Reports whether the numbers of a fact are components along axes, as in a vector. The keys of such facts end in
 /// the letter of the frame. The components of a quaternion count too, because they share one length.
 bool isOfComponents(const Fact& fact) {
-  return fact.key.ends_with("_B") || fact.key.ends_with("_W") || fact.key == "orientation";
+  return fact.key.ends_with("_B") || fact.key.ends_with("_W") || fact.key.ends_with("_A") ||
+         fact.key.starts_with("U_") || fact.key == "orientation";
 }
 
 /// Replaces components that are only rounding errors of the largest component by 0.
@@ -219,11 +220,12 @@ Report sceneReport(const scene::Scene& scene) {
   const double start_s = scene.time.start_s;
   const ReportSpan span{start_s, stage::filmClock(scene).motionTime_s(scene.time.duration_s)};
   const auto motion = scene::makeMotion(scene, span.from_s, span.to_s);
-  return {scene.name,
-          {bodySection(scene), startSection(scene), forcesSection(scene, *motion, span), flightSection(scene),
-           constructionSection(scene), symmetricSection(scene), heavyTopSection(scene), rollingSection(scene),
-           lossSection(scene, *motion, span), stabilitySection(scene), loopSection(scene),
-           eventsSection(scene, *motion, span), accuracySection(scene, *motion, span)}};
+  return {
+      scene.name,
+      {bodySection(scene), ownAxesSection(scene), startSection(scene), forcesSection(scene, *motion, span),
+       flightSection(scene), referencePointSection(scene), constructionSection(scene), symmetricSection(scene),
+       heavyTopSection(scene), rollingSection(scene), lossSection(scene, *motion, span), stabilitySection(scene),
+       loopSection(scene), eventsSection(scene, *motion, span), accuracySection(scene, *motion, span)}};
 }
 
 }  // namespace poinsot::describe

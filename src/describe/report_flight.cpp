@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <optional>
+#include <variant>
+#include <vector>
+
 #include "describe/report_sections.h"
 #include "physics/flight_path.h"
+#include "physics/inertia_tensor.h"
+#include "physics/particle_system.h"
+#include "physics/reference_point.h"
 #include "scene/motion/make_motion.h"
 
 namespace poinsot::describe {
@@ -16,7 +23,41 @@ void addMomenta(Section& section, const physics::FlightQuantities& q) {
   section.add("T_total", "total kinetic energy", q.kineticEnergy(), "J", "eq 10");
 }
 
+/// Returns L_tot as the sum over the particles of a body that consists of point masses only (eq 4).
+std::optional<Eigen::Vector3d> sumOverParticles_W(const scene::Scene& scene, const physics::RigidBodyState& s,
+                                                  const physics::ReferencePointTerms& terms) {
+  std::vector<physics::Particle> particles;
+  for (const scene::Part& part : scene.body.parts) {
+    if (!std::holds_alternative<scene::PointMass>(part.figure)) return std::nullopt;
+    const Eigen::Vector3d r_W = physics::turnedVector(s.q_WB, part.offset_B - *scene.motion.thrownBy_B);
+    particles.push_back({part.mass_kg, terms.position_W + r_W, {}});
+  }
+  return physics::rigidlyMoving(particles, terms.position_W, terms.velocity_W, s.omega_W)
+      .angularMomentumAbout(Eigen::Vector3d::Zero());
+}
+
 }  // namespace
+
+Section referencePointSection(const scene::Scene& scene) {
+  Section section{"Reference point K (at motion time 0; W: inertial axes)", {}};
+  if (!scene.motion.thrownBy_B) return section;
+  const auto s = scene::makeMotion(scene, 0, 0)->at(0);
+  const auto terms =
+      physics::referencePointTerms(*scene.body.mass, *scene.motion.thrownBy_B, *scene.motion.flight, s);
+  section.addDetail("K_B", "K, in B", *scene.motion.thrownBy_B, "m", "");
+  section.add("K_position_W", "its position R", terms.position_W, "m", "eq 4");
+  section.add("K_velocity_W", "its velocity V", terms.velocity_W, "m/s", "eq 4");
+  section.addDetail("K_to_centre_W", "c, from K to the centre of mass", terms.centre_W, "m", "");
+  section.add("L_K_translation_W", "R x M V", terms.translation_W, "kg m^2/s", "eq 4");
+  section.add("L_K_mixed_1_W", "mixed term R x (omega x M c)", terms.turningCentre_W, "kg m^2/s", "eq 4");
+  section.add("L_K_mixed_2_W", "mixed term M c x V", terms.displaced_W, "kg m^2/s", "eq 4");
+  section.add("L_K_rotation_W", "rotation about K, I_K omega", terms.rotation_W, "kg m^2/s", "eq 4");
+  section.add("L_K_sum_W", "L_tot, the sum of the four", terms.sum_W(), "kg m^2/s", "eq 4");
+  if (const auto sum = sumOverParticles_W(scene, s, terms))
+    section.add("L_particles_W", "L_tot, particle by particle", *sum, "kg m^2/s", "eq 4");
+  section.add("mixed_terms_vanish", "mixed terms vanish", terms.mixedTermsVanish(), "", "eq 5");
+  return section;
+}
 
 Section flightSection(const scene::Scene& scene) {
   Section section{"Flight (at motion time 0; W: inertial axes)", {}};

@@ -16,6 +16,8 @@ struct ReportSpan {
 
 /// Returns the mass, centre of mass, inertia tensor and principal axes (eq 13 to 17).
 Section bodySection(const scene::Scene& scene);
+/// Returns the tensor along the axes that [body.own_axes] gives, and the matrix U of these axes (eq 15, 16).
+Section ownAxesSection(const scene::Scene& scene);
 /// Returns the state at motion time 0 (eq 2, 6, 12).
 Section startSection(const scene::Scene& scene);
 /// Returns the flight of a thrown body. If the mass is given, also momenta and energies (eq 1 to 10).
@@ -24,6 +26,8 @@ Section flightSection(const scene::Scene& scene);
 /// time, at the film's start (eq 1, 8, 9).
 /// @param motion  motion of the scene over the span
 Section forcesSection(const scene::Scene& scene, const physics::Motion& motion, const ReportSpan& span);
+/// Returns the terms of L_tot for the reference point K by which the body is thrown (eq 4).
+Section referencePointSection(const scene::Scene& scene);
 /// Returns Poinsot's construction, polhode, herpolhode and flips of a free motion (eq 38 to 40).
 Section constructionSection(const scene::Scene& scene);
 /// Returns cones and rates of a free symmetric top (eq 19 to 37). If the top has the Earth's shape and spin, also

@@ -120,6 +120,8 @@ class LatexWriter {
         addCommand();
       else if (std::u32string_view(U"{}$]").find(peek()) != std::u32string_view::npos)
         addBracket(static_cast<char>(tex_[at_++]));
+      else if (peek() == U'&' && isInCell())
+        latex_ += static_cast<char>(tex_[at_++]);
       else
         addLetter();
     }
@@ -154,7 +156,11 @@ class LatexWriter {
     latex_ += haveAccents(marks) ? accented("\\" + name, marks, true) : "\\" + name + text::toUtf8(marks);
     textFollows_ = name == "text" || name == "textbf";
     if (name == "sqrt") addIndex();
+    if (name == "begin") matrices_.push_back(inMath_.size());
+    if (name == "end") matrices_.pop_back();
   }
+
+  bool isInCell() const { return !matrices_.empty() && matrices_.back() == inMath_.size(); }
 
   std::string takeName() {
     const std::size_t begin = at_++;
@@ -210,6 +216,7 @@ class LatexWriter {
   std::vector<bool> inMath_ = {false};
   bool textFollows_ = false;  // true after \text or \textbf, until its opening brace
   std::vector<Index> indices_;
+  std::vector<std::size_t> matrices_;  // depth in braces of each open matrix
 };
 
 struct Definition {

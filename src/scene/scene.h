@@ -57,6 +57,7 @@ struct Body {
   physics::PrincipalAxes axes{physics::PrincipalMoments(Eigen::Vector3d::Ones())};  ///< about the fixed point
   std::optional<physics::MassProperties> mass;  ///< nullopt if only moments or a tensor are given
   std::optional<Eigen::Vector3d> pivot_B;       ///< fixed point of the body; nullopt for the centre of mass
+  std::optional<physics::Quaternion> q_BA;      ///< takes components along the scene's own axes A to B (eq 15, 16)
   std::vector<Part> parts;                      ///< empty if only moments or a tensor are given
   std::vector<BodyMark> marks;                  ///< marks that fit the drawn parts
 
@@ -88,6 +89,7 @@ struct Motion {
   double mostSteps = 2e6;               ///< largest number of integration steps (Limit::kSteps)
   std::optional<Flight> flight;
   std::optional<Rolling> rolling;
+  std::optional<Eigen::Vector3d> thrownBy_B;  ///< point K of a thrown body whose start the scene gives (eq 4), m
 
   /// Returns whether no torque acts on the body, so that the motion is free.
   bool isFree() const { return forcing.none() && !rolling; }

@@ -119,6 +119,7 @@ constexpr Command kCommands[] = {
     {.name = "frac", .kind = CommandKind::kFraction, .atomClass = kInner},
     {.name = "dfrac", .kind = CommandKind::kDisplayFraction, .atomClass = kInner},
     {.name = "sqrt", .kind = CommandKind::kRoot},
+    {.name = "begin", .kind = CommandKind::kMatrix, .atomClass = kInner},
     symbol("times", U'×', kBinary),
     symbol("cdot", U'⋅', kBinary),
     symbol("pm", U'±', kBinary),

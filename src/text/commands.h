@@ -21,6 +21,7 @@ enum class CommandKind {
   kFraction,
   kDisplayFraction,  ///< fraction whose parts have the text size of the line
   kRoot,
+  kMatrix,  ///< \begin, whose only environment is {bmatrix}
 };
 
 /// Command of the TeX subset. `kind` determines which other fields are used.

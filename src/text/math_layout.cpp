@@ -2,6 +2,7 @@
 #include "text/math_layout.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "text/plain_text.h"
 
@@ -127,6 +128,88 @@ Box fraction(const Box& numerator, const Box& denominator, const MathStyle& styl
   box.rules.push_back({side, barBottom, bar, rule});
   box.accentX = box.width / 2;
   box.plain = plainFraction(numerator.plain, denominator.plain);
+  return box;
+}
+
+namespace {
+
+// Lengths of a matrix, em. The distances of rows and columns are LaTeX's.
+constexpr double kRowsApart = 1.2, kLeastRowGap = 0.15, kColumnsApart = 1.0;
+constexpr double kRowHeight = 0.7, kRowDepth = 0.2;    // least extent of the first and the last row
+constexpr double kBracketLip = 0.2, kInBracket = 0.2;  // width of a bracket's ends, and the space inside
+constexpr double kBesideBracket = 0.1, kBeyondRows = 0.1;
+
+std::vector<double> columnWidths(const std::vector<std::vector<Box>>& rows) {
+  std::vector<double> widths;
+  for (const std::vector<Box>& row : rows) {
+    if (widths.size() < row.size()) widths.resize(row.size());
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].width);
+  }
+  return widths;
+}
+
+struct Extent {
+  double height = 0, depth = 0;
+};
+
+Extent extentOf(const std::vector<Box>& row, double scale) {
+  Extent extent{scale * kRowHeight, scale * kRowDepth};
+  for (const Box& cell : row) {
+    extent.height = std::max(extent.height, cell.height);
+    extent.depth = std::max(extent.depth, cell.depth);
+  }
+  return extent;
+}
+
+/// Adds a bracket, whose upright starts at x. The rules do not overlap, because overlaps would be darker.
+/// @param lip  width of the two ends: positive to the right, negative to the left
+void addBracket(Box& box, double x, double lip, double top, double bottom, double rule) {
+  box.rules.push_back({x, bottom, rule, top - bottom});
+  const double end = lip > 0 ? x + rule : x + lip;
+  for (const double y : {top - rule, bottom}) box.rules.push_back({end, y, std::abs(lip), rule});
+}
+
+}  // namespace
+
+Box bracketedMatrix(const std::vector<std::vector<Box>>& rows, const MathStyle& style) {
+  const double scale = scaleOf(style.level), rule = scale * constants().fractionRuleThickness;
+  const std::vector<double> widths = columnWidths(rows);
+  std::vector<double> baselines;  // below the first one
+  double depth = 0;
+  for (const std::vector<Box>& row : rows) {
+    const Extent extent = extentOf(row, scale);
+    baselines.push_back(baselines.empty() ? 0
+                                          : std::max(baselines.back() + scale * kRowsApart,
+                                                     depth + scale * kLeastRowGap + extent.height));
+    depth = baselines.back() + extent.depth;
+  }
+  const double height = extentOf(rows.front(), scale).height, beyond = scale * kBeyondRows;
+  const double first = scale * constants().axisHeight + (depth - height) / 2;  // baseline of the first row
+  const double top = first + height + beyond, bottom = first - depth - beyond;
+
+  Box box;
+  const double left = scale * kBesideBracket, lip = scale * kBracketLip;
+  addBracket(box, left, lip, top, bottom, rule);
+  double right = left + rule + lip + scale * kInBracket;
+  for (std::size_t column = 0; column < widths.size(); ++column) {
+    if (column > 0) right += scale * kColumnsApart;
+    right += widths[column];
+    for (std::size_t row = 0; row < rows.size(); ++row)
+      if (column < rows[row].size())
+        place(box, rows[row][column], right - rows[row][column].width, first - baselines[row]);
+  }
+  right += scale * kInBracket + lip;
+  addBracket(box, right, -lip, top, bottom, rule);
+  box.width = right + rule + left;
+  box.height = std::max(box.height, top);
+  box.depth = std::max(box.depth, -bottom);
+  box.accentX = box.width / 2;
+  std::vector<std::vector<std::u32string>> plain;
+  for (const std::vector<Box>& row : rows) {
+    plain.emplace_back();
+    for (const Box& cell : row) plain.back().push_back(cell.plain);
+  }
+  box.plain = plainMatrix(plain);
   return box;
 }
 

@@ -43,6 +43,10 @@ Box withScripts(const Box& base, const Scripts& scripts, const MathStyle& style)
 /// Typesets a fraction. With `display`, numerator and denominator are as far apart as in a displayed equation.
 Box fraction(const Box& numerator, const Box& denominator, const MathStyle& style, bool display);
 
+/// Typesets a matrix in square brackets, centred on the axis of the line. Columns are flush right, so that numbers
+/// with equally many decimals are aligned. Rows may have different lengths.
+Box bracketedMatrix(const std::vector<std::vector<Box>>& rows, const MathStyle& style);
+
 /// Typesets `content` under a root sign. Returns nullopt if `content` is taller than the font's largest root sign.
 std::optional<Box> squareRoot(const Box& content, const MathStyle& style);
 

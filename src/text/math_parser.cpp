@@ -15,6 +15,8 @@ MathStyle raised(const MathStyle& style) { return {std::min(style.level + 1, 2),
 MathStyle upright(const MathStyle& style) { return {style.level, style.cramped, Alphabet::kRoman}; }
 MathStyle cramped(const MathStyle& style) { return {style.level, true, style.alphabet}; }
 
+constexpr std::u32string_view kRowEnd = U"\\\\", kMatrixEnd = U"\\end{bmatrix}";
+
 class MathParser {
  public:
   MathParser(TexReader& reader, const MathStyle& style) : reader_(reader), style_(style) {}
@@ -22,13 +24,7 @@ class MathParser {
   Box parseList(const ListEnd& end) {
     const TexReader::Nested nested(reader_);
     std::vector<Atom> atoms;
-    while (reader_.skipBlanks(), !takeEnd(reader_, end)) {
-      if (isScriptSign(reader_.peek()))
-        atoms.push_back({});  // empty base, as in {}^2
-      else
-        atoms.push_back(parseNucleus());
-      parseScripts(atoms.back());
-    }
+    while (reader_.skipBlanks(), !takeEnd(reader_, end)) parseItem(atoms);
     return joined(atoms, style_);
   }
 
@@ -49,6 +45,14 @@ class MathParser {
 
  private:
   static bool isScriptSign(char32_t c) { return c == U'_' || c == U'^' || c == U'\''; }
+
+  void parseItem(std::vector<Atom>& atoms) {
+    if (isScriptSign(reader_.peek()))
+      atoms.push_back({});  // empty base, as in {}^2
+    else
+      atoms.push_back(parseNucleus());
+    parseScripts(atoms.back());
+  }
 
   Atom letterAtom(std::u32string_view glyphs) const {
     const Symbol symbol = symbolOf(glyphs.front());
@@ -114,6 +118,8 @@ class MathParser {
         return {rootBox(column, what)};
       case CommandKind::kFraction:
         return {fractionBox(column, what, raised(style_), false), AtomClass::kInner};
+      case CommandKind::kMatrix:
+        return {matrixBox(column), AtomClass::kInner};
       case CommandKind::kDisplayFraction:
         break;
     }
@@ -124,6 +130,31 @@ class MathParser {
     const Box numerator = parseArgument(column, what, parts);
     const Box denominator = parseArgument(column, what, cramped(parts));
     return fraction(numerator, denominator, style_, display);
+  }
+
+  // Parses a matrix after \begin.
+  Box matrixBox(std::size_t column) {
+    if (!reader_.takeIf(U"{bmatrix}"))
+      reader_.fail(column, "\\begin begins a matrix: \\begin{bmatrix} a & b \\\\ c & d \\end{bmatrix}");
+    std::vector<std::vector<Box>> rows(1);
+    while (rows.back().push_back(cellBox(column)), !reader_.takeIf(kMatrixEnd))
+      if (!reader_.takeIf(U'&')) reader_.takeIf(kRowEnd), rows.emplace_back();
+    const std::vector<Box>& last = rows.back();
+    if (rows.size() > 1 && last.size() == 1 && last[0].glyphs.empty()) rows.pop_back();  // the last row has an end
+    return bracketedMatrix(rows, style_);
+  }
+
+  Box cellBox(std::size_t column) {
+    const TexReader::Nested nested(reader_);
+    std::vector<Atom> atoms;
+    while (reader_.skipBlanks(), !isAtCellEnd(column)) parseItem(atoms);
+    return joined(atoms, style_);
+  }
+
+  bool isAtCellEnd(std::size_t column) const {
+    if (reader_.atEnd() || reader_.peek() == U'$' || reader_.peek() == U'}')
+      reader_.fail(column, "this matrix is never closed; write \\end{bmatrix} after its last row");
+    return reader_.peek() == U'&' || reader_.isAt(kRowEnd) || reader_.isAt(kMatrixEnd);
   }
 
   Box functionBox(const std::string& name) const {

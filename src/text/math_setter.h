@@ -15,8 +15,9 @@ namespace poinsot::text {
 ///
 /// Inside $...$, Latin letters are italic and digits upright. Greek letters are commands (\omega, \Omega) or the
 /// letters themselves. Alphabets: \mathbf \boldsymbol \mathrm \mathit. Accents: \hat \dot \ddot \bar \vec \tilde.
-/// Scripts: _ ^ '. Also \frac{}{}, \dfrac{}{} with parts in full size, \sqrt{} \sqrt[3]{}, \text{...}, functions
-/// (\sin) and the operators of commands.cpp, spaced as in TeX. - is the minus sign.
+/// Scripts: _ ^ '. Also \frac{}{}, \dfrac{}{} with parts in full size, \sqrt{} \sqrt[3]{}, matrices as in
+/// \begin{bmatrix} a & b \\ c & d \end{bmatrix}, \text{...}, functions (\sin) and the operators of commands.cpp,
+/// spaced as in TeX. - is the minus sign.
 ///
 /// Canonically equal texts, such as composed and decomposed letters, give the same result.
 ///

@@ -56,6 +56,15 @@ std::u32string plainFraction(const std::u32string& numerator, const std::u32stri
 
 std::u32string plainRoot(const std::u32string& content) { return U"√" + grouped(content); }
 
+std::u32string plainMatrix(const std::vector<std::vector<std::u32string>>& rows) {
+  std::u32string text;
+  for (const std::vector<std::u32string>& row : rows) {
+    text += text.empty() ? U"[" : U"; ";
+    for (std::size_t i = 0; i < row.size(); ++i) text += (i == 0 ? U"" : U" ") + row[i];
+  }
+  return text + U"]";
+}
+
 std::u32string plainWithIndex(const std::u32string& index, const std::u32string& root) {
   if (index == U"3") return U"∛" + root.substr(1);
   if (index == U"4") return U"∜" + root.substr(1);

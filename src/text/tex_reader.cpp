@@ -42,6 +42,16 @@ bool TexReader::takeIf(char32_t wanted) {
   return true;
 }
 
+bool TexReader::isAt(std::u32string_view characters) const {
+  return std::u32string_view(characters_).substr(position_).starts_with(characters);
+}
+
+bool TexReader::takeIf(std::u32string_view wanted) {
+  if (!isAt(wanted)) return false;
+  position_ += wanted.size();
+  return true;
+}
+
 std::string TexReader::takeName() {
   if (atEnd()) fail(position_, "a backslash at the end; it starts a command such as \\omega");
   std::string name;

@@ -18,6 +18,9 @@ class TexReader {
   char32_t peek() const { return atEnd() ? U'\0' : characters_[position_]; }
   char32_t take();
   bool takeIf(char32_t wanted);
+  /// Returns whether the next characters are these.
+  bool isAt(std::u32string_view characters) const;
+  bool takeIf(std::u32string_view wanted);
   /// Reads the name of a command after the backslash: a word of letters or one other character.
   std::string takeName();
   void skipBlanks();

@@ -14,6 +14,13 @@ TEST(FigureTex, KeepsCommandsThatLatexKnows) {
     EXPECT_EQ(latexOf(tex), tex);
 }
 
+TEST(FigureTex, KeepsTheSignsThatSeparateElementsOfAMatrix) {
+  for (const char* tex : {R"($I = \begin{bmatrix} 1 & -2 \\ 0 & \frac{a}{b} \end{bmatrix}$)"})
+    EXPECT_EQ(latexOf(tex), tex);
+  EXPECT_EQ(latexOf(R"($\begin{bmatrix} a & {b&c} \end{bmatrix}$ & d)"),
+            R"($\begin{bmatrix} a & {b\&c} \end{bmatrix}$ \& d)");
+}
+
 // Expected by hand, from LaTeX's treatment of these signs: % begins a comment, # and & are errors in running text,
 // < is an inverted exclamation mark in the old text font.
 TEST(FigureTex, EscapesSpecialCharactersOfLatex) {

@@ -33,6 +33,7 @@ def tex():
     yield from ((double.replace("\\\\", "\\") or single).encode() for double, single in sorted(texts))
     yield r"Poinsot's ``construction'' -- \textbf{bold} \, \; \quad\ \$ \% \& \# \_ \{ \} \degree \ldots".encode()
     yield r"$\hat{\mathbf{e}}_1 \dot\omega \ddot{x} \bar x \vec{r} \tilde N x_{1}^{2}' \frac{a}{b} \dfrac{2T}{L} \sqrt{I_1}$".encode()
+    yield r"$I = \begin{bmatrix} I_1 & 0 \\ 0 & -\frac{1}{2} \\ \end{bmatrix}^2$".encode()
     yield r"$\text{if } \sin\theta \le 1, \boldsymbol{\omega} \mathrm{d} \mathit{x} \times \cdot \Omega ω = -1$".encode()
 
 

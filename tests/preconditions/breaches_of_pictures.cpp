@@ -22,6 +22,7 @@
 #include "stage/stability_map.h"
 #include "stage/stage.h"
 #include "stage/sweep_stage.h"
+#include "stage/type/matrix_text.h"
 #include "stage/type/written_number.h"
 #include "support/scratch_folder.h"
 #include "text/coverage.h"
@@ -123,6 +124,7 @@ std::vector<Breach> ofStage() {
          plotOf({indexOf("omega_1"), indexOf("omega_2")}, indexOf("omega_3"));
        }},
       {"stage/plot/plot_figure.h", "quantities are of one unit", [=] { plotOf({}, {}); }},
+      {"stage/type/matrix_text.h", "the note has a matrix", [] { stage::matrixText({}, sceneWith()); }},
       {"stage/type/written_number.h", "`asked` is empty or a unit",
        [] { writtenUnit(scene::QuantityUnit::kRadianPerSecond, 1, "kg"); }},
   };

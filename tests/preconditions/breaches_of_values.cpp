@@ -19,6 +19,7 @@
 #include "physics/stability.h"
 #include "physics/start.h"
 #include "preconditions/breaches.h"
+#include "scene/body_matrix.h"
 #include "scene/document/problem.h"
 #include "scene/motion/film_clock.h"
 #include "scene/state_quantity.h"
@@ -207,6 +208,7 @@ std::vector<Breach> ofScene() {
       {"scene/motion/film_clock.h", "finite times, duration_s >= 0",
        [] { FilmClock(0, 1, {}).filmTimesOf(kNaN, 1); }},
       {"scene/motion/film_clock.h", "not NaN", [] { FilmClock(0, 1, {}).pace(kNaN); }},
+      {"scene/body_matrix.h", "lackFor(body, matrix) is empty", [] { bodyMatrix(Body(), BodyMatrix::kUOwn); }},
       {"scene/document/problem.h", "at least one problem", [] { SceneErrors({}); }},
       {"scene/state_quantity.h", "index of a quantity", [] { stateQuantity(-1); }},
       {"scene/state_quantity.h", "index of a quantity", [=] { quantityTex(beyond, {}); }},

@@ -263,6 +263,41 @@ TEST_F(MathSetter, ARootsIndexMayBeAnyFormula) {
   EXPECT_EQ(setTex("$\\sqrt[n]{x}$").plainText, "[n]√x");
 }
 
+// The brackets are rules: an upright and two ends on each side. The middle of the matrix is on the axis of the
+// line.
+TEST_F(MathSetter, AMatrixIsInBracketsCentredOnTheAxis) {
+  const GlyphRun run = setTex("$\\begin{bmatrix} 1 & 0 \\\\ 0 & 12 \\end{bmatrix}$");
+  ASSERT_EQ(run.glyphs.size(), 5u);
+  ASSERT_EQ(run.rules.size(), 6u);
+  const Rule &left = run.rules[0], &right = run.rules[3];
+  EXPECT_NEAR(left.y_em + left.height_em / 2, font_.constant(HB_OT_MATH_CONSTANT_AXIS_HEIGHT), kExact_em);
+  EXPECT_NEAR(right.y_em, left.y_em, kExact_em);
+  EXPECT_NEAR(left.x_em, run.width_em - right.x_em - right.width_em, kExact_em);
+  for (const PlacedGlyph& g : run.glyphs) {
+    const testing::Ink ink = font_.ink(g.id);
+    EXPECT_GT(g.x_em + ink.left, left.x_em + left.width_em);
+    EXPECT_LT(g.x_em + ink.right, right.x_em);
+    EXPECT_GT(g.y_em + ink.bottom, left.y_em);
+    EXPECT_LT(g.y_em + ink.top, left.y_em + left.height_em);
+  }
+}
+
+TEST_F(MathSetter, TheColumnsOfAMatrixAreFlushRight) {
+  const GlyphRun run = setTex("$\\begin{bmatrix} 1 & 0 \\\\ 0 & 12 \\end{bmatrix}$");
+  const auto right = [&](std::size_t i) { return run.glyphs.at(i).x_em + font_.advance(run.glyphs.at(i).id); };
+  EXPECT_NEAR(right(0), right(2), kExact_em);  // 1 above 0
+  EXPECT_NEAR(right(1), right(4), kExact_em);  // 0 above 12
+  EXPECT_EQ(run.glyphs[0].y_em, run.glyphs[1].y_em);
+  EXPECT_GT(run.glyphs[0].y_em, run.glyphs[2].y_em);
+}
+
+TEST_F(MathSetter, AMatrixMayHaveAnyFormulaAsElement) {
+  EXPECT_EQ(setTex("$\\begin{bmatrix} I_1 & 0 \\\\ -x & \\sqrt{y} \\end{bmatrix}$").plainText, "[I₁ 0; −x √y]");
+  EXPECT_EQ(setTex("$\\begin{bmatrix} 1 \\\\ 2 \\\\ \\end{bmatrix}$").plainText,
+            "[1; 2]");  // LaTeX accepts this too
+  EXPECT_EQ(setTex("$\\begin{bmatrix}1&\\begin{bmatrix}a\\end{bmatrix}\\end{bmatrix}$").plainText, "[1 [a]]");
+}
+
 // The layer's extents are HarfBuzz's, in whole font units; the expected extents come from the curves.
 TEST_F(MathSetter, InkBoundsAreThoseOfTheOutlines) {
   for (const char* tex : {"Poinsot", "$\\hat{\\mathbf{e}}_1$", "$2T/L$", " y ", "$\\frac{x}{y}$"}) {

@@ -29,6 +29,7 @@ std::optional<Rest> bodyAndMotion(const Draft& draft, Findings& findings, const 
   else
     rest = assembleStart(draft, body ? &*body : nullptr, findings, scene.motion);
   if (body) scene.body = *body;
+  if (body) throwByPoint(draft, scene);
   return rest;
 }
 

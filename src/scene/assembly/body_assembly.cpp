@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "physics/catalogue.h"
+#include "physics/euler_angles.h"
 #include "scene/assembly/measured_body.h"
 #include "scene/assembly/piece_reader.h"
 #include "scene/keys/tensor_text.h"
@@ -41,11 +42,77 @@ std::string outOfReach(const Vector3d& moments) {
   return "";
 }
 
+/// Reads the axes of one's own. Each way to give them needs all of its keys.
+class OwnAxesReader {
+ public:
+  OwnAxesReader(const OwnAxesDraft& draft, Findings& findings) : draft_(draft), findings_(findings) {}
+
+  std::optional<physics::Quaternion> q_BA() {
+    if (!findings_.hasTable("body.own_axes") && !findings_.hasBelow("body.own_axes")) return std::nullopt;
+    if (!isOneWay()) return std::nullopt;
+    if (draft_.rotation) return *draft_.rotation;
+    if (const auto& angles = draft_.rollPitchYaw)
+      return physics::attitudeOf(physics::RollPitchYaw{(*angles)[0], (*angles)[1], (*angles)[2]});
+    return draft_.x && draft_.y ? fromDirections(*draft_.x, *draft_.y) : std::nullopt;
+  }
+
+ private:
+  static std::string path(std::string_view name) { return fmt::format("body.own_axes.{}", name); }
+
+  bool isOneWay() {
+    std::vector<std::string> given;
+    for (const char* way : {"rotation", "roll_pitch_yaw", "x", "y"})
+      if (findings_.has(path(way))) given.push_back(path(way));
+    if (given.empty()) {
+      findings_.refuseMissing(
+          "body.own_axes.rotation", "body.own_axes",
+          "needs rotation, roll_pitch_yaw, or x and y, such as roll_pitch_yaw = [0, 0, \"30 deg\"]");
+      return false;
+    }
+    const bool directions = given[0] == path("x") || given[0] == path("y");
+    if (!directions && given.size() > 1)
+      findings_.refuse(given[1],
+                       fmt::format("{} is given too; give the axes in one way: rotation, roll_pitch_yaw, or "
+                                   "x and y",
+                                   given[0]));
+    else if (directions && given.size() == 1)
+      refuseLone(given[0] == path("x") ? "x" : "y");
+    return given.size() == (directions ? 2 : 1);
+  }
+
+  void refuseLone(std::string_view name) {
+    const std::string other = path(name == "x" ? "y" : "x");
+    findings_.refuseMissing(other, path(name),
+                            fmt::format("one direction does not fix the axes; give {} too", other));
+  }
+
+  std::optional<physics::Quaternion> fromDirections(const Vector3d& x, const Vector3d& y) {
+    constexpr double kLeastSine = 1e-6;  // below, rounding turns the axes by more than 1e-10 rad
+    for (const auto& [name, v] : {std::pair("x", x), std::pair("y", y)})
+      if (v.isZero(0)) {
+        findings_.refuse(path(name), "must not all be zero: the axis would have no direction");
+        return std::nullopt;
+      }
+    const Vector3d ahead = x.normalized(), up = ahead.cross(y.normalized());
+    if (up.norm() < kLeastSine) {
+      findings_.refuse(path("y"), fmt::format("must not be along {}, got {}", path("x"), vectorText(y)));
+      return std::nullopt;
+    }
+    Eigen::Matrix3d R_BA;
+    R_BA << ahead, up.normalized().cross(ahead), up.normalized();
+    return physics::Quaternion(R_BA);
+  }
+
+  const OwnAxesDraft& draft_;
+  Findings& findings_;
+};
+
 class BodyAssembly {
  public:
   BodyAssembly(const Draft& draft, Findings& findings, const SceneFolder& folder)
       : all_(draft), draft_(draft.body), findings_(findings), folder_(folder) {
     body_.pivot_B = draft.scene.body.pivot_B;
+    body_.q_BA = OwnAxesReader(draft_.ownAxes, findings_).q_BA();
   }
 
   std::optional<Body> run() {

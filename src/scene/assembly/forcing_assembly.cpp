@@ -8,6 +8,7 @@
 #include <initializer_list>
 
 #include "core/error.h"
+#include "physics/inertia_tensor.h"
 #include "scene/assembly/torque_table.h"
 #include "scene/keys/shape_advice.h"
 
@@ -235,11 +236,31 @@ class ForcingAssembly {
   physics::Forcing forcing_;
 };
 
+void checkThrownBy(Findings& findings) {
+  if (!findings.has("motion.flight.velocity"))
+    findings.refuseMissing(
+        "motion.flight.velocity", "motion.flight.point",
+        "needs motion.flight.velocity, the velocity of this point; to throw the body by its centre "
+        "of mass, leave out point");
+  if (massIsUnknown(findings)) findings.refuse("motion.flight.point", kNeedsMass);
+}
+
 }  // namespace
 
 void assembleForcing(const Draft& draft, const Body* body, Findings& findings, const SceneFolder& folder,
                      Motion& motion) {
   motion.forcing = ForcingAssembly(draft, body, findings, folder).run(motion.forceNames);
+}
+
+void throwByPoint(const Draft& draft, Scene& scene) {
+  Motion& motion = scene.motion;
+  if (!motion.flight || !draft.flight.point || !scene.body.mass) return;
+  motion.thrownBy_B = draft.flight.point;
+  if (!motion.orientation_WB) motion.orientation_WB = physics::Quaternion::Identity();
+  const auto inW = [&](const Eigen::Vector3d& v_B) { return physics::turnedVector(*motion.orientation_WB, v_B); };
+  const Eigen::Vector3d c_W = inW(scene.body.mass->centre_B() - *motion.thrownBy_B);
+  motion.flight->position_W += c_W;
+  motion.flight->velocity_W += inW(motion.omega_B).cross(c_W);
 }
 
 std::optional<Flight> assembleFlight(const Draft& draft, Findings& findings) {
@@ -249,6 +270,7 @@ std::optional<Flight> assembleFlight(const Draft& draft, Findings& findings) {
       findings.refuse("motion.flight", fmt::format("a thrown body turns about its centre of mass, but {} holds it "
                                                    "at a fixed point; leave out one of the two",
                                                    held));
+  if (findings.has("motion.flight.point")) checkThrownBy(findings);
   Flight flight;
   flight.position_W = draft.flight.position.value_or(flight.position_W);
   flight.velocity_W = draft.flight.velocity.value_or(flight.velocity_W);

@@ -64,6 +64,8 @@ void assembleNamed(const Draft& draft, Findings& findings, Scene& scene) {
   for (std::size_t i = 0; i < findings.count("vector"); ++i) {
     const VectorDraft given = elementOr(draft.vectors, i);
     checkWays(fmt::format("vector[{}]", i), given, findings);
+    if (given.frame == VectorFrame::kOwn && !findings.hasTable("body.own_axes"))
+      findings.refuse(fmt::format("vector[{}].frame", i), "\"own\" needs axes of one's own; give [body.own_axes]");
     scene.vectors.push_back(vectorOf(given));
   }
   for (std::size_t i = 0; i < findings.count("angle"); ++i) {

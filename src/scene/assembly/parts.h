@@ -37,6 +37,11 @@ std::optional<Flight> assembleFlight(const Draft& draft, Findings& findings);
 /// @param body  null if the body is invalid
 void assembleRolling(const Draft& draft, const Body* body, Findings& findings, Motion& motion);
 
+/// Moves position and velocity of the flight from the point K that the scene gives to the centre of mass: R + c
+/// and V + omega x c, where c points from K to the centre of mass (eq 4). Without a point, does nothing.
+/// @pre body and start of the scene are set
+void throwByPoint(const Draft& draft, Scene& scene);
+
 /// Path and value of the key that sets the rotation to 0, for a body that stays at rest.
 struct Rest {
   std::string path, value;

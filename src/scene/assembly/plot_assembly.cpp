@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/text.h"
+#include "scene/body_matrix.h"
 #include "scene/state_quantity.h"
 
 namespace poinsot::scene {
@@ -72,6 +73,15 @@ void checkRange(const Plot& plot, const std::string& path, Findings& findings) {
                                                  plot.range->low, plot.range->high));
 }
 
+void checkMatrix(const Note& note, const std::string& path, const Body& body, Findings& findings) {
+  if (!note.matrix) return;
+  const std::string_view word = bodyMatrixWords()[static_cast<std::size_t>(*note.matrix)];
+  const std::string lack = lackFor(body, *note.matrix);
+  if (!lack.empty() && findings.none()) findings.refuse(path + ".matrix", fmt::format("\"{}\" {}", word, lack));
+  if (note.lines.size() > 1)
+    findings.refuse(path + ".text", fmt::format("the name of a matrix is one line, got {}", note.lines.size()));
+}
+
 }  // namespace
 
 void assemblePlots(const Draft& draft, Findings& findings, PanelGrid& grid, Scene& scene) {
@@ -102,9 +112,11 @@ void assembleNotes(const Draft& draft, Findings& findings, Scene& scene) {
       checkUnit(readout.unit, readout.quantity, path + ".unit", findings);
   }
   for (std::size_t i = 0; i < findings.count("note"); ++i) {
-    require(fmt::format("note[{}].text", i), "'$T = \\frac{1}{2}\\,\\boldsymbol{\\omega}\\cdot\\mathbf{L}$'",
-            findings);
+    const std::string path = fmt::format("note[{}]", i);
+    if (!findings.has(path + ".matrix"))
+      require(path + ".text", "'$T = \\frac{1}{2}\\,\\boldsymbol{\\omega}\\cdot\\mathbf{L}$'", findings);
     scene.notes.push_back(elementOrNone(draft.notes, i));
+    checkMatrix(scene.notes.back(), path, scene.body, findings);
   }
 }
 

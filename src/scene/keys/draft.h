@@ -51,6 +51,12 @@ struct PointDraft {
 /// Point to which given moments of inertia refer. The order is the order of the key's words.
 enum class MomentsAbout { kCentreOfMass, kOrigin, kPivot };
 
+/// Values of the keys that give axes of one's own. A valid scene uses one of several ways to give them.
+struct OwnAxesDraft {
+  std::optional<physics::Quaternion> rotation;
+  std::optional<Eigen::Vector3d> rollPitchYaw, x, y;
+};
+
 struct BodyDraft {
   std::optional<Eigen::Vector3d> moments;
   std::optional<Eigen::Matrix3d> inertia;
@@ -60,6 +66,7 @@ struct BodyDraft {
   PieceDraft whole;
   std::vector<PieceDraft> parts;
   std::vector<PointDraft> points;
+  OwnAxesDraft ownAxes;
 };
 
 /// One of the two steady precessions of a heavy top. The order is the order of the key's words.
@@ -104,7 +111,7 @@ struct ForcingDraft {
 };
 
 struct FlightDraft {
-  std::optional<Eigen::Vector3d> position, velocity, gravity;
+  std::optional<Eigen::Vector3d> point, position, velocity, gravity;
 };
 
 struct RollingDraft {

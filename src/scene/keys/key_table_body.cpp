@@ -110,6 +110,40 @@ std::vector<Key> wholeKeys() {
   };
 }
 
+std::vector<Key> ownAxesKeys() {
+  return {
+      {.path = "body.own_axes.rotation",
+       .type = kQuaternion,
+       .range = kQuaternionNorm,
+       .example = "[1, 0, 0, 1]",
+       .help = "Axes of your own, in which `info` and a note also give the inertia tensor (eq 15 and 16 of "
+               "docs/physics.md). The quaternion w, x, y, z takes your axes to the body's axes. You can give the "
+               "axes by roll_pitch_yaw or by x and y instead.",
+       .put = into([](Draft& d) { return &d.body.ownAxes.rotation; })},
+      {.path = "body.own_axes.roll_pitch_yaw",
+       .type = kVector,
+       .dimension = kAngle,
+       .range = kFullTurns,
+       .example = "[0, 0, \"30 deg\"]",
+       .help = "Roll, pitch and yaw of your axes from the body's axes. From the body's axes, your axes are turned "
+               "by the yaw about z, then by the pitch about their new y, then by the roll about their newest x.",
+       .put = into([](Draft& d) { return &d.body.ownAxes.rollPitchYaw; })},
+      {.path = "body.own_axes.x",
+       .type = kVector,
+       .range = kPositions,
+       .example = "[1, 1, 0]",
+       .help = "Direction of your x axis in body axes, of any length. It needs y.",
+       .put = into([](Draft& d) { return &d.body.ownAxes.x; })},
+      {.path = "body.own_axes.y",
+       .type = kVector,
+       .range = kPositions,
+       .example = "[0, 1, 0]",
+       .help = "Direction in body axes, of any length, towards which your y axis points. The part of it along x "
+               "does not count. Your z axis is at right angles to both, by the right-hand rule.",
+       .put = into([](Draft& d) { return &d.body.ownAxes.y; })},
+  };
+}
+
 ShapeTable wholeShape() {
   return {.path = "body",
           .of = [](Draft& d, std::size_t) -> ShapeDraft& { return d.body.whole.shape; },
@@ -221,8 +255,8 @@ std::vector<Key> pointKeys() {
 std::vector<Key> bodyKeys() {
   const PlacedTable parts{"body.part[]",
                           [](Draft& d, std::size_t i) -> PieceDraft& { return elementAt(d.body.parts, i); }};
-  return joined({momentKeys(), shapeKeys(wholeShape()), wholeKeys(), shapeKeys(partShape()), partMassKeys(),
-                 placeKeys(parts), pointKeys()});
+  return joined({momentKeys(), shapeKeys(wholeShape()), wholeKeys(), ownAxesKeys(), shapeKeys(partShape()),
+                 partMassKeys(), placeKeys(parts), pointKeys()});
 }
 
 std::vector<Key> markKeys() {

@@ -193,16 +193,29 @@ std::vector<Key> flightKeys() {
        .dimension = kLength,
        .range = kPositions,
        .example = "[0, 0, 1.5]",
-       .help = "Position of a thrown body's centre of mass at motion time 0, in world axes. The default is the "
-               "origin.",
+       .help =
+           "Position of a thrown body's centre of mass, or of its `point`, at motion time 0, in world axes. The "
+           "default is the origin.",
        .put = into([](Draft& d) { return &d.flight.position; })},
       {.path = "motion.flight.velocity",
        .type = kVector,
        .dimension = kVelocity,
        .range = kVelocities,
        .example = "[\"10 km/h\", 0, 4]",
-       .help = "Velocity of a thrown body's centre of mass at motion time 0. The default is 0.",
+       .help =
+           "Velocity of a thrown body's centre of mass, or of its `point`, at motion time 0, in world axes. The "
+           "default is 0.",
        .put = into([](Draft& d) { return &d.flight.velocity; })},
+      {.path = "motion.flight.point",
+       .type = kVector,
+       .dimension = kLength,
+       .range = kPositions,
+       .example = "[0, 0, \"-20 cm\"]",
+       .help =
+           "Reference point K of the body, in body axes (eq 4 of docs/physics.md). `position` and `velocity` are "
+           "then those of K instead of the centre of mass, and `info` prints each term of eq 4. The velocity "
+           "is required. Unless the scene gives the attitude, the body's axes start along the world's axes.",
+       .put = into([](Draft& d) { return &d.flight.point; })},
       {.path = "motion.flight.gravity",
        .type = kVector,
        .dimension = kAcceleration,

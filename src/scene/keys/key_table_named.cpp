@@ -40,10 +40,10 @@ std::vector<Key> vectorKeys() {
        .put = intoVector([](VectorDraft& v) { return &v.components; })},
       {.path = "vector[].frame",
        .type = kWord,
-       .words = {"space", "body", "principal"},
+       .words = {"space", "body", "principal", "own"},
        .example = "\"body\"",
        .help = "Axes in which `components` gives the arrow: the axes of space (the default), the axes of the "
-               "body, or its principal axes.",
+               "body, its principal axes, or [body.own_axes].",
        .put = intoVector([](VectorDraft& v) { return &v.frame; })},
       {.path = "vector[].position_of",
        .type = kVector,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "scene/body_matrix.h"
 #include "scene/keys/key_tables.h"
 #include "scene/keys/put.h"
 
@@ -65,6 +66,18 @@ std::vector<Key> textKeys() {
                "several lines, give an array of lines, or end each line with a line break.",
        .isTex = true,
        .put = intoNote([](Note& n) { return &n.lines; })},
+      {.path = "note[].matrix",
+       .type = kWord,
+       .words = bodyMatrixWords(),
+       .example = "\"inertia\"",
+       .help =
+           "Matrix of the body that the note shows, with its numbers. `inertia` is the inertia tensor about the "
+           "point that the body turns about, along the body's axes. `inertia_centre` is the tensor about the "
+           "centre of mass, and `inertia_displacement` is what eq 14 of docs/physics.md adds to it for "
+           "body.pivot. `inertia_principal` and `inertia_own` are the tensor along the principal axes and "
+           "along [body.own_axes]. `U_principal` and `U_own` are the matrices U of eq 15, whose rows are these "
+           "axes. With `matrix`, `text` is the name before the equals sign, and may be left out.",
+       .put = intoNote([](Note& n) { return &n.matrix; })},
       {.path = "note[].at",
        .type = kWord,
        .words = spotWords(),

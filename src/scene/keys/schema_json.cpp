@@ -209,7 +209,7 @@ void addRequired(Json& json, const std::string& table) {
   if (table == "timeline[]") json["oneOf"] = {required({"at"}), required({"at_motion"}), required({"around"})};
   if (table == "plot[]") json["required"] = {"quantities"};
   if (table == "readout[]") json["required"] = {"quantity"};
-  if (table == "note[]") json["required"] = {"text"};
+  if (table == "note[]") json["anyOf"] = {required({"text"}), required({"matrix"})};
   if (table == "motion")
     json["oneOf"] = {required({"omega_body"}), required({"omega_space"}),       required({"L_body"}),
                      required({"L_space"}),    required({"spin", "spin_axis"}), required({"energy", "L"})};

@@ -42,10 +42,14 @@ draw::Color colorOf(const Palette& colors, scene::Meaning meaning) {
 using Arrow = NamedVectorFigure::Arrow;
 using ArrowOf = std::function<Arrow(const PictureState&)>;
 
-Eigen::Matrix3d axesOf(const PictureState& state, scene::VectorFrame frame) {
+/// Returns the axes of a frame as columns, along V.
+/// @param R_BA  the scene's own axes
+Eigen::Matrix3d axesOf(const PictureState& state, scene::VectorFrame frame, const Eigen::Matrix3d& R_BA) {
   switch (frame) {
     case scene::VectorFrame::kSpace:
       break;
+    case scene::VectorFrame::kOwn:
+      return state.R_VB * R_BA;
     case scene::VectorFrame::kBody:
       return state.R_VB;
     case scene::VectorFrame::kPrincipal:
@@ -64,8 +68,10 @@ struct MakeArrow {
 
   ArrowOf operator()(const scene::FixedVector& vector) const {
     const Vector3d tip = scale * setting.scales.reach * vector.components.normalized();
-    return [tip, frame = vector.frame](const PictureState& state) {
-      return Arrow{Vector3d::Zero(), axesOf(state, frame) * tip};
+    const Eigen::Matrix3d R_BA =
+        setting.scene.body.q_BA.value_or(physics::Quaternion::Identity()).toRotationMatrix();
+    return [tip, frame = vector.frame, R_BA](const PictureState& state) {
+      return Arrow{Vector3d::Zero(), axesOf(state, frame, R_BA) * tip};
     };
   }
 

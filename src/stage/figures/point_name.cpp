@@ -7,9 +7,9 @@ namespace poinsot::stage {
 namespace {
 
 // Commands that change how letters look, and spaces. Names leave them out.
-constexpr std::string_view kLooks[] = {"mathbf", "boldsymbol", "mathrm", "mathit", "text", "textbf",
-                                       "hat",    "dot",        "ddot",   "bar",    "vec",  "tilde",
-                                       "frac",   "dfrac",      "sqrt",   "quad",   "qquad"};
+constexpr std::string_view kLooks[] = {"mathbf", "boldsymbol", "mathrm", "mathit", "text",  "textbf", "hat",
+                                       "dot",    "ddot",       "bar",    "vec",    "tilde", "frac",   "dfrac",
+                                       "sqrt",   "quad",       "qquad",  "begin",  "end",   "bmatrix"};
 
 bool isAsciiLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool isAsciiDigit(char c) { return c >= '0' && c <= '9'; }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "stage/type/matrix_text.h"
 #include "stage/type/written_number.h"
 #include "text/math_setter.h"
 
@@ -109,7 +110,8 @@ void addNotes(NoteBlock& block, const scene::Scene& scene, const Sizing& sizing,
               const Palette& colors) {
   for (const scene::Note& note : scene.notes) {
     if (note.at != block.at) continue;
-    for (const std::string& line : note.lines)
+    const std::vector<std::string> lines = note.matrix ? std::vector{matrixText(note, scene)} : note.lines;
+    for (const std::string& line : lines)
       block.rows.push_back(lineRow(line, noteSize_px(note, sizing), room_px, colors.ink));
   }
 }

@@ -127,13 +127,17 @@ std::string unitSuffix(const WrittenUnit& unit) {
 }
 
 std::string numberTex(std::string_view digits, scene::DecimalSign sign) {
+  return "$" + digitsInFormula(digits, sign) + "$";
+}
+
+std::string digitsInFormula(std::string_view digits, scene::DecimalSign sign) {
   std::string tex;
   for (const char c : digits)
     if (c == '.')
       tex += sign == scene::DecimalSign::kComma ? "{,}" : ".";
     else
       tex += c;
-  return "$" + tex + "$";
+  return tex;
 }
 
 int decimalsThatResolve(double length) {

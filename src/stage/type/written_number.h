@@ -41,6 +41,9 @@ std::string unitSuffix(const WrittenUnit& unit);
 /// Returns decimal digits, such as "-0.15", as a formula in which all digits have the same width.
 std::string numberTex(std::string_view digits, scene::DecimalSign sign);
 
+/// Returns decimal digits for use inside a formula.
+std::string digitsInFormula(std::string_view digits, scene::DecimalSign sign);
+
 /// Returns the number of decimals that distinguishes a few hundred values in a range of this length. In a plot,
 /// these values are a pixel or two apart.
 int decimalsThatResolve(double length);
