@@ -188,6 +188,56 @@ TEST_F(InfoCommand, ReportsFewerMeaningfulDigitsForLongerTimes) {
   EXPECT_NEAR(brief.at("meaningful_digits").get<double>() - lengthy.at("meaningful_digits").get<double>(), 5, 0.5);
 }
 
+// Sums over the three masses by hand, in y: R x M V, R x (omega x M c), M c x V and I_K omega.
+TEST_F(InfoCommand, ReportsTheTermsOfTheReferencePoint) {
+  const auto result = run(folder_, {"info", POINSOT_SOURCE_DIR "/scenes/thrown_particles.toml", "--json"});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  const auto expectAlongY = [&](const char* key, double expected) {
+    EXPECT_NEAR(json.at(key)[0].get<double>(), 0, 1e-15) << key;
+    EXPECT_NEAR(json.at(key)[1].get<double>(), expected, 2e-15) << key;
+    EXPECT_NEAR(json.at(key)[2].get<double>(), 0, 1e-15) << key;
+  };
+  expectAlongY("L_K_translation_W", 3.4);
+  expectAlongY("L_K_mixed_1_W", -0.72);
+  expectAlongY("L_K_mixed_2_W", -0.4);
+  expectAlongY("L_K_rotation_W", 0.8);
+  expectAlongY("L_K_sum_W", 3.08);
+  expectAlongY("L_particles_W", 3.08);
+  expectAlongY("L_total_W", 3.08);
+  EXPECT_EQ(json.at("mixed_terms_vanish"), false);
+  const auto centre = run(folder_, {"info", POINSOT_SOURCE_DIR "/scenes/thrown_particles.toml", "-D",
+                                    "motion.flight.point=[0.2, 0, 0.1]", "--json"});
+  EXPECT_EQ(nlohmann::json::parse(centre.out).at("mixed_terms_vanish"), true);
+}
+
+// A cube of 2 m and 6 kg is held 1 m below its centre, and turns at 2 rad/s about x: I_cm is 4 kg m^2, the centre
+// moves at 2 m/s, and M a^2 is 6 kg m^2.
+TEST_F(InfoCommand, ReportsBothTensorsAndBothPartsOfTAboutAPivot) {
+  folder_.put(
+      "s.toml",
+      "[body]\nshape = 'cube'\nedge = 2\nmass = 6\npivot = [0, 0, -1]\n[motion]\nomega_body = [2, 0, 0]\n");
+  const auto json = nlohmann::json::parse(run(folder_, {"info", "s.toml", "--json"}).out);
+  EXPECT_EQ(json.at("inertia_centre_B"), nlohmann::json::parse("[[4,0,0],[0,4,0],[0,0,4]]"));
+  EXPECT_EQ(json.at("inertia_displacement_B"), nlohmann::json::parse("[[6,0,0],[0,6,0],[0,0,0]]"));
+  EXPECT_EQ(json.at("displacement_B"), nlohmann::json::parse("[0,0,-1]"));
+  EXPECT_EQ(json.at("T"), 20);
+  EXPECT_EQ(json.at("T_translation"), 12);
+  EXPECT_EQ(json.at("T_about_centre"), 8);
+  EXPECT_EQ(json.at("from").at("T"), "eq 11, 12");
+}
+
+TEST_F(InfoCommand, ReportsTheTensorAlongOwnAxesAndBack) {
+  folder_.put("s.toml",
+              "[body]\ninertia = [[2, 1, 0], [1, 2, 0], [0, 0, 3]]\nown_axes.rotation = [1, 0, 0, 1]\n[motion]\n"
+              "omega_body = [0, 0, 1]\n");
+  const auto json = nlohmann::json::parse(run(folder_, {"info", "s.toml", "--json"}).out);
+  EXPECT_EQ(json.at("U_own"), nlohmann::json::parse("[[0,1,0],[-1,0,0],[0,0,1]]"));
+  EXPECT_EQ(json.at("inertia_own_A"), nlohmann::json::parse("[[2,-1,0],[-1,2,0],[0,0,3]]"));
+  EXPECT_EQ(json.at("inertia_own_B"), nlohmann::json::parse("[[2,1,0],[1,2,0],[0,0,3]]"));
+  EXPECT_NEAR(std::abs(json.at("U_principal")[0][0].get<double>()), std::sqrt(0.5), 1e-15);
+}
+
 TEST_F(InfoCommand, PrintsATable) {
   folder_.put("a.toml", kGoodScene);
   const auto result = run(folder_, {"info", "a.toml"});

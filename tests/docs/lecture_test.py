@@ -33,13 +33,8 @@ LONGEST_S = 60  # of one command
 # Rows whose command does not yet show all that the lecture says, each with what is missing. Make this list empty.
 PENDING = {
     "Claim 4": "a cone that rolls on a table, whose contact is at rest",
-    "Eq 4": "particles with any K and V, and their sum printed",
     "Eq 8": "forces at points of the body",
     "Eq 9": "forces at points of the body",
-    "Eq 11": "T about a pivot, drawn",
-    "Eq 14": "the tensor about the centre beside the one about the pivot, and their difference; drawn",
-    "Eq 15": "the tensor in axes of one's own",
-    "Eq 16": "U as a matrix, and the tensor before and after it in a picture",
     "Figure 1": "the lecture's axes i and j",
     "Eq 19": "the triad i, j, k, with i in the plane of L and k",
     "Claim 10": "omega_1 along the lecture's i, which no command prints",

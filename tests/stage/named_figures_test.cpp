@@ -85,6 +85,19 @@ TEST(Angle, IsAnArcFromOneDirectionToTheOther) {
   }
 }
 
+// Axes of one's own that are turned by a quarter about z: their x axis is the y axis of the body.
+TEST(NamedVector, MayBeAlongOwnAxes) {
+  const Scenery s(
+      "[body]\nprincipal_moments = [1, 2, 2.5]\nown_axes.rotation = [1, 0, 0, 1]\n[motion]\nomega_body = [0.3, 1, "
+      "2]\n"
+      "[[vector]]\ncomponents = [1, 0, 0]\nframe = \"own\"\n");
+  const NamedVectorFigure figure(s.setting, s.setting.scene.vectors.at(0));
+  for (const double t : kTimes_s) {
+    const PictureState state = s.motion.at(t);
+    EXPECT_LT((figure.arrow(state).tip_V.normalized() - state.R_VB.col(1)).norm(), 1e-15) << t;
+  }
+}
+
 // The torque of a top under gravity is M g r k x (-z): horizontal, across the axis, M g r sin(theta) large.
 TEST(Torque, IsHorizontalAndPerpendicularToTheAxisOfATop) {
   const Scenery s(

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/type/matrix_text.h"
+
+#include <gtest/gtest.h>
+
+#include "scene_samples.h"
+#include "text/math_setter.h"
+
+namespace poinsot::stage {
+namespace {
+
+const std::string kFile =
+    "[body]\ninertia = [[2, 1, 0], [1, 2, 0], [0, 0, 3]]\n[body.own_axes]\nrotation = [1, 0, 0, 1]\n[motion]\n"
+    "omega_body = [0, 0, 1]\n";
+
+std::string textOf(const std::string& note, const std::string& more = "") {
+  const scene::Scene scene = scene::parseScene(kFile + "[[note]]\n" + note + "\n" + more, "s.toml");
+  return text::setTex(matrixText(scene.notes.at(0), scene)).plainText;
+}
+
+TEST(MatrixText, HasNameNumbersAndUnit) {
+  EXPECT_EQ(textOf("matrix = 'inertia'"), "I = [2.000 1.000 0; 1.000 2.000 0; 0 0 3.000] kg m²");
+  EXPECT_EQ(textOf("matrix = 'inertia_own'"), "I′ = UIŨ = [2.000 −1.000 0; −1.000 2.000 0; 0 0 3.000] kg m²");
+  EXPECT_EQ(textOf("matrix = 'U_own'"), "U = [0 1.000 0; −1.000 0 0; 0 0 1.000]");
+  EXPECT_EQ(textOf("matrix = 'U_own'\ntext = 'axes'"), "axes = [0 1.000 0; −1.000 0 0; 0 0 1.000]");
+}
+
+TEST(MatrixText, HasThePowerOfTenOfItsLargestNumber) {
+  const scene::Scene scene = scene::parseScene(
+      "[body]\nprincipal_moments = [1.5e-3, 2e-3, 12.25e-4]\n[motion]\nomega_body = [0, 0, 1]\n[[note]]\n"
+      "matrix = 'inertia'\n[style]\ndecimal_sign = 'comma'\n",
+      "s.toml");
+  EXPECT_EQ(text::setTex(matrixText(scene.notes.at(0), scene)).plainText,
+            "I = [1,500 0 0; 0 2,000 0; 0 0 1,225] × 10⁻³ kg m²");
+}
+
+}  // namespace
+}  // namespace poinsot::stage
