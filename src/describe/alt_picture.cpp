@@ -64,6 +64,7 @@ const std::vector<Thing>& thingsOfL() {
       {"an arrow for L", [](const scene::Show& s) { return s.L.visible; }},
       {"the invariable plane at right angles to it", [](const scene::Show& s) { return s.plane.visible; }},
       {"the plane through L and ω", [](const scene::Show& s) { return s.figures.planeOfL.visible; }},
+      {"the two parts of L, head to tail", [](const scene::Show& s) { return s.figures.LParts.visible; }},
       {"the height 2T/L of the centre", [](const scene::Show& s) { return s.plane.visible && s.height.visible; }},
       {"the space cone, which ω traces around L", [](const scene::Show& s) { return s.figures.cones.visible; }},
       {"the angular momentum about the origin, with R × P and L as its parts",
@@ -89,6 +90,8 @@ const std::vector<Thing>& thingsOfEnergy() {
       {"the energy ellipsoid",
        [](const scene::Show& s) { return s.ellipsoid.visible || s.figures.binet.visible; }},
       {"the parts of ω, as a parallelogram", [](const scene::Show& s) { return s.figures.decomposition.visible; }},
+      {"the parts of ω along i and k",
+       [](const scene::Show& s) { return s.figures.triad.visible && s.figures.triad.components; }},
       {"the components of ω along the principal axes",
        [](const scene::Show& s) { return s.figures.components.visible; }}};
   return things;
@@ -104,6 +107,8 @@ const std::vector<Thing>& thingsOfBody() {
        [](const scene::Show& s) { return s.principalAxes.visible && s.principalAxes.axes.size() < 3; }},
       {"the main axis k", [](const scene::Show& s) { return s.figures.mainAxis.visible; }},
       {"the body cone about it", [](const scene::Show& s) { return s.figures.cones.visible; }},
+      {"the axes i, j and k, with i in the plane of L and k",
+       [](const scene::Show& s) { return s.figures.triad.visible; }},
       {"the path of a point of the body", [](const scene::Show& s) { return s.figures.trace.visible; }}};
   return things;
 }

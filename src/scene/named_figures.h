@@ -12,7 +12,13 @@ namespace poinsot::scene {
 /// Direction that can be one side of an angle in a scene.
 enum class Direction { kL, kOmega, kTorque, kAxis, kE1, kE2, kE3, kX, kY, kZ };
 
-enum class VectorFrame { kSpace, kBody, kPrincipal, kOwn };
+enum class VectorFrame {
+  kSpace,
+  kBody,
+  kPrincipal,
+  kPrecession,  ///< axes i, j, k of a free symmetric top, with i in the plane of L and k
+  kOwn,         ///< [body.own_axes]
+};
 
 /// Quantity or role that determines the colour of a vector.
 enum class Meaning { kVector, kInk, kL, kOmega, kBody, kAxis, kTorque };

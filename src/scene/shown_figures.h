@@ -24,11 +24,15 @@ struct Extra : Drawn {
 struct ShownFigures {
   struct : Extra {
     double opacity = 0;
-  } cones;              ///< body cone and space cone of a symmetric top
+  } cones;              ///< body cone and space cone of a free body
   Extra mainAxis;       ///< axis k of QuantityBasis
   Extra theta;          ///< angle between k and L
   Extra decomposition;  ///< parallelogram omega = omega_p - Omega_p k
+  Extra LParts;         ///< L = I1 omega + (I3 - I1) omega_3 k, head to tail
   Extra components;     ///< components of omega along the principal axes
+  struct : Extra {
+    bool components = true;  ///< whether omega_1 and omega_3, along i and k, are drawn too
+  } triad;                   ///< axes i, j, k of a symmetric top, with i in the plane of L and k
   Extra spaceAxes;
   Extra torque;
   struct : Extra {

@@ -84,6 +84,9 @@ class PictureMotion {
   double played_s(double filmTime_s) const { return clock_.played_s(filmTime_s); }
 
   PathPoint pathPoint(double played_s) const;
+  double motionTimeOf(double played_s) const { return clock_.motionTimeOf(played_s); }
+  /// Returns omega at any time of the motion, also outside the film.
+  Eigen::Vector3d omegaAtMotionTime_W(double t_s) const { return motion_->at(t_s).omega_W; }
   /// Returns the path of the tip of omega between two played times. The points are dense enough to look smooth,
   /// but at most `kMostPathPoints`. Inner points lie on a time grid common to all frames, so that the curve does
   /// not shimmer.

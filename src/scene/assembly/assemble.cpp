@@ -78,7 +78,7 @@ Scene assemble(Draft draft, Findings& findings, const SceneFolder& folder) {
   assembleViews(draft, rest, findings, grid, scene);
   assemblePlots(draft, findings, grid, scene);
   assembleNotes(draft, findings, scene);
-  assembleNamed(draft, findings, scene);
+  assembleNamed(draft, rest, findings, scene);
   assembleTimeline(draft, findings, scene);
   finishStyle(scene.style);
   checkFrames(scene.time, findings);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "scene/assembly/steady_precession.h"
+
 namespace poinsot::scene {
 namespace {
 
@@ -24,6 +26,14 @@ void checkWays(const std::string& path, const VectorDraft& draft, Findings& find
     findings.refuse(path + ".components", "must not all be zero: the vector would have no direction");
   if (findings.has(path + ".frame") && !findings.has(path + ".components"))
     findings.refuse(path + ".frame", "only components have a frame; leave it out");
+}
+
+void checkAxes(const std::string& path, const VectorDraft& draft, const std::optional<Rest>& rest,
+               const Scene& scene, Findings& findings) {
+  const bool startKnown = rest || !scene.motion.omega_B.isZero(0);
+  if (draft.frame != VectorFrame::kPrecession || !startKnown) return;
+  if (const std::string why = withoutTriad(scene, rest); !why.empty())
+    findings.refuse(path + ".frame", fmt::format("\"precession\" does not exist: {}", why));
 }
 
 NamedVector vectorOf(const VectorDraft& draft) {
@@ -60,12 +70,14 @@ T elementOr(const std::vector<T>& given, std::size_t i) {
 
 }  // namespace
 
-void assembleNamed(const Draft& draft, Findings& findings, Scene& scene) {
+void assembleNamed(const Draft& draft, const std::optional<Rest>& rest, Findings& findings, Scene& scene) {
   for (std::size_t i = 0; i < findings.count("vector"); ++i) {
     const VectorDraft given = elementOr(draft.vectors, i);
-    checkWays(fmt::format("vector[{}]", i), given, findings);
+    const std::string path = fmt::format("vector[{}]", i);
+    checkWays(path, given, findings);
+    checkAxes(path, given, rest, scene, findings);
     if (given.frame == VectorFrame::kOwn && !findings.hasTable("body.own_axes"))
-      findings.refuse(fmt::format("vector[{}].frame", i), "\"own\" needs axes of one's own; give [body.own_axes]");
+      findings.refuse(path + ".frame", "\"own\" needs axes of one's own; give [body.own_axes]");
     scene.vectors.push_back(vectorOf(given));
   }
   for (std::size_t i = 0; i < findings.count("angle"); ++i) {

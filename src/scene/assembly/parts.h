@@ -53,7 +53,9 @@ struct Rest {
 /// @param motion  receives the start; its forcing must be set before
 std::optional<Rest> assembleStart(const Draft& draft, const Body* body, Findings& findings, Motion& motion);
 
-void assembleNamed(const Draft& draft, Findings& findings, Scene& scene);
+/// Makes the vectors and angles that the scene adds. Reports problems to `findings`.
+/// @pre the motion is set
+void assembleNamed(const Draft& draft, const std::optional<Rest>& rest, Findings& findings, Scene& scene);
 
 /// Makes one panel for each [[plot]] and places it in `grid` after the views. Reports problems to `findings`.
 void assemblePlots(const Draft& draft, Findings& findings, PanelGrid& grid, Scene& scene);

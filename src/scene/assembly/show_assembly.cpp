@@ -86,19 +86,21 @@ void checkForces(const std::string& prefix, Findings& findings, const Show& show
     findings.refuse(path, "no force acts at a point of the body: give [[motion.force]], or leave it out");
 }
 
-/// Rejects visible cones and the decomposition of omega if the motion has no steady precession.
+/// Rejects visible cones, and what belongs to a steady precession, if the motion does not have them.
 void checkPrecession(const Scene& scene, const std::optional<Rest>& rest, const std::string& prefix,
                      Findings& findings, const Show& show) {
   const bool startKnown = rest || !scene.motion.omega_B.isZero(0);
   if (!startKnown) return;
-  const auto check = [&](const char* thing, bool visible) {
+  using Why = std::string (*)(const Scene&, const std::optional<Rest>&);
+  const auto check = [&](const char* thing, bool visible, Why without) {
     const std::string path = prefix + thing;
     if (!visible || !(prefix.empty() || findings.hasBelow(path))) return;
-    if (const std::string why = withoutPrecession(scene, rest); !why.empty())
-      findings.refuse(path, why + "; leave it out");
+    if (const std::string why = without(scene, rest); !why.empty()) findings.refuse(path, why + "; leave it out");
   };
-  check("show.cones", show.figures.cones.visible);
-  if (!scene.motion.rolling) check("show.decomposition", show.figures.decomposition.visible);
+  check("show.cones", show.figures.cones.visible, withoutCones);
+  if (!scene.motion.rolling) check("show.decomposition", show.figures.decomposition.visible, withoutPrecession);
+  check("show.L_parts", show.figures.LParts.visible, withoutPrecession);
+  check("show.triad", show.figures.triad.visible, withoutTriad);
 }
 
 void checkTable(const Scene& scene, const std::string& prefix, Findings& findings, const Show& show) {

@@ -361,7 +361,7 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"omega_vector omega_arrow angular_velocity_vector angular_velocity w_vector show.w show.spin "
      "show.angular_velocity rotation_vector spin_axis omega_visible show_omega draw_omega",
      "show.omega.visible"},
-    {"body_axes frame_axes axes body_frame show_axes draw_axes triad frame body_triad axis_triad",
+    {"body_axes frame_axes axes body_frame show_axes draw_axes frame body_triad axis_triad",
      "show.principal_axes.visible"},
     {"world_axes inertial_axes lab_axes space_frame world_frame inertial_frame fixed_axes lab_frame",
      "show.space_axes.visible"},

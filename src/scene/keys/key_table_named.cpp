@@ -40,10 +40,11 @@ std::vector<Key> vectorKeys() {
        .put = intoVector([](VectorDraft& v) { return &v.components; })},
       {.path = "vector[].frame",
        .type = kWord,
-       .words = {"space", "body", "principal", "own"},
+       .words = {"space", "body", "principal", "precession", "own"},
        .example = "\"body\"",
        .help = "Axes in which `components` gives the arrow: the axes of space (the default), the axes of the "
-               "body, its principal axes, or [body.own_axes].",
+               "body, its principal axes, the axes i, j, k of a free symmetric top, which show.triad draws, or "
+               "[body.own_axes].",
        .put = intoVector([](VectorDraft& v) { return &v.frame; })},
       {.path = "vector[].position_of",
        .type = kVector,

@@ -135,9 +135,11 @@ std::vector<Key> coneKeys(const ShowTable& table) {
   const FigureKeys key(table, "cones");
   return {
       key.visible(
-          "The two cones of a free symmetric top. The body cone is fixed in the body and surrounds its axis of "
-          "symmetry. It rolls on the space cone, which surrounds the angular momentum L. The cones touch along "
-          "omega.",
+          "The two cones of a free body. omega draws the body cone in the body and the space cone, around the "
+          "angular momentum L, in space. The body cone rolls on the space cone, and they touch along omega. The "
+          "cones of a symmetric top are circular. Those of other bodies pass through the polhode and the "
+          "herpolhode. Their space cone need not close, and is drawn for half a turn before and after the "
+          "present.",
           [](ShownFigures & f) -> auto& { return f.cones.visible; }),
       key.scale(
           "Factor on the length of the cones' sides. If the factor is 1, the sides are three quarters as long as "
@@ -159,6 +161,31 @@ std::vector<Key> decompositionKeys(const ShowTable& table) {
           "Factor on the size of the parallelogram. If the factor is not 1, the parallelogram's corner is not at "
           "the tip of omega.",
           [](ShownFigures & f) -> auto& { return f.decomposition.scale; }),
+  };
+}
+
+std::vector<Key> triadKeys(const ShowTable& table) {
+  const FigureKeys triad(table, "triad"), parts(table, "L_parts");
+  return {
+      triad.visible(
+          "The axes i, j and k of a free symmetric top. The axis k is the axis of symmetry, i lies in the plane "
+          "of "
+          "L and k on the side of L, and j is perpendicular to this plane. Unlike e1 and e2, the axes i and j do "
+          "not turn with the body, but go round L with k.",
+          [](ShownFigures & f) -> auto& { return f.triad.visible; }),
+      triad.scale(
+          "Factor on the length of the axes.", [](ShownFigures & f) -> auto& { return f.triad.scale; }),
+      triad.flag(
+          "components", true, "The components omega_1 along i and omega_3 along k, whose sum is omega.",
+          [](ShownFigures & f) -> auto& { return f.triad.components; }),
+      parts.visible(
+          "The two parts of L of a free symmetric top, head to tail: I1 omega along omega, and (I3 - I1) omega_3 "
+          "k "
+          "along the axis. The second part points along k for a flat body, and against k for a long one.",
+          [](ShownFigures & f) -> auto& { return f.LParts.visible; }),
+      parts.scale(
+          "Factor on the length of the two parts. If the factor is not 1, they do not end at the tip of L.",
+          [](ShownFigures & f) -> auto& { return f.LParts.scale; }),
   };
 }
 
@@ -360,8 +387,9 @@ std::vector<Key> tableKeys(const ShowTable& table) {
 }  // namespace
 
 std::vector<Key> figureKeys(const ShowTable& table) {
-  return joined({coneKeys(table), decompositionKeys(table), angleKeys(table), axesKeys(table), polhodeKeys(table),
-                 traceKeys(table), vectorKeys(table), ghostKeys(table), flightKeys(table), tableKeys(table)});
+  return joined({coneKeys(table), decompositionKeys(table), triadKeys(table), angleKeys(table), axesKeys(table),
+                 polhodeKeys(table), traceKeys(table), vectorKeys(table), ghostKeys(table), flightKeys(table),
+                 tableKeys(table)});
 }
 
 }  // namespace poinsot::scene

@@ -39,6 +39,10 @@ enum class LabelName {
   kTorqueAboutOrigin,
   kSpaceCone,
   kBodyCone,
+  kI,
+  kJ,
+  kLAlongOmega,
+  kLAlongAxis,
   kCount
 };
 

@@ -15,13 +15,17 @@
 #include "stage/figures/forces_figure.h"
 #include "stage/figures/ghosts_figure.h"
 #include "stage/figures/main_axis_figure.h"
+#include "stage/figures/momentum_parts_figure.h"
 #include "stage/figures/named_figures.h"
 #include "stage/figures/omega_paths_figure.h"
 #include "stage/figures/plane_of_L_figure.h"
+#include "stage/figures/polhode_cones_figure.h"
 #include "stage/figures/polhodes_figure.h"
 #include "stage/figures/principal_axes_figure.h"
+#include "stage/figures/symmetric_top.h"
 #include "stage/figures/table_figure.h"
 #include "stage/figures/trace_figure.h"
+#include "stage/figures/triad_figure.h"
 #include "stage/figures/vector_figures.h"
 
 namespace poinsot::stage {
@@ -73,10 +77,14 @@ std::vector<ShownActor> makeActors(const Setting& setting) {
   }
   const scene::ShownFigures& figures = show.figures;
   addIf(figures.trace.visible, "trace", kA<TraceFigure>);
-  addIf(figures.cones.visible, "cones", kA<ConesFigure>);
+  const bool circular = isSymmetric(setting.motion);
+  addIf(figures.cones.visible && circular, "cones", kA<ConesFigure>);
+  addIf(figures.cones.visible && !circular, "cones", kA<PolhodeConesFigure>);
   addIf(figures.mainAxis.visible, "main_axis", kA<MainAxisFigure>);
   addIf(figures.theta.visible, "theta", kA<ThetaFigure>);
   addIf(figures.decomposition.visible, "decomposition", kA<DecompositionFigure>);
+  addIf(figures.LParts.visible, "L_parts", kA<MomentumPartsFigure>);
+  addIf(figures.triad.visible, "triad", kA<TriadFigure>);
   addIf(figures.components.visible, "components", kA<ComponentsFigure>);
   addIf(figures.spaceAxes.visible, "space_axes", kA<SpaceAxesFigure>);
   addIf(figures.polhodes.visible, "polhodes", kA<PolhodesFigure>);

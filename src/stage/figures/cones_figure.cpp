@@ -13,20 +13,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSide = 0.76;  // length of the sides relative to omega, whose head stays visible beyond the rims
 constexpr int kFramedPoints = 24;
-constexpr double kRimWidth = 2.2;
 constexpr double kNarrowest = 1e-3;  // smallest radius and height of a drawn cone, as fractions of its side
 constexpr double kSpacing = 0.2;     // approximate distance of the lines along the rim, as a fraction of the side
-constexpr double kLineShare = 0.6;
-constexpr double kNameSize = 0.8;
-constexpr double kInside = 0.3;  // fraction of a side without lines, because lines would crowd at the apex
 
 }  // namespace
 
 ConesFigure::ConesFigure(const Setting& setting)
     : cones_(precessionOf(setting.motion, "show.cones.visible")),
-      side_(kSide * setting.scene.show.figures.cones.scale * setting.scales.omega *
+      side_(ConeLook::kSide * setting.scene.show.figures.cones.scale * setting.scales.omega *
             setting.motion.liveliest().omega_P.norm()),
       opacity_(setting.scene.show.figures.cones.opacity) {}
 
@@ -55,7 +50,8 @@ void ConesFigure::addCone(const Canvas& canvas, const Cone& cone, const Vector3d
   for (int i = 0; i < lines; ++i) {
     const double angle = 2 * std::numbers::pi * i / lines;
     const Vector3d onRim = height * cone.axis_V + radius * (std::cos(angle) * u + std::sin(angle) * v);
-    canvas.line({kInside * onRim, onRim}, false, mixed(color, canvas.colors.paper, kLineShare), 0.9);
+    canvas.line({ConeLook::kInside * onRim, onRim}, false, mixed(color, canvas.colors.paper, ConeLook::kLineShare),
+                0.9);
   }
 }
 
@@ -69,7 +65,7 @@ draw::GlassCone ConesFigure::glass(const Canvas& canvas, const Cone& cone, const
   glass.farOpacity = canvas.glass(opacity_);
   glass.rimOpacity = canvas.glass(opacity_, 2);
   glass.lineColor = color;
-  glass.lineWidth_px = static_cast<float>(kRimWidth * canvas.line_px);
+  glass.lineWidth_px = static_cast<float>(ConeLook::kRimWidth * canvas.line_px);
   return glass;
 }
 
@@ -79,7 +75,7 @@ void ConesFigure::addName(const Canvas& canvas, const Cone& cone, const Cone& ot
   const Vector3d away_V = cone.axis_V - cone.axis_V.dot(other.axis_V) * other.axis_V;
   const Vector3d middle_V = side_ * std::cos(cone.halfAngle_rad) * cone.axis_V;
   const Vector3d onRim_V = middle_V + side_ * std::sin(cone.halfAngle_rad) * across(cone.axis_V, away_V);
-  canvas.label(name, onRim_V, middle_V, color, kNameSize);
+  canvas.label(name, onRim_V, middle_V, color, ConeLook::kNameSize);
 }
 
 void ConesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const PictureState& state) const {

@@ -6,6 +6,17 @@
 
 namespace poinsot::stage {
 
+/// Look of a cone: lengths are fractions of its side, widths multiples of an ordinary line's.
+struct ConeLook {
+  /// Length of the sides relative to omega, whose head stays visible beyond the rims.
+  static constexpr double kSide = 0.76;
+  /// Part of a side without lines, because lines would crowd at the apex.
+  static constexpr double kInside = 0.3;
+  static constexpr double kRimWidth = 2.2;
+  static constexpr double kLineShare = 0.6;  ///< strength of the colour of the lines along the sides
+  static constexpr double kNameSize = 0.8;
+};
+
 /// Actor for the two cones of a free symmetric top (eq 30 to 37). The body cone, about k, rolls on the space cone,
 /// about L. The cones touch along omega. Their apexes are at the origin and their sides are equally long.
 class ConesFigure final : public Actor {

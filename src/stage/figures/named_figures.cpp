@@ -43,19 +43,25 @@ using Arrow = NamedVectorFigure::Arrow;
 using ArrowOf = std::function<Arrow(const PictureState&)>;
 
 /// Returns the axes of a frame as columns, along V.
-/// @param R_BA  the scene's own axes
-Eigen::Matrix3d axesOf(const PictureState& state, scene::VectorFrame frame, const Eigen::Matrix3d& R_BA) {
+std::function<Eigen::Matrix3d(const PictureState&)> axesOf(const Setting& setting, scene::VectorFrame frame) {
   switch (frame) {
     case scene::VectorFrame::kSpace:
       break;
-    case scene::VectorFrame::kOwn:
-      return state.R_VB * R_BA;
     case scene::VectorFrame::kBody:
-      return state.R_VB;
+      return [](const PictureState& state) { return state.R_VB; };
     case scene::VectorFrame::kPrincipal:
-      return state.R_VP;
+      return [](const PictureState& state) { return state.R_VP; };
+    case scene::VectorFrame::kOwn: {
+      const Eigen::Matrix3d R_BA =
+          setting.scene.body.q_BA.value_or(physics::Quaternion::Identity()).toRotationMatrix();
+      return [R_BA](const PictureState& state) -> Eigen::Matrix3d { return state.R_VB * R_BA; };
+    }
+    case scene::VectorFrame::kPrecession:
+      return [cones = triadOf(setting.motion, "vector[].frame")](const PictureState& state) {
+        return triad_V(state, cones);
+      };
   }
-  return state.R_VW;
+  return [](const PictureState& state) { return state.R_VW; };
 }
 
 struct MakeArrow {
@@ -68,10 +74,8 @@ struct MakeArrow {
 
   ArrowOf operator()(const scene::FixedVector& vector) const {
     const Vector3d tip = scale * setting.scales.reach * vector.components.normalized();
-    const Eigen::Matrix3d R_BA =
-        setting.scene.body.q_BA.value_or(physics::Quaternion::Identity()).toRotationMatrix();
-    return [tip, frame = vector.frame, R_BA](const PictureState& state) {
-      return Arrow{Vector3d::Zero(), axesOf(state, frame, R_BA) * tip};
+    return [tip, axes = axesOf(setting, vector.frame)](const PictureState& state) {
+      return Arrow{Vector3d::Zero(), axes(state) * tip};
     };
   }
 

@@ -9,6 +9,10 @@ namespace poinsot::stage {
 
 using Eigen::Vector3d;
 
+bool isSymmetric(const PictureMotion& motion) {
+  return physics::precessionCones(motion.moments(), Vector3d::UnitZ()).has_value();
+}
+
 physics::PrecessionCones precessionOf(const PictureMotion& motion, const char* key) {
   const auto refuse = [key](const char* why) {
     return core::Error(core::ErrorKind::kScene, fmt::format("{}: {}", key, why));
@@ -19,6 +23,23 @@ physics::PrecessionCones precessionOf(const PictureMotion& motion, const char* k
     throw refuse(
         "only a rotating symmetric top precesses steadily: give two equal principal moments, or leave it out");
   return *cones;
+}
+
+physics::PrecessionCones triadOf(const PictureMotion& motion, const char* key) {
+  const physics::PrecessionCones cones = precessionOf(motion, key);
+  if (cones.tilt_rad > 0) return cones;
+  throw core::Error(core::ErrorKind::kScene,
+                    fmt::format("{}: L lies along the axis k, and they have no common plane; leave it out", key));
+}
+
+// The moments across k are equal, so that L and omega have the same direction across k. That of omega is exact.
+Eigen::Matrix3d triad_V(const PictureState& state, const physics::PrecessionCones& cones) {
+  Vector3d i_P = state.omega_P;
+  i_P[cones.axis] = 0;
+  i_P.normalize();
+  Eigen::Matrix3d axes_P;
+  axes_P << i_P, cones.k_P.cross(i_P), cones.k_P;
+  return state.R_VP * axes_P;
 }
 
 Vector3d mainAxis_P(const PictureMotion& motion) {
