@@ -46,6 +46,11 @@ bool ofAThrownBody(const Key& key) {
   return std::ranges::any_of(kNames, [&](auto name) { return key.path.find(name) != std::string::npos; });
 }
 
+bool ofASymmetricTop(const Key& key) {
+  constexpr std::string_view kNames[] = {"show.cones", "show.decomposition", "show.triad", "show.L_parts"};
+  return std::ranges::any_of(kNames, [&](auto name) { return key.path.find(name) != std::string::npos; });
+}
+
 /// Returns the text that each key needs, if the usual body and start do not suffice.
 const std::map<std::string_view, std::string>& contexts() {
   static const std::string part = "[[body.part]]\nshape = \"box\"\nsize = [3, 2, 1]\n";
@@ -101,6 +106,7 @@ const std::map<std::string_view, std::string>& contexts() {
       {"motion.torque.interpolation", kMoments + kOmega + "motion.torque.file = \"torque.csv\"\n"},
       {"motion.torque.step[].from", kMoments + kOmega + "[[motion.torque.step]]\nbody = [1, 2, 3]\n"},
       {"motion.torque.step[].body", kMoments + kOmega + "[[motion.torque.step]]\nfrom = 1\n"},
+      {"vector[].frame", kOmega + "body.principal_moments = [1, 1, 2]\n[[vector]]\ncomponents = [0, 0, 1]\n"},
       {"motion.torque.step[].space", kMoments + kOmega + "[[motion.torque.step]]\nfrom = 1\n"},
   };
   return all;
@@ -130,7 +136,7 @@ std::string sceneFor(const Key& key) {
     return kCone + kRolling + (key.path.starts_with("view") ? "[[view]]\n" : "");
   if (key.path == "timeline[].around")
     return kOmega + "body.principal_moments = [1, 2, 3]\n[[timeline]]\nspeed = 0.5\n";
-  if (key.path.find("show.cones") != std::string::npos || key.path.find("show.decomposition") != std::string::npos)
+  if (ofASymmetricTop(key))
     return kOmega + "body.principal_moments = [1, 1, 2]\n" + (key.path.starts_with("view") ? "[[view]]\n" : "");
   if (const auto found = contexts().find(key.path); found != contexts().end()) return found->second;
   const std::string_view name = nameOf(key.path);

@@ -55,6 +55,52 @@ TEST(NamedFigures, ReportMistakesWithLineAndColumn) {
   EXPECT_THAT(problemsOf("[show.ghosts]\ntimes = []\n"), HasSubstr("s.toml:6:9: error: show.ghosts.times"));
 }
 
+TEST(NamedFigures, RejectAxesIJKThatDoNotExist) {
+  using ::testing::HasSubstr;
+  const std::string top = "[body]\nprincipal_moments = [2, 2, 1]\n[motion]\nomega_body = ";
+  const auto problems = [&](const std::string& text) {
+    try {
+      parseScene(text, "s.toml");
+    } catch (const SceneErrors& errors) {
+      return std::string(errors.what());
+    }
+    return std::string();
+  };
+  const std::string vector = "[[vector]]\ncomponents = [1, 0, 0]\nframe = \"precession\"\n";
+  const std::string tilted = top + "[0.5, 0, 1]\n", upright = top + "[0, 0, 1]\n";
+  EXPECT_EQ(problems(tilted + vector + "[show]\ntriad = true\nL_parts = true\n"), "");
+  EXPECT_THAT(
+      problemsOf(vector),
+      HasSubstr("s.toml:7:9: error: vector[0].frame: \"precession\" does not exist: only a symmetric body"));
+  EXPECT_THAT(problems(upright + vector), HasSubstr("does not exist: L lies along the axis k here"));
+  EXPECT_THAT(
+      problems(upright + "[show]\ntriad = true\n"),
+      HasSubstr("s.toml:6:9: error: show.triad: L lies along the axis k here, and they have no common plane"));
+  EXPECT_EQ(problems(upright + "[show]\nL_parts = true\n"), "");
+  EXPECT_THAT(problemsOf("[show]\nL_parts = true\n"),
+              HasSubstr("show.L_parts: only a symmetric body precesses steadily"));
+  EXPECT_THAT(problems(tilted + "[motion.torque]\nbody = [0, 0, 1]\n[show]\ntriad = true\n"),
+              HasSubstr("show.triad: only free motion"));
+}
+
+// (I1 - I2) I1 w1² + (I3 - I2) I3 w3² = -3·4 + 2·6 = 0 on the separatrix.
+TEST(NamedFigures, RejectConesOfSteadyMotionAndOnTheSeparatrix) {
+  using ::testing::HasSubstr;
+  const auto problems = [](const std::string& omega) {
+    try {
+      parseScene(
+          "[body]\nprincipal_moments = [3, 4, 6]\n[motion]\nomega_body = " + omega + "\n[show]\ncones = true\n",
+          "s.toml");
+    } catch (const SceneErrors& errors) {
+      return std::string(errors.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(problems("[2, 1, 0.9]"), "");
+  EXPECT_THAT(problems("[2, 1, 1]"), HasSubstr("s.toml:6:9: error: show.cones: this start is on the separatrix"));
+  EXPECT_THAT(problems("[0, 1, 0]"), HasSubstr("show.cones: a spin about a principal axis is steady"));
+}
+
 TEST(LabelTexts, HaveDefaultsAndMayBeEmpty) {
   const Scene scene = parseScene(kFile + "[label]\nL = ''\ntheta = '$\\vartheta$'\n", "s.toml");
   EXPECT_EQ(scene.labels[LabelName::kL], "");

@@ -372,10 +372,10 @@ TEST(ErrorReport, SuggestsTheIntendedValue) {
   EXPECT_THAT(messagesOf(kMinimal, {"motion.omega_body=[0, 6, \"3 Rpm\"]"}), HasSubstr("did you mean \"rpm\"?"));
   EXPECT_THAT(messagesOf(kMinimal, {"camera.fov=\"24\""}),
               HasSubstr("\"24\" has no unit, such as rad, mrad, deg"));
-  EXPECT_EQ(
-      messagesOf(kMinimal, {"show.cones=true"}),
-      "show.cones: only a symmetric body precesses steadily; all three moments differ here: (1, 2, 2.5) kg·m²; "
-      "leave it out\n");
+  EXPECT_EQ(messagesOf(kMinimal, {"show.decomposition=true"}),
+            "show.decomposition: only a symmetric body precesses steadily; all three moments differ here: (1, 2, "
+            "2.5) kg·m²; "
+            "leave it out\n");
 }
 
 TEST(ErrorReport, PointsAtTheTableThatLacksAKey) {
