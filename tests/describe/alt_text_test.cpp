@@ -71,6 +71,13 @@ TEST(AltText, DescribesASymmetricTop) {
   EXPECT_THAT(text, HasSubstr("In blue: an arrow for L and the plane through L and ω."));  // show.plane_of_L
 }
 
+TEST(AltText, NamesTheTriadAndThePartsOfL) {
+  const std::string triad = altText(galleryScene("precession_frame"));
+  EXPECT_THAT(triad, HasSubstr("the axes i, j and k, with i in the plane of L and k"));
+  EXPECT_THAT(triad, HasSubstr("the parts of ω along i and k"));
+  EXPECT_THAT(altText(galleryScene("momentum_parts")), HasSubstr("the two parts of L, head to tail"));
+}
+
 TEST(AltText, DescribesFlips) {
   const scene::Scene scene = galleryScene("tennis_racket");
   const json info = numbersOf(scene);
