@@ -31,12 +31,7 @@ FEWEST_DIGITS = 3  # a number with fewer would show little
 LONGEST_S = 60  # of one command
 
 # Rows whose command does not yet show all that the lecture says, each with what is missing. Make this list empty.
-PENDING = {
-    "Claim 4": "a cone that rolls on a table, whose contact is at rest",
-    "Eq 8": "forces at points of the body",
-    "Eq 9": "forces at points of the body",
-    "Claim 25": "a cone that rolls on a table, with its two angular velocities",
-}
+PENDING = {}
 
 NUMBER = r"[-−]?\d+(?:\.\d+)?(?:e-?\d+)?"
 RESULT = re.compile(rf"""(?:[Aa]t\ (?:t\ =\ (?P<t>{NUMBER})\ s|(?P<always>every\ time)),\ )?
