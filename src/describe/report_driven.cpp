@@ -204,8 +204,7 @@ Section accuracySection(const scene::Scene& scene, const physics::Motion& motion
     addCondition(section, scene, span);
     return section;
   }
-  if (const physics::DrivenMotion* driven = motion.driven())
-    addIntegration(section, driven->report());
+  if (const physics::DrivenMotion* driven = motion.driven()) addIntegration(section, driven->report());
   return section;
 }
 

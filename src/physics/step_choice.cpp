@@ -80,7 +80,8 @@ class StepChoice {
 StepPlan StepChoice::planTo(double end_s) const {
   const Forcing& f = problem_.forcing;
   const bool conservative = !splitting_.dependsOnMomentum() && f.dragRate_P.isZero(0) && f.torque_B.isZero(0) &&
-                            f.torque_W.isZero(0) && f.torqueHistory_B.empty() && f.torqueHistory_W.empty() && f.forces.empty();
+                            f.torque_W.isZero(0) && f.torqueHistory_B.empty() && f.torqueHistory_W.empty() &&
+                            f.forces.empty();
   return pilotPlan(splitting_, composition_, problem_.start, forcingPieces(f, problem_.axes, end_s), conservative,
                    problem_.allowedSteps);
 }
