@@ -56,6 +56,15 @@ TEST(NamedPoints, AreTheTipsOfArrowsAndTheCentre) {
   EXPECT_EQ(placesOf(list)["centre"], glm::vec3(0));
 }
 
+TEST(NamedPoints, AreTheTipsOfTheTriadAndThePartsOfL) {
+  const draw::DrawList list = listOf(
+      "[body]\nprincipal_moments = [2, 2, 1]\n[motion]\nomega_body = [0.5, 0, 1]\n[show]\nprincipal_axes = false\n"
+      "plane = false\nellipsoid = false\ntriad = true\nL_parts = true\n");
+  EXPECT_THAT(namesOf(list), IsSupersetOf({"i", "j", "k", "omega1", "omega3", "L-omega"}));
+  for (const char* name : {"i", "j", "k", "omega1", "omega3", "L-omega"})
+    EXPECT_TRUE(isTip(list, placesOf(list)[name])) << name;
+}
+
 // The ellipsoid touches the plane at the tip of omega, where the height 2T/L above the plane is that of the plane.
 TEST(NamedPoints, HaveTheContactInThePlane) {
   const draw::DrawList list = listOf(kFree);

@@ -19,11 +19,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Facets of a cone, each with a line along its side, and points of a rim. Every facet is a sheet of glass, and the
-// time of drawing grows with the square of the sheets in one place.
-constexpr int kFacets = 24, kPointsPerFacet = 10, kFramedCircle = 24;
-constexpr double kPathWidth = 1.1;
-constexpr double kLeastAngle = 1e-3;  // smallest angle of a facet's triangle, relative to that of an even cone
+// Sides of a cone, drawn as lines, and points of a rim. Sheets of glass would fill the cone, but the time of
+// drawing grows with the square of the sheets in one place: 48 of them take a minute.
+constexpr int kSides = 36, kPointsPerSide = 6, kFramedCircle = 24;
+constexpr double kPathWidth = 1.1, kSideWidth = 0.9;
 
 void requireCones(const PictureMotion& motion, const physics::Polhode& polhode) {
   const auto refuse = [](const char* why) {
@@ -34,22 +33,11 @@ void requireCones(const PictureMotion& motion, const physics::Polhode& polhode) 
   if (polhode.regime() == physics::PolhodeRegime::kSeparatrix) throw refuse("the motion is on the separatrix");
 }
 
-/// Adds the facets of a cone between the given points of its rim, which are `kPointsPerFacet` apart.
-void addFacets(const Canvas& canvas, const std::vector<Vector3d>& rim_V, const draw::Color& color,
-               double opacity) {
-  constexpr double kEvenAngle = 2 * std::numbers::pi / kFacets;
-  for (std::size_t i = 0; i + 1 < rim_V.size(); i += kPointsPerFacet) {
-    const Vector3d a = rim_V[i], b = rim_V[std::min(i + kPointsPerFacet, rim_V.size() - 1)];
-    canvas.line({ConeLook::kInside * a, a}, false, mixed(color, canvas.colors.paper, ConeLook::kLineShare), 0.9);
-    if (!(a.cross(b).norm() > kLeastAngle * kEvenAngle * a.norm() * b.norm())) continue;
-    draw::GlassPolygon& glass = canvas.list.glassPolygons.emplace_back();
-    for (const Vector3d& corner : {Vector3d(ConeLook::kInside * a), a, b, Vector3d(ConeLook::kInside * b)})
-      glass.corners_V.push_back(toPicture(corner));
-    glass.color = color;
-    glass.opacity = canvas.glass(opacity);
-    glass.lineOpacity = 0;
-    glass.lineWidth_px = 0;
-  }
+/// Adds the sides of a cone to the given points of its rim, which are `kPointsPerSide` apart.
+void addSides(const Canvas& canvas, const std::vector<Vector3d>& rim_V, const draw::Color& color) {
+  const draw::Color pale = mixed(color, canvas.colors.paper, ConeLook::kLineShare);
+  for (std::size_t i = 0; i < rim_V.size(); i += kPointsPerSide)
+    canvas.line({ConeLook::kInside * rim_V[i], rim_V[i]}, false, pale, kSideWidth);
 }
 
 // Writes the name beside the point of the rim that is farthest from the other cone.
@@ -66,13 +54,12 @@ void addName(const Canvas& canvas, const std::vector<Vector3d>& rim_V, const Vec
 
 PolhodeConesFigure::PolhodeConesFigure(const Setting& setting)
     : motion_(setting.motion),
-      side_(ConeLook::kSide * setting.scene.show.figures.cones.scale * setting.scales.omega),
-      opacity_(setting.scene.show.figures.cones.opacity) {
+      side_(ConeLook::kSide * setting.scene.show.figures.cones.scale * setting.scales.omega) {
   const physics::PrincipalMoments& moments = motion_.moments();
   const Vector3d omega_P = motion_.liveliest().omega_P;
   const physics::Polhode polhode(moments, omega_P);
   requireCones(motion_, polhode);
-  for (const auto& sample : polhode.samples(kFacets * kPointsPerFacet)) polhode_P_.push_back(sample.omega_P);
+  for (const auto& sample : polhode.samples(kSides * kPointsPerSide)) polhode_P_.push_back(sample.omega_P);
   const physics::Herpolhode herpolhode(moments, omega_P);
   turn_s_ = 2 * std::numbers::pi * herpolhode.radialPeriod() / herpolhode.anglePerRadialPeriod();
   height_ = side_ * physics::PoinsotConstruction(moments, omega_P).planeHeight();
@@ -89,11 +76,11 @@ std::vector<Vector3d> PolhodeConesFigure::bodyRim_V(const PictureState& state) c
 // The points between the ends are at times that all frames have in common, so that lines on the cone stand still.
 std::vector<Vector3d> PolhodeConesFigure::spaceRim_V(double filmTime_s, const PictureState& state) const {
   const double now_s = motion_.motionTimeOf(motion_.played_s(filmTime_s));
-  const double step_s = turn_s_ / kFacets, first = std::ceil((now_s - 0.5 * turn_s_) / step_s);
+  const double step_s = turn_s_ / kSides, first = std::ceil((now_s - 0.5 * turn_s_) / step_s);
   std::vector<Vector3d> rim;
-  for (int i = 0; i <= (kFacets - 1) * kPointsPerFacet; ++i)
+  for (int i = 0; i <= (kSides - 1) * kPointsPerSide; ++i)
     rim.emplace_back(side_ * (state.R_VW * motion_.omegaAtMotionTime_W(
-                                               (first + static_cast<double>(i) / kPointsPerFacet) * step_s)));
+                                               (first + static_cast<double>(i) / kPointsPerSide) * step_s)));
   return rim;
 }
 
@@ -112,8 +99,8 @@ void PolhodeConesFigure::add(const Canvas& canvas, double filmTime_s, const Pict
   addPath(canvas, state, trail.from, trail.now);
   addPath(canvas, state, trail.now, trail.end);
   const draw::Color &ofSpace = canvas.colors.spaceCone, &ofBody = canvas.colors.bodyCone;
-  addFacets(canvas, space, ofSpace, opacity_);
-  addFacets(canvas, body, ofBody, opacity_);
+  addSides(canvas, space, ofSpace);
+  addSides(canvas, body, ofBody);
   canvas.line(space, false, ofSpace, ConeLook::kRimWidth);
   canvas.line(body, true, ofBody, ConeLook::kRimWidth);
   addName(canvas, space, state.omega_V, scene::LabelName::kSpaceCone, ofSpace);
@@ -124,7 +111,7 @@ void PolhodeConesFigure::add(const Canvas& canvas, double filmTime_s, const Pict
 std::vector<Vector3d> PolhodeConesFigure::outermostPoints(const PictureState& state) const {
   const Vector3d l = state.L_V.normalized();
   std::vector<Vector3d> points = circleAbout(height_ * l, l, outerRadius_, kFramedCircle);
-  for (std::size_t i = 0; i < polhode_P_.size(); i += kPointsPerFacet)
+  for (std::size_t i = 0; i < polhode_P_.size(); i += kPointsPerSide)
     points.emplace_back(side_ * (state.R_VP * polhode_P_[i]));
   return points;
 }
