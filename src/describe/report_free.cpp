@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -187,23 +189,25 @@ void addGeometricPhase(Section& section, const scene::Scene& scene) {
       "on the momentum sphere");
 }
 
-/// Adds a period of the Earth's wobble in solar days, and as a detail in sidereal days.
+/// Adds a period of the Earth's wobble in solar days, and in sidereal days, which books use for computed periods.
 void addEarthPeriod(Section& section, const std::string& key, const std::string& label, double period_s,
                     const std::string& from) {
-  section.add(key + "_solar_days", label, period_s / physics::kSolarDay_s, "d", from);
-  section.addDetail(key + "_sidereal_days", "  in sidereal days", period_s / physics::kSiderealDay_s, "sidereal d",
+  const double sidereal = period_s / physics::kSiderealDay_s;
+  section.add(key + "_solar_days", label, period_s / physics::kSolarDay_s, "d",
+              fmt::format("{}; {:.2f} sidereal d", from, sidereal));
+  section.addDetail(key + "_sidereal_days", "    in sidereal days", sidereal, "sidereal d",
                     "86 164.09 s each, the time of one turn of the Earth");
 }
 
 void addDeformableEarth(Section& section, const physics::EarthWobble& wobble) {
   addEarthPeriod(section, "chandler_elastic", "  if elastic", wobble.elastic_s, "computed: rigid/(1 - k/k_s)");
-  section.addDetail("love_number", "  Love number k", physics::earth::kLoveNumber, "",
+  section.addDetail("love_number", "    Love number k", physics::earth::kLoveNumber, "",
                     "quoted: Wahr (1981, 1985)");
-  section.addDetail("secular_love_number", "  secular Love number k_s", wobble.secularLoveNumber, "",
+  section.addDetail("secular_love_number", "    secular Love number k_s", wobble.secularLoveNumber, "",
                     "computed: 3 G (C - A)/(Omega^2 a^5)");
   addEarthPeriod(section, "chandler_fluid_core", "  if elastic, with a fluid core", wobble.fluidCore_s,
                  "computed: elastic A_m/A");
-  section.addDetail("mantle_share", "  share of the mantle A_m/A", physics::earth::kMantleShare, "",
+  section.addDetail("mantle_share", "    share of the mantle A_m/A", physics::earth::kMantleShare, "",
                     "quoted: Mathews et al. (1991)");
 }
 
