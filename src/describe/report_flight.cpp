@@ -30,7 +30,7 @@ std::optional<Eigen::Vector3d> sumOverParticles_W(const scene::Scene& scene, con
   for (const scene::Part& part : scene.body.parts) {
     if (!std::holds_alternative<scene::PointMass>(part.figure)) return std::nullopt;
     const Eigen::Vector3d r_W = physics::turnedVector(s.q_WB, part.offset_B - *scene.motion.thrownBy_B);
-    particles.push_back({part.mass_kg, terms.position_W + r_W, {}});
+    particles.push_back({part.mass_kg, terms.position_W + r_W, Eigen::Vector3d::Zero()});
   }
   return physics::rigidlyMoving(particles, terms.position_W, terms.velocity_W, s.omega_W)
       .angularMomentumAbout(Eigen::Vector3d::Zero());
