@@ -13,14 +13,16 @@
 namespace poinsot::describe {
 namespace {
 
-void addMomenta(Section& section, const physics::FlightQuantities& q) {
-  section.add("P_W", "momentum P, in W", q.P_W, "kg m/s", "eq 1");
+/// @param brief  whether only the complete table has what eq (4) does not need
+void addMomenta(Section& section, const physics::FlightQuantities& q, bool brief) {
+  section.add("P_W", "momentum P, in W", q.P_W, "kg m/s", "eq 1").detail = brief;
   section.add("L_orbital_W", "orbital part of L_tot, in W", q.orbital_W, "kg m^2/s", "eq 5");
   section.add("L_total_W", "L_tot about the origin, in W", q.total_W, "kg m^2/s", "eq 5");
   section.addDetail("force_W", "force dP/dt, in W", q.force_W, "N", "eq 1");
-  section.add("torque_about_origin_W", "torque dL_tot/dt, in W", q.torque_W, "N m", "eq 1, 8");
-  section.add("T_translation", "kinetic energy of translation", q.translationalEnergy, "J", "eq 10");
-  section.add("T_total", "total kinetic energy", q.kineticEnergy(), "J", "eq 10");
+  section.add("torque_about_origin_W", "torque dL_tot/dt, in W", q.torque_W, "N m", "eq 1, 8").detail = brief;
+  section.add("T_translation", "kinetic energy of translation", q.translationalEnergy, "J", "eq 10").detail =
+      brief;
+  section.add("T_total", "total kinetic energy", q.kineticEnergy(), "J", "eq 10").detail = brief;
 }
 
 /// Returns L_tot as the sum over the particles of a body that consists of point masses only (eq 4).
@@ -45,8 +47,8 @@ Section referencePointSection(const scene::Scene& scene) {
   const auto terms =
       physics::referencePointTerms(*scene.body.mass, *scene.motion.thrownBy_B, *scene.motion.flight, s);
   section.addDetail("K_B", "K, in B", *scene.motion.thrownBy_B, "m", "");
-  section.add("K_position_W", "its position R", terms.position_W, "m", "eq 4");
-  section.add("K_velocity_W", "its velocity V", terms.velocity_W, "m/s", "eq 4");
+  section.addDetail("K_position_W", "its position R", terms.position_W, "m", "eq 4");
+  section.addDetail("K_velocity_W", "its velocity V", terms.velocity_W, "m/s", "eq 4");
   section.addDetail("K_to_centre_W", "c, from K to the centre of mass", terms.centre_W, "m", "");
   section.add("L_K_translation_W", "R x M V", terms.translation_W, "kg m^2/s", "eq 4");
   section.add("L_K_mixed_1_W", "mixed term R x (omega x M c)", terms.turningCentre_W, "kg m^2/s", "eq 4");
@@ -63,9 +65,11 @@ Section flightSection(const scene::Scene& scene) {
   Section section{"Flight (at motion time 0; W: inertial axes)", {}};
   if (!scene.motion.flight) return section;
   const scene::Flight& flight = *scene.motion.flight;
+  const bool byPoint = scene.motion.thrownBy_B.has_value();  // the page has the terms of eq (4) instead
   section.add("position_W", "centre of mass R, in W", flight.position_W, "m", "");
   section.add("velocity_W", "its velocity V, in W", flight.velocity_W, "m/s", "");
   section.addDetail("speed", "|V|", flight.velocity_W.norm(), "m/s", "");
+<<<<<<< HEAD
   const physics::Forcing& forcing = scene.motion.forcing;
   const physics::FlightTop top = flight.top();
   if (forcing.forces.empty() && top.t_s > 0) {
@@ -76,6 +80,17 @@ Section flightSection(const scene::Scene& scene) {
   const auto motion = scene::makeMotion(scene, 0, 0);
   addMomenta(section, physics::flightQuantities(scene.body.mass->mass_kg(), *scene::flightPath(scene, *motion),
                                                 forcing, scene.body.axes, motion->at(0)));
+=======
+  if (const physics::FlightTop top = flight.top(); top.t_s > 0) {
+    section.add("rise_time", "time to the highest point", top.t_s, "s", "").detail = byPoint;
+    section.add("rise_height", "rise to the highest point", top.rise_m, "m", "").detail = byPoint;
+  }
+  if (scene.body.mass)
+    addMomenta(
+        section,
+        physics::flightQuantities(scene.body.mass->mass_kg(), flight, scene::makeMotion(scene, 0, 0)->at(0)),
+        byPoint);
+>>>>>>> a3466769 (describe: Keep the page of a body thrown by a point within 60 lines)
   return section;
 }
 
