@@ -69,28 +69,18 @@ Section flightSection(const scene::Scene& scene) {
   section.add("position_W", "centre of mass R, in W", flight.position_W, "m", "");
   section.add("velocity_W", "its velocity V, in W", flight.velocity_W, "m/s", "");
   section.addDetail("speed", "|V|", flight.velocity_W.norm(), "m/s", "");
-<<<<<<< HEAD
   const physics::Forcing& forcing = scene.motion.forcing;
   const physics::FlightTop top = flight.top();
   if (forcing.forces.empty() && top.t_s > 0) {
-    section.add("rise_time", "time to the highest point", top.t_s, "s", "");
-    section.add("rise_height", "rise to the highest point", top.rise_m, "m", "");
-  }
-  if (!scene.body.mass) return section;
-  const auto motion = scene::makeMotion(scene, 0, 0);
-  addMomenta(section, physics::flightQuantities(scene.body.mass->mass_kg(), *scene::flightPath(scene, *motion),
-                                                forcing, scene.body.axes, motion->at(0)));
-=======
-  if (const physics::FlightTop top = flight.top(); top.t_s > 0) {
     section.add("rise_time", "time to the highest point", top.t_s, "s", "").detail = byPoint;
     section.add("rise_height", "rise to the highest point", top.rise_m, "m", "").detail = byPoint;
   }
-  if (scene.body.mass)
-    addMomenta(
-        section,
-        physics::flightQuantities(scene.body.mass->mass_kg(), flight, scene::makeMotion(scene, 0, 0)->at(0)),
-        byPoint);
->>>>>>> a3466769 (describe: Keep the page of a body thrown by a point within 60 lines)
+  if (!scene.body.mass) return section;
+  const auto motion = scene::makeMotion(scene, 0, 0);
+  addMomenta(section,
+             physics::flightQuantities(scene.body.mass->mass_kg(), *scene::flightPath(scene, *motion), forcing,
+                                       scene.body.axes, motion->at(0)),
+             byPoint);
   return section;
 }
 
