@@ -39,7 +39,7 @@ std::string withoutTriad(const Scene& scene, const std::optional<Rest>& rest) {
 }
 
 std::string withoutCones(const Scene& scene, const std::optional<Rest>& rest) {
-  if (!scene.motion.forcing.none() || rest || precessionOf(scene)) return withoutPrecession(scene, rest);
+  if (!scene.motion.isFree() || rest || precessionOf(scene)) return withoutPrecession(scene, rest);
   const physics::PrincipalAxes& axes = scene.body.axes;
   switch (physics::Polhode(axes.moments(), axes.toP(scene.motion.omega_B)).regime()) {
     case physics::PolhodeRegime::kSteady:

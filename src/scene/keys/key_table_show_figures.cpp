@@ -138,8 +138,9 @@ std::vector<Key> coneKeys(const ShowTable& table) {
           "The two cones of a free body. omega draws the body cone in the body and the space cone, around the "
           "angular momentum L, in space. The body cone rolls on the space cone, and they touch along omega. The "
           "cones of a symmetric top are circular. Those of other bodies pass through the polhode and the "
-          "herpolhode. Their space cone need not close, and is drawn for half a turn before and after the "
-          "present.",
+          "herpolhode, and are drawn by lines along their sides. Their space cone need not close, and is drawn "
+          "for "
+          "half a turn before and after the present.",
           [](ShownFigures & f) -> auto& { return f.cones.visible; }),
       key.scale(
           "Factor on the length of the cones' sides. If the factor is 1, the sides are three quarters as long as "

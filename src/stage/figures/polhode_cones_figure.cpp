@@ -12,17 +12,17 @@
 #include "physics/poinsot_construction.h"
 #include "physics/polhode.h"
 #include "stage/figures/cones_figure.h"
-#include "stage/to_picture.h"
 
 namespace poinsot::stage {
 namespace {
 
 using Eigen::Vector3d;
 
-// Sides of a cone, drawn as lines, and points of a rim. Sheets of glass would fill the cone, but the time of
-// drawing grows with the square of the sheets in one place: 48 of them take a minute.
-constexpr int kSides = 36, kPointsPerSide = 6, kFramedCircle = 24;
-constexpr double kPathWidth = 1.1, kSideWidth = 0.9;
+// Lines along the sides of a cone, of which every third is strong, and points of a rim. The lines alone draw the
+// surface: as many sheets of glass as the cones need would take minutes for a picture.
+constexpr int kSideLines = 96, kStrongLines = 3, kPointsPerLine = 4, kFramedCircle = 24;
+constexpr double kFineWidth = 0.6, kStrongWidth = 0.9;
+constexpr double kPathWidth = 1.1, kRimLift = 0.012;  // lifted over the path, part of which the rim covers
 
 void requireCones(const PictureMotion& motion, const physics::Polhode& polhode) {
   const auto refuse = [](const char* why) {
@@ -33,11 +33,18 @@ void requireCones(const PictureMotion& motion, const physics::Polhode& polhode) 
   if (polhode.regime() == physics::PolhodeRegime::kSeparatrix) throw refuse("the motion is on the separatrix");
 }
 
-/// Adds the sides of a cone to the given points of its rim, which are `kPointsPerSide` apart.
-void addSides(const Canvas& canvas, const std::vector<Vector3d>& rim_V, const draw::Color& color) {
-  const draw::Color pale = mixed(color, canvas.colors.paper, ConeLook::kLineShare);
-  for (std::size_t i = 0; i < rim_V.size(); i += kPointsPerSide)
-    canvas.line({ConeLook::kInside * rim_V[i], rim_V[i]}, false, pale, kSideWidth);
+/// Adds the lines along a cone's sides that end on its rim. Fine lines are as strong as a sheet of glass that is
+/// seen twice.
+void addSideLines(const Canvas& canvas, const std::vector<Vector3d>& rim_V, const draw::Color& color,
+                  double opacity) {
+  const draw::Color fine = mixed(color, canvas.colors.paper, static_cast<double>(canvas.glass(opacity, 2))),
+                    strong = mixed(color, canvas.colors.paper, ConeLook::kLineShare);
+  for (std::size_t i = 0; i * kPointsPerLine < rim_V.size(); ++i) {
+    const Vector3d& onRim = rim_V[i * kPointsPerLine];
+    const bool isStrong = i % kStrongLines == 0;
+    canvas.line({ConeLook::kInside * onRim, onRim}, false, isStrong ? strong : fine,
+                isStrong ? kStrongWidth : kFineWidth);
+  }
 }
 
 // Writes the name beside the point of the rim that is farthest from the other cone.
@@ -54,12 +61,13 @@ void addName(const Canvas& canvas, const std::vector<Vector3d>& rim_V, const Vec
 
 PolhodeConesFigure::PolhodeConesFigure(const Setting& setting)
     : motion_(setting.motion),
-      side_(ConeLook::kSide * setting.scene.show.figures.cones.scale * setting.scales.omega) {
+      side_(ConeLook::kSide * setting.scene.show.figures.cones.scale * setting.scales.omega),
+      opacity_(setting.scene.show.figures.cones.opacity) {
   const physics::PrincipalMoments& moments = motion_.moments();
   const Vector3d omega_P = motion_.liveliest().omega_P;
   const physics::Polhode polhode(moments, omega_P);
   requireCones(motion_, polhode);
-  for (const auto& sample : polhode.samples(kSides * kPointsPerSide)) polhode_P_.push_back(sample.omega_P);
+  for (const auto& sample : polhode.samples(kSideLines * kPointsPerLine)) polhode_P_.push_back(sample.omega_P);
   const physics::Herpolhode herpolhode(moments, omega_P);
   turn_s_ = 2 * std::numbers::pi * herpolhode.radialPeriod() / herpolhode.anglePerRadialPeriod();
   height_ = side_ * physics::PoinsotConstruction(moments, omega_P).planeHeight();
@@ -69,18 +77,18 @@ PolhodeConesFigure::PolhodeConesFigure(const Setting& setting)
 std::vector<Vector3d> PolhodeConesFigure::bodyRim_V(const PictureState& state) const {
   std::vector<Vector3d> rim;
   for (const Vector3d& p : polhode_P_) rim.emplace_back(side_ * (state.R_VP * p));
-  rim.push_back(rim.front());
   return rim;
 }
 
-// The points between the ends are at times that all frames have in common, so that lines on the cone stand still.
+// The points are at times that all frames have in common, so that lines on the cone stand still.
 std::vector<Vector3d> PolhodeConesFigure::spaceRim_V(double filmTime_s, const PictureState& state) const {
   const double now_s = motion_.motionTimeOf(motion_.played_s(filmTime_s));
-  const double step_s = turn_s_ / kSides, first = std::ceil((now_s - 0.5 * turn_s_) / step_s);
+  const double step_s = turn_s_ / kSideLines;
+  const double first = kStrongLines * std::ceil((now_s - 0.5 * turn_s_) / (kStrongLines * step_s));
   std::vector<Vector3d> rim;
-  for (int i = 0; i <= (kSides - 1) * kPointsPerSide; ++i)
+  for (int i = 0; i <= (kSideLines - kStrongLines) * kPointsPerLine; ++i)
     rim.emplace_back(side_ * (state.R_VW * motion_.omegaAtMotionTime_W(
-                                               (first + static_cast<double>(i) / kPointsPerSide) * step_s)));
+                                               (first + static_cast<double>(i) / kPointsPerLine) * step_s)));
   return rim;
 }
 
@@ -99,10 +107,10 @@ void PolhodeConesFigure::add(const Canvas& canvas, double filmTime_s, const Pict
   addPath(canvas, state, trail.from, trail.now);
   addPath(canvas, state, trail.now, trail.end);
   const draw::Color &ofSpace = canvas.colors.spaceCone, &ofBody = canvas.colors.bodyCone;
-  addSides(canvas, space, ofSpace);
-  addSides(canvas, body, ofBody);
-  canvas.line(space, false, ofSpace, ConeLook::kRimWidth);
-  canvas.line(body, true, ofBody, ConeLook::kRimWidth);
+  addSideLines(canvas, space, ofSpace, opacity_);
+  addSideLines(canvas, body, ofBody, opacity_);
+  canvas.line(space, false, ofSpace, ConeLook::kRimWidth, kRimLift);
+  canvas.line(body, true, ofBody, ConeLook::kRimWidth, kRimLift);
   addName(canvas, space, state.omega_V, scene::LabelName::kSpaceCone, ofSpace);
   addName(canvas, body, state.omega_V, scene::LabelName::kBodyCone, ofBody);
 }
@@ -111,7 +119,7 @@ void PolhodeConesFigure::add(const Canvas& canvas, double filmTime_s, const Pict
 std::vector<Vector3d> PolhodeConesFigure::outermostPoints(const PictureState& state) const {
   const Vector3d l = state.L_V.normalized();
   std::vector<Vector3d> points = circleAbout(height_ * l, l, outerRadius_, kFramedCircle);
-  for (std::size_t i = 0; i < polhode_P_.size(); i += kPointsPerSide)
+  for (std::size_t i = 0; i < polhode_P_.size(); i += kPointsPerLine)
     points.emplace_back(side_ * (state.R_VP * polhode_P_[i]));
   return points;
 }
