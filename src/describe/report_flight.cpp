@@ -66,8 +66,8 @@ Section flightSection(const scene::Scene& scene) {
   if (!scene.motion.flight) return section;
   const scene::Flight& flight = *scene.motion.flight;
   const bool byPoint = scene.motion.thrownBy_B.has_value();  // the page has the terms of eq (4) instead
-  section.add("position_W", "centre of mass R, in W", flight.position_W, "m", "");
-  section.add("velocity_W", "its velocity V, in W", flight.velocity_W, "m/s", "");
+  section.add("position_W", "centre of mass R, in W", flight.position_W, "m", "").detail = byPoint;
+  section.add("velocity_W", "its velocity V, in W", flight.velocity_W, "m/s", "").detail = byPoint;
   section.addDetail("speed", "|V|", flight.velocity_W.norm(), "m/s", "");
   const physics::Forcing& forcing = scene.motion.forcing;
   const physics::FlightTop top = flight.top();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/type/matrix_text.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "scene_samples.h"
@@ -32,6 +33,17 @@ TEST(MatrixText, HasThePowerOfTenOfItsLargestNumber) {
       "s.toml");
   EXPECT_EQ(text::setTex(matrixText(scene.notes.at(0), scene)).plainText,
             "I = [1,500 0 0; 0 2,000 0; 0 0 1,225] × 10⁻³ kg m²");
+}
+
+// I = 0.002 about the centre, and 0.009 more about the pivot.
+TEST(MatrixText, HasOneUnitInAllNotes) {
+  const scene::Scene scene = scene::parseScene(
+      "[body]\nprincipal_moments = [2e-3, 2e-3, 2e-3]\nmass = 1\npivot = [0, 0, 94.86832980505138e-3]\n[motion]\n"
+      "omega_body = [0, 0, 1]\n[[note]]\nmatrix = 'inertia_centre'\n[[note]]\nmatrix = 'inertia'\n",
+      "s.toml");
+  const auto plain = [&](std::size_t i) { return text::setTex(matrixText(scene.notes.at(i), scene)).plainText; };
+  EXPECT_THAT(plain(0), ::testing::HasSubstr("= [2.000 0 0; 0 2.000 0; 0 0 2.000] × 10⁻³ kg m²"));
+  EXPECT_THAT(plain(1), ::testing::HasSubstr("= [11.000 0 0; 0 11.000 0; 0 0 2.000] × 10⁻³ kg m²"));
 }
 
 }  // namespace

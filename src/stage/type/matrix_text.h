@@ -7,9 +7,8 @@
 
 namespace poinsot::stage {
 
-/// Returns the text of a note that shows a matrix: name, equals sign, numbers in brackets, and their common unit.
-/// The largest number has four digits, and all numbers have the same decimals. A number that is only rounding is
-/// 0.
+/// Returns the text of a note that shows a matrix: name, equals sign, numbers in brackets, and their unit. All
+/// tensors in the notes of a scene have the same unit and the same decimals. A number that is only rounding is 0.
 /// @pre the note has a matrix that the body has
 std::string matrixText(const scene::Note& note, const scene::Scene& scene);
 
