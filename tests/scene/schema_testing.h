@@ -10,7 +10,7 @@ namespace poinsot::scene {
 /// Returns the schema at a path, through properties, the object form of a table that may be a flag, and array
 /// items.
 inline const nlohmann::json& schemaAt(const nlohmann::json& schema, std::string_view path) {
-  const nlohmann::json& object = schema.contains("anyOf") ? schema["anyOf"][0] : schema;
+  const nlohmann::json& object = schema.contains("properties") ? schema : schema["anyOf"][0];
   const std::size_t dot = path.find('.');
   const std::string_view name = path.substr(0, dot);
   const bool element = name.ends_with("[]");

@@ -170,10 +170,11 @@ std::string tableElsewhere(std::string_view name) {
       {"appearance", "style"},
   });
   if (name.size() > kLongestName || name.find('.') != std::string_view::npos) return "";
+  const auto found = std::ranges::find(kTables, name, &std::pair<std::string_view, std::string_view>::first);
+  if (found != kTables.end()) return std::string(found->second);
   for (const std::string_view parent : {"motion", "style", "show"})
     if (std::string path = pathBelow(parent, name); isTable(path)) return path;
-  const auto found = std::ranges::find(kTables, name, &std::pair<std::string_view, std::string_view>::first);
-  return found == kTables.end() ? "" : std::string(found->second);
+  return "";
 }
 
 std::optional<std::string> misspelt(std::string_view table, std::string_view name) {
