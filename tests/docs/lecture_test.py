@@ -145,8 +145,8 @@ def compare(result, value, unit):
 
 
 def normal(text):
-    """Returns a text in which each letter with an accent is written in one way."""
-    return unicodedata.normalize("NFC", text)
+    """Returns a text in which each letter with an accent is written in one way, and spaces between words are single."""
+    return re.sub(" +", " ", unicodedata.normalize("NFC", text)).strip()
 
 
 class Run:
