@@ -191,13 +191,14 @@ Box bracketedMatrix(const std::vector<std::vector<Box>>& rows, const MathStyle& 
   const double left = scale * kBesideBracket, lip = scale * kBracketLip;
   addBracket(box, left, lip, top, bottom, rule);
   double right = left + rule + lip + scale * kInBracket;
-  for (std::size_t column = 0; column < widths.size(); ++column) {
-    if (column > 0) right += scale * kColumnsApart;
-    right += widths[column];
-    for (std::size_t row = 0; row < rows.size(); ++row)
-      if (column < rows[row].size())
-        place(box, rows[row][column], right - rows[row][column].width, first - baselines[row]);
+  std::vector<double> ends;  // right end of each column
+  for (const double width : widths) {
+    right += (ends.empty() ? 0 : scale * kColumnsApart) + width;
+    ends.push_back(right);
   }
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    for (std::size_t column = 0; column < rows[row].size(); ++column)
+      place(box, rows[row][column], ends[column] - rows[row][column].width, first - baselines[row]);
   right += scale * kInBracket + lip;
   addBracket(box, right, -lip, top, bottom, rule);
   box.width = right + rule + left;
