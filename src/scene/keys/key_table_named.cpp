@@ -42,9 +42,9 @@ std::vector<Key> vectorKeys() {
        .type = kWord,
        .words = {"space", "body", "principal", "precession", "own"},
        .example = "\"body\"",
-       .help = "Axes in which `components` gives the arrow: the axes of space (the default), the axes of the "
-               "body, its principal axes, the axes i, j, k of a free symmetric top, which show.triad draws, or "
-               "[body.own_axes].",
+       .help =
+           "Axes in which `components` gives the arrow. The default is the axes of space. `precession` means the "
+           "axes i, j, k of a free symmetric top, which show.triad draws, and `own` means [body.own_axes].",
        .put = intoVector([](VectorDraft& v) { return &v.frame; })},
       {.path = "vector[].position_of",
        .type = kVector,
