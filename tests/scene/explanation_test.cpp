@@ -120,6 +120,10 @@ TEST(Explain, RejectsUnknownNamesAndSuggestsTheNearest) {
   };
   EXPECT_EQ(refusal("camera.fovv"),
             "camera.fovv: no key, table, shape or quantity of a scene has this name; did you mean camera.fov?");
+  for (const auto& [word, key] : {std::pair{"show.V", "show.flight.velocity"}, std::pair{"stand", "body.pivot"},
+                                  std::pair{"path", "show.trace.visible"}})
+    EXPECT_THAT(refusal(word), testing::EndsWith(std::string("did you mean ") + key + "?"));
+  EXPECT_EQ(explain("support").back().title, "body.pivot");
   EXPECT_EQ(refusal("\x1b[2J"), "\\x1b[2J: no key, table, shape or quantity of a scene has this name");
   EXPECT_THAT(refusal(std::string(5000, 'x')), HasSubstr("has this name"));
   for (const char* word : {"[", "]", "[]", "[[]]", ".", "..", "body.part[", "body.part[]]"})

@@ -40,6 +40,7 @@ const std::map<std::string_view, Lines>& values() {
       {"body.radius", {"0.1"}},
       {"body.size", {"0.3", "0.2", "0.1"}},
       {"body.edge", {"0.1"}},
+      {"body.inner_radius", {"0.05"}},
       {"body.wall", {"0.01"}},
       {"body.part[].offset", {"0", "0", "0.1"}},
       {"body.part[].rotation", {"1", "0", "0", "1"}},
@@ -113,6 +114,7 @@ const std::map<std::string_view, Lines>& values() {
       {"timeline[].caption", {"\"A caption\""}},
       {"vector[].components", {"0", "0", "1"}},
       {"vector[].name", {"\"v\""}},
+      {"vector[].color", {"\"vector\""}},
       {"style.colors.paper", {"\"white\""}},
       {"style.colors.body", {"\"#336699\""}},
       {"style.text_size", {"12"}},
@@ -123,6 +125,9 @@ const std::map<std::string_view, Lines>& values() {
       {"show.principal_axes.visible", {"true"}},
       {"show.ellipsoid.visible", {"true"}},
       {"show.plane.visible", {"true"}},
+      {"show.flight.velocity", {"true"}},
+      {"show.flight.position", {"true"}},
+      {"show.flight.weight", {"true"}},
       {"show.trace.visible", {"true"}},
   };
   return all;
@@ -143,6 +148,8 @@ std::string valueFor(std::string_view key) {
 /// Returns a value for each name of a row, as other programs write it.
 Lines valuesFor(const ForeignNames& row) {
   if (row.carry == Carry::kSymmetric) return {"2", "1"};
+  if (row.carry == Carry::kEllipticity) return {"\"1/305\""};
+  if (row.carry == Carry::kLaunch) return {"6", "\"60 deg\""};
   if (row.carry == Carry::kDirected) return {"3", "[0, 0, 1]"};
   if (row.carry == Carry::kReversed) return {"[0.1, 0.2, 0.3]"};
   if (row.carry == Carry::kEuler) return {"[0.1, 0.2, 0.3]"};

@@ -13,6 +13,7 @@ namespace poinsot::scene {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 struct WrongScene {
   std::string text;
@@ -189,6 +190,102 @@ TEST(MendedScenes, HaveTheirPicture) {
       {scene + "[style]\ntitle = \"A top\"\n", {"title = \"A top\""}},
       {scene + "[show.plane]\nalpha = 0.5\n", {"opacity = 0.5"}},
   });
+}
+
+const std::string kTopBody = "[body]\nmass = 0.5\npivot = [0, 0, -0.04]\n";
+const std::string kTopStart = "[motion]\nlean = \"30 deg\"\nspin = 150\n";
+
+TEST(MendedScenes, HaveTheBodyOfATop) {
+  expectMended({
+      // The axis of symmetry has the smallest moment.
+      {"[body]\nmoments = [2e-3, 2e-3, 1e-3]\nmass = 0.5\nl = 0.04\n" + kTopStart + "gravity = 9.81\n",
+       {"principal_moments = [0.002, 0.002, 0.001]", "spin_axis = \"3\"", "gravity.g = 9.81"}},
+      {"[body]\nmoments = [1e-3, 1e-3, 5e-4]\nmass = 0.3\nh = 0.05\n" + kTopStart + "g = 9.81\n",
+       {"pivot = [0, 0, -0.05]", "spin_axis = \"3\""}},
+      {"[body]\nmoments = [1, 2, 2]\n[motion]\nspin = 3\n", {"spin_axis = \"1\""}},
+      {"[body]\nmoments = [1, 2, 2.5]\n[motion]\nspin = 3\n", {"spin_axis = \"largest\""}},
+      {kTopBody + "moments = [1, 2, 2.5]\n" + kTopStart + "gravity = 9.81\n", {"spin_axis = \"3\""}},
+      {kTopBody + "moments = [5e-4, 5e-4, 2e-4]\n[motion]\ntilt = 1.0\nspin = 250\ngravity = [0, 0, -9.81]\n",
+       {"lean = 1", "spin_axis = \"3\""}},
+      {kTopBody + "moments = [1, 1, 2]\n[motion]\nnutation = \"20 deg\"\nspin = 250\ngravity = 9.81\n",
+       {"lean = \"20 deg\""}},
+      {kFreeBody + "[motion]\nnutation = \"20 deg\"\nspin = 2\nspin_axis = \"3\"\n", {"tilt = \"20 deg\""}},
+      {"[body]\nshape = \"ring\"\nr_in = 0.025\nr_out = 0.03\nheight = 0.01\nmass = 0.06\n" + kSpun,
+       {"shape = \"cylinder\"", "inner_radius = 0.025", "radius = 0.03", "height = 0.01"}},
+      {"[body]\nshape = \"rod\"\nlength = 1.0\nmass = 0.5\n" + kSpun, {"size = [1, 0.02, 0.02]"}},
+      {"[body]\nshape = \"plate\"\nsize = [0.3, 0.2, 0.005]\ndensity = 2700\n" + kSpun, {"shape = \"box\""}},
+      {"[body]\ntarget = \"TOUTATIS\"\n" + kSpun, {"catalogue = \"toutatis\""}},
+      {"[body]\nellipticity = \"1/305\"\n" + kSpun, {"principal_moments = [1, 1, 1.0032787]"}},
+      {"[body]\nmass = 2.0\nunit_inertia = [0.5, 0.6, 0.9]\n" + kSpun, {"principal_moments = [1, 1.2, 1.8]"}},
+      {"[body]\nmoments = {1, 2, 2.5}\n" + kSpun, {"principal_moments = [1, 2, 2.5]"}},
+  });
+}
+
+// 0.0014 + 0.012 < 0.0164; the nearest possible moments are on the edge, where the first two add up to the third.
+TEST(MendedScenes, HavePossibleMoments) {
+  const std::string text = "[body]\nI1 = 0.0014\nI2 = 0.012\nI3 = 0.0164\n" + kSpun;
+  EXPECT_THAT(messagesOf(text), HasSubstr("I3 must not exceed I1 + I2, got (0.0014, 0.012, 0.0164) kg·m²"));
+  expectMended({{text, {"principal_moments = [0.0024, 0.013, 0.0154]"}}});
+}
+
+TEST(MendedScenes, HaveTheirUnitsAndOrders) {
+  expectMended({
+      {kFreeBody + "[motion]\nomega = [2, 700, 2]\nomega_units = \"deg/s\"\n",
+       {"omega_body = [\"2 deg/s\", \"700 deg/s\", \"2 deg/s\"]"}},
+      {kFreeBody + "[motion]\nomega_units = \"deg/s\"\nomega = [2, 700, 2]\n", {"\"700 deg/s\""}},
+      {kFreeBody + kSpun + "[time]\nduration = 2\nduration_unit = \"min\"\n", {"duration = \"2 min\""}},
+      {kFreeBody + kSpun + "angle_unit = \"deg\"\n", {}},
+      {kFreeBody + "[motion]\nspin = \"2400 min^-1\"\nspin_axis = \"3\"\n", {"spin = \"2400 rpm\""}},
+      {kFreeBody + kSpun + "[time]\nframe_start = 1\nframe_end = 240\n[output]\nfps = 24\n",
+       {"duration = 10", "fps = 24"}},
+      {kFreeBody + kSpun + "speed = 6.0\nlaunch_angle = \"60 deg\"\ngravity = \"earth\"\n",
+       {"flight.velocity = [3, 0, 5.19615]", "flight.gravity = [0, 0, -9.81]"}},
+      {kFreeBody + kSpun + "gravity = false\n", {}},
+      // 2e-6/5e-4 and 2e-6/2e-4
+      {"[body]\nprincipal_moments = [5e-4, 5e-4, 2e-4]\n" + kSpun + "friction = 2e-6\n",
+       {"drag.rate = [0.004, 0.004, 0.01]"}},
+      {kFreeBody + kSpun + "[motion.energy_dissipation]\ntau = 200\n", {"[motion.dissipation]\nalpha = 0.02"}},
+  });
+}
+
+TEST(MendedScenes, SayBothOrdersOfAQuaternion) {
+  const std::string first = kFreeBody + kSpun + "q = [0.9239, 0, 0, 0.3827]\n",
+                    last = kFreeBody + kSpun + "q = [0.0, 0.0, 0.3827, 0.9239]\n";
+  EXPECT_THAT(messagesOf(first), Not(HasSubstr(" or, ")));
+  EXPECT_THAT(messagesOf(last), HasSubstr("    orientation = [0, 0, 0.3827, 0.9239]\n"));
+  EXPECT_THAT(messagesOf(last),
+              HasSubstr("or, if no rotation is [0, 0, 0, 1] where this comes from:\n    orientation "
+                        "= [0.9239, 0, 0, 0.3827]\n"));
+  EXPECT_THAT(messagesOf("[body]\nmoments = [1, 2, 2.5]\n" + kSpun + "damping = 1e-6\n"),
+              HasSubstr("    drag.rate = 1e-06\n  or, for a coefficient in N m s:\n    drag.rate = [1e-06, 5e-07, "
+                        "4e-07]\n"));
+}
+
+TEST(MendedScenes, HaveTheThingsOfTheirLists) {
+  const std::string scene = kFreeBody + kSpun;
+  expectMended({
+      {scene + "[[vector]]\nname = \"L\"\nc = \"r\"\n", {"L = true", "L = \"#ff0000\""}},
+      {scene + "[[vector]]\nname = \"omega\"\n", {"omega = true"}},
+      {scene + "[show]\ntheta = false\n[[vector]]\nname = \"omega\"\n", {"[show]\nomega = true"}},
+      {scene + "[show]\npoinsot = [\"ellipsoid\", \"plane\", \"polhode\", \"herpolhode\"]\n",
+       {"ellipsoid = true", "plane = true", "polhode = true", "herpolhode = true"}},
+      {scene + "[show]\npoinsot = true\n", {"ellipsoid = true", "herpolhode = true"}},
+      {scene + "[show]\nextras = [\"theta\", \"trace\"]\n", {"theta = true", "trace = true"}},
+      {scene + "[output]\nsize = [1080, 1920]\norientation = \"portrait\"\n", {"size = [1080, 1920]"}},
+      {scene + "flight.velocity = [0, 0, 4]\n[show]\nV = true\n", {"flight.velocity = true"}},
+  });
+}
+
+TEST(MendedScenes, NeverLeadToAnotherSubject) {
+  EXPECT_THAT(messagesOf(kFreeBody + kSpun + "[time]\nframe_start = 1\n"), Not(HasSubstr("principal_axes")));
+  EXPECT_THAT(messagesOf(kFreeBody + kSpun + "[output]\ntolerance = \"fine\"\n"), Not(HasSubstr("did you mean")));
+}
+
+// Two lines "visible = true" would say nothing.
+TEST(MendedScenes, NameTheThingInEachLine) {
+  const std::string message = messagesOf(kFreeBody + kSpun + "[show]\npoinsot_picture = true\n");
+  EXPECT_THAT(message, HasSubstr("    ellipsoid = true  # in [show]: "));
+  EXPECT_THAT(message, Not(HasSubstr("    visible = ")));
 }
 
 TEST(MendedScenes, SuggestAtMostThreeKeysForAnyOtherName) {

@@ -179,8 +179,8 @@ class Editor {
 
   void insert(std::size_t at, Block block) {
     if (says(block.where, "one of:")) {  // the first is the likeliest
-      const std::string key = textBetween(block.lines[0], "# ", ":");
-      block = {"in [" + std::string(tableOf(key)) + "]:", {block.lines[0]}};
+      const std::string table = textBetween(block.lines[0], "# in ", ":");
+      block = {table.starts_with("[[") ? "" : "in " + table + ":", {block.lines[0]}};
     }
     const std::size_t header = block.where.find("in [");
     const bool atEnd = says(block.where, "at the end of the file");

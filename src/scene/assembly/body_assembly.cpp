@@ -20,15 +20,6 @@ constexpr const char* kWays = "principal_moments, inertia, shape, catalogue, or 
 
 std::string vectorText(const Vector3d& v) { return fmt::format("({:g}, {:g}, {:g})", v[0], v[1], v[2]); }
 
-/// Returns a message such as "I3 must not exceed I1 + I2, got (0.1, 0.2, 0.9) kg·m²; ...".
-std::string triangleMessage(const Vector3d& moments) {
-  int largest = 0;
-  moments.maxCoeff(&largest);
-  const int other = largest == 0 ? 2 : 1, another = largest == 2 ? 2 : 3;
-  return fmt::format("I{} must not exceed I{} + I{}, got {} kg·m²; a solid body cannot have these values",
-                     largest + 1, other, another, vectorText(moments));
-}
-
 /// Returns why the physics library cannot solve a motion with these moments; empty if it can. For moments given as
 /// numbers, their range was checked before. For moments of a shape, this is the only check.
 std::string outOfReach(const Vector3d& moments) {
@@ -155,8 +146,14 @@ class BodyAssembly {
     for (const std::string_view name : shapeKeyNames())
       if (std::string path = fmt::format("body.{}", name); findings_.has(path)) return path;
     for (const char* path : {"body.mass", "body.density"})
-      if (findings_.has(path) && !(isMeasured() && path == std::string_view("body.mass"))) return path;
+      if (findings_.has(path) && !((isMeasured() || isMeantMeasured()) && path == std::string_view("body.mass")))
+        return path;
     return "";
+  }
+
+  /// Returns whether an unknown name of the scene stands for the moments.
+  bool isMeantMeasured() const {
+    return findings_.misspelt("body.principal_moments") || findings_.misspelt("body.inertia");
   }
 
   bool isMeasured() const { return findings_.has("body.principal_moments") || findings_.has("body.inertia"); }
@@ -293,9 +290,21 @@ class BodyAssembly {
     if (inertia_B.diagonal().minCoeff() == 0)
       findings_.refuse(path,
                        "the whole body lies on one line through its fixed point, so it has no moment of inertia "
-                       "about that line; add another part, or give the body an extent");
+                       "about that line; add another part, or give the body an extent" +
+                           thinBox());
     else
       setAxes(inertia_B, path);
+  }
+
+  /// Returns a thin box along x in place of a rod, as advice.
+  std::string thinBox() const {
+    const auto length = draft_.whole.shape.lengths.find("length");
+    if (length == draft_.whole.shape.lengths.end()) return "";
+    const double thickness = length->second / 50;
+    return fmt::format(
+        ". For example, a thin box along x, in place of shape and length:\n    shape = \"box\"\n    "
+        "size = [{:.6g}, {:.6g}, {:.6g}]",
+        length->second, thickness, thickness);
   }
 
   const Draft& all_;

@@ -50,7 +50,9 @@ class StartAssembly {
   std::optional<Rest> run() {
     for (const StartWay& way : startWays())
       if (!firstGiven(way).empty()) given_.push_back(&way);
-    if (!contradicts() && complete()) start();
+    if (contradicts()) return std::move(rest_);
+    checkTilt();
+    if (complete()) start();
     return std::move(rest_);
   }
 
@@ -169,7 +171,6 @@ class StartAssembly {
 
   void start() {
     chooseOrientation();
-    checkTilt();
     const std::string path = pathOfRotation();
     if (const auto value = restText()) return atRest({path, *value});
     motion_.omega_B = Vector3d::Ones();  // nonzero, so that a rejected start is not taken for rest
@@ -239,17 +240,20 @@ class StartAssembly {
   /// Returns whether the scene has gravity. Also true if [motion.gravity] contains a mistake, so that one run
   /// reports this mistake and the one in the tilt.
   bool gravityPulls() const {
-    return !motion_.forcing.gravity_B.isZero(0) || (findings_.hasBelow("motion.gravity") && !mgr_B_);
+    return !motion_.forcing.gravity_B.isZero(0) || findings_.isMeantBelow("motion.gravity") ||
+           (findings_.hasBelow("motion.gravity") && !mgr_B_);
   }
 
   std::string underGravity() const {
     std::vector<std::string_view> names{"tilt"};
     if (findings_.has("motion.tilt_towards")) names.emplace_back("tilt_towards");
-    if (!gives(StartPart::kAttitude))
+    if (!gives(StartPart::kAttitude)) {
+      const std::string tilt = findings_.textOf("motion.tilt");
       return fmt::format(
-          "cannot tilt L under gravity, whose vertical is fixed; to lean the body, give motion.lean "
-          "instead of {}",
-          listed(names));
+          "cannot tilt L under gravity, whose vertical is fixed; to lean the body, give motion.lean instead of "
+          "{0}{1}. For example, in place of {0}:\n    lean = {2}",
+          listed(names), tilt.starts_with('"') ? "" : " (a bare angle is in radians)", tilt);
+    }
     const bool computable =
         body_ && start_.spin && findings_.has("motion.spin_axis") && passed({"spin_axis", "tilt_towards"});
     return "cannot tilt L under gravity, because the scene gives the attitude; leave out " + listed(names) +

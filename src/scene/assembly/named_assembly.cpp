@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "scene/assembly/steady_precession.h"
+#include "scene/keys/unknown_names.h"
 
 namespace poinsot::scene {
 namespace {
@@ -15,11 +16,20 @@ std::vector<std::string> givenWays(const std::string& path, const Findings& find
   return given;
 }
 
+/// Returns advice for a vector without components: the arrow of its own, if its name is that of one.
+std::string arrowAdvice(const std::string& name, const Findings& findings) {
+  const std::string figure = figureOf(name);
+  if (figure.empty()) return "give one of them";
+  return fmt::format("{0} has an arrow of its own. For example, in place of this [[vector]], {1}\n    {0} = true",
+                     figure, findings.hasTable("show") ? "in [show]:" : "at the end of the file:\n    [show]");
+}
+
 void checkWays(const std::string& path, const VectorDraft& draft, Findings& findings) {
   const std::vector<std::string> given = givenWays(path, findings);
   if (given.empty())
-    return findings.refuseMissing(path + ".components", path + ".components",
-                                  "a vector needs components, position_of or velocity_of; give one of them");
+    return findings.refuseMissing(
+        path + ".components", path + ".components",
+        "a vector needs components, position_of or velocity_of; " + arrowAdvice(draft.name, findings));
   for (std::size_t i = 1; i < given.size(); ++i)
     findings.refuse(given[i], fmt::format("cannot be combined with {}; give one of them", given[0]));
   if (draft.components && draft.components->isZero(0))

@@ -98,6 +98,8 @@ std::string messageOf(const Source& source, int lineNumber, std::string_view des
                        : "not a TOML value; write text in quotes: \"...\"";
   if (says("could not be interpreted as a value") || says("is not representable"))
     return "a number out of range: " + text;
+  if (says("expected '=', saw") && line.find('{') != line.npos)
+    return "not TOML: " + text + " (write several values in brackets: [1, 2, 3])";
   if (says("expected a comment or whitespace, saw ','"))
     return fmt::format("not TOML: {} ({})", text, withComma(line));
   if (says("expected a comment or whitespace, saw") || says("expected digit, saw") ||
@@ -213,6 +215,10 @@ std::string mendedLine(std::string_view line) {
          comma = elements.find(',', comma + unit.size() + 2))
       elements.insert(comma, " " + unit);
     value = "[" + elements + " " + unit + "]";
+  }
+  if (value.starts_with('{') && value.ends_with('}') && value.find('=') == value.npos) {  // as in Mathematica
+    std::ranges::replace(value, '{', '[');
+    std::ranges::replace(value, '}', ']');
   }
   const bool parentheses = value.starts_with('(') && value.ends_with(')') && value.size() > 2;
   const bool brackets = value.starts_with('[') && value.ends_with(']') && value.find('[', 1) == value.npos;

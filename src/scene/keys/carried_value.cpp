@@ -138,6 +138,37 @@ std::optional<Node> spanOf(const Node& given) {
   return std::nullopt;
 }
 
+/// Returns the moments [1, 1, 1 + e] of an ellipticity e.
+std::optional<Node> momentsOf(const Node& ellipticity) {
+  for (const Node& form : formsOf(*findKey("time.speed"), ellipticity))  // a number, or a text such as "1/305"
+    if (const auto e = numberIn(form); e && *e > -1 && *e <= 1) {
+      const double c = std::strtod(fmt::format("{:.8g}", 1 + *e).c_str(), nullptr);
+      const Node one{std::int64_t{1}, ellipticity.place};
+      return listNode({one, one, {c, ellipticity.place}}, ellipticity.place);
+    }
+  return std::nullopt;
+}
+
+/// Returns the number of a value in SI units in the first form that a key accepts.
+std::optional<double> siIn(std::string_view key, const Node* given, const Limits& limits) {
+  const Key* known = given && isScalar(*given) ? findKey(key) : nullptr;
+  const auto text = known ? carriedValue(*known, *given, limits) : std::nullopt;
+  const auto numbers = text ? numbersInToml(*text, known->dimension) : std::vector<double>();
+  return numbers.empty() ? std::nullopt : std::optional(numbers[numbers.size() == 3 ? 2 : 0]);
+}
+
+/// Returns the velocity of a throw with this speed at this angle above the ground.
+std::optional<Node> launched(const std::vector<const Node*>& two, const Limits& limits) {
+  if (two.size() != 2) return std::nullopt;
+  const auto speed = siIn("motion.flight.velocity", two[0], limits), angle = siIn("motion.lean", two[1], limits);
+  if (!speed || !angle) return std::nullopt;
+  const Place place = two[0]->place;
+  const auto part = [&](double value) {
+    return Node{std::strtod(fmt::format("{:.6g}", std::abs(value) < 1e-12 ? 0 : value).c_str(), nullptr), place};
+  };
+  return listNode({part(*speed * std::cos(*angle)), zeroAt(place), part(*speed * std::sin(*angle))}, place);
+}
+
 /// Returns a size in pixels for a size in inches and the pixels of an inch, of which 100 are usual.
 std::optional<Node> pixelsOf(const std::vector<const Node*>& values) {
   if (values.empty() || !values[0] || !values[0]->as<Node::Array>()) return std::nullopt;
@@ -221,6 +252,10 @@ std::vector<KeyLine> carriedLines(const ForeignNames& row, const Key& key, const
       return carried(directed(values));
     case Carry::kReversed:
       return carried(reversed(*values[0]));
+    case Carry::kEllipticity:
+      return carried(momentsOf(*values[0]));
+    case Carry::kLaunch:
+      return carried(launched(values, limits));
     case Carry::kPeriod: {
       const auto rate = rateOf(*values[0], row.unit);
       return rate ? lineOf(key, carriedValue(key, *rate, limits)) : std::vector<KeyLine>();
@@ -245,6 +280,7 @@ std::vector<KeyLine> carriedLines(const ForeignNames& row, const Key& key, const
       const Node* first = firstOf(values);
       return first ? lineOf(key, carriedValue(key, *first, limits)) : std::vector<KeyLine>();
     }
+    case Carry::kFrames:  // needs the frames per second
     case Carry::kFilm:    // needs other values of the scene
     case Carry::kShown:   // becomes keys of several tables
     case Carry::kPlot:    // becomes a table

@@ -8,8 +8,10 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "physics/catalogue.h"
+#include "scene/keys/foreign_names.h"
 #include "scene/keys/key_text.h"
 #include "scene/keys/keys.h"
+#include "scene/keys/unknown_key.h"
 #include "scene/shapes.h"
 #include "scene/state_quantity.h"
 
@@ -191,6 +193,15 @@ std::vector<std::string> known() {
   return words;
 }
 
+/// Returns the key for a name of a textbook, such as "support", or for the label of an arrow, such as "show.V";
+/// empty if there is none.
+std::string meantBy(std::string_view word) {
+  if (word.empty() || word.size() > kLongestName || word.find_first_of("[]") != word.npos) return "";
+  for (const ForeignNames* row : plausibleRows(word))
+    if (!row->key.empty() && row->carry != Carry::kLaunch) return keyFor(*row, word);
+  return "";
+}
+
 }  // namespace
 
 std::vector<Explanation> explanationsOf(std::string_view word) {
@@ -209,7 +220,14 @@ std::vector<Explanation> explanationsOf(std::string_view word) {
 
 std::vector<Explanation> explain(std::string_view word, const std::vector<std::string>& otherWords) {
   Explanations found = explanationsOf(word);
+  if (found.size() == 1 && found[0].title.starts_with("style.colors."))  // a body has a support, too
+    if (const Key* key = findKey(meantBy(word)); key && key->path.starts_with("body."))
+      found.push_back(ofKey(*key));
   if (!found.empty()) return found;
+  if (const std::string key = meantBy(word); !key.empty())
+    throw core::usageError(
+        fmt::format("{}: no key, table, shape or quantity of a scene has this name; did you mean {}?",
+                    core::printable(word), key));
   constexpr std::size_t kLongest = 64;  // characters; the edit distance of longer text takes too long
   std::vector<std::string> words = known();
   words.insert(words.end(), otherWords.begin(), otherWords.end());

@@ -26,6 +26,11 @@ constexpr std::string_view kCatalogue =
     "The catalogue has t_handle, racket, book, phone, football, frisbee, wing_nut, explorer_1, earth and "
     "toutatis.";
 constexpr std::string_view kEllipsoid = "shape = \"ellipsoid\"; mass = 1";
+constexpr std::string_view kTube = "shape = \"cylinder\"; radius = 0.1; height = 0.2; mass = 1";
+constexpr std::string_view kDragRate =
+    "The rate d is that of dL/dt = -d L, in 1/s: a coefficient in N m s divided by the moment of inertia.";
+constexpr std::string_view kTimeConstant = "For a time constant tau, alpha is about 1/(tau L^2 |1/I1 - 1/I3|).";
+constexpr std::string_view kLaunchAngle = "The throw is in the plane of x and z.";
 constexpr std::string_view kSemiAxes = "As semi-axes, they are half the extents that size takes.";
 constexpr std::string_view kTwoEqual = "The first two are those across the axis of symmetry.";
 constexpr std::string_view kEulerOrder =
@@ -120,6 +125,10 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"I J Ibody I_body I_b IB I_B inertia_tensor inertial_tensor tensor inertia_matrix I_tensor J_body moi MOI "
      "moment_of_inertia moments_of_inertia inertia",
      kTensor},
+    {"unit_inertia unit_moments unit_inertia_moments", kMoments, "", "Each is a unit inertia times the mass."},
+    {"ellipticity dynamical_ellipticity dynamic_ellipticity oblateness", kMoments, "",
+     "An ellipticity (C - A)/A gives this ratio of the moments, which suffices without torques.",
+     Carry::kEllipticity},
     {"fullinertia products_of_inertia", kTensor, "", "", Carry::kNothing},
     {"Ibody I_body I_b IB I_B inertia_tensor inertial_tensor tensor inertia_matrix I_tensor J_body inertia",
      kMoments},
@@ -127,10 +136,15 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     // Mass, shape and points of the body
     {"motion.M motion.L_magnitude motion.L_norm motion.Lmag", "motion.L", "energy = \"4.5 J\"",
      "With motion.energy it gives the start; motion.L_body takes the vector."},
-    {"m M mass total_mass body_mass mass_of_body weight", "body.mass"},
+    {"m M mass total_mass body_mass mass_of_body weight masse", "body.mass"},
     {"material", "body.density", kBox, "Densities of materials differ; this is a usual value."},
     {"rho density mass_density", "body.density", kBox},
     {"r R radius", "body.radius", kBall},
+    {"r_in r_inner inner_r rin R_in R_inner inner_radius", "body.inner_radius", kTube},
+    {"inner_diameter d_in", "body.inner_radius", kTube, "The radius is half the diameter.", Carry::kValue, "",
+     0.5},
+    {"r_out r_outer outer_r rout R_out R_outer outer_radius", "body.radius", kBall},
+    {"outer_diameter d_out", "body.radius", kBall, "The radius is half the diameter.", Carry::kValue, "", 0.5},
     {"diameter d", "body.radius", kBall, "The radius is half the diameter.", Carry::kValue, "", 0.5},
     {"lx ly lz", "body.size", kBoxShape, "", Carry::kList},
     {"Lx Ly Lz", "body.size", kBoxShape, "", Carry::kList},
@@ -153,11 +167,13 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"edge edge_length side side_length", "body.edge", "shape = \"cube\"; mass = 1"},
     {"length", "body.size", kBoxShape, "It takes the three extents together.", Carry::kNothing},
     {"type shape shape_type geometry geom solid kind object name primitive form", "body.shape"},
-    {"type object model preset kind body name template example catalog asteroid planet", "body.catalogue", "",
-     kCatalogue},
+    {"type object model preset kind body name template example catalog asteroid planet target designation comet "
+     "celestial_body object_name body_name",
+     "body.catalogue", "", kCatalogue},
     {"type shape shape_type geometry geom solid kind primitive form", "body.shape"},
     {"thickness", "body.wall", "shape = \"hollow_box\"; size = [0.3, 0.2, 0.05]; mass = 1"},
-    {"pivot fixed_point pivot_point support anchor suspension_point point_of_support tip hinge contact_point",
+    {"pivot fixed_point pivot_point support stand anchor suspension_point point_of_support tip hinge "
+     "contact_point",
      "body.pivot", kMass},
     {"l distance_to_pivot pivot_distance com_distance cm_distance lever lever_arm arm_length l_cm d_cm h_cm l_com "
      "com_height cm_height distance_to_com pivot_to_com length_to_com height_of_com center_of_mass_distance "
@@ -183,7 +199,8 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"omegax omegay omegaz", "motion.omega_body", "", kInBodyAxes, Carry::kList},
     {"omega_1 omega_2 omega_3", "motion.omega_body", "", kInBodyAxes, Carry::kList},
     {"omega1 omega2 omega3", "motion.omega_body", "", kInBodyAxes, Carry::kList},
-    {"w_world w_space omega_world omega_W omega_inertial omega_lab", "motion.omega_space"},
+    {"w_WB w_W w_IB omega_WB omega_IB w_world w_space omega_world omega_W omega_inertial omega_lab",
+     "motion.omega_space"},
     {"spin_rate spin_speed spin_frequency spinrate frequency rotation_frequency", "motion.spin",
      "spin_axis = \"largest\""},
     {"rotation_period spin_period period rotational_period period_of_rotation day_length T_rot P_rot",
@@ -237,11 +254,15 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"mgr mgl mgh MgR Mgl mgr_body", "motion.gravity.mgr_body"},
     {"drag damping angular_damping rotational_damping damping_rate drag_rate angular_drag air_drag decay_rate "
      "rotational_drag spin_decay",
-     "motion.drag.rate", "", "The rate d is that of dL/dt = -d L, in 1/s."},
+     "motion.drag.rate", "", kDragRate},
     {"friction friction_coefficient viscosity viscous_friction damping_coefficient drag_coefficient "
      "air_resistance drag_torque friction_torque rolling_friction sliding_friction mu",
-     "motion.drag.rate", "", "The rate d is that of dL/dt = -d L, in 1/s.", Carry::kNothing},
-    {"dissipation alpha energy_loss internal_friction internal_damping dissipation_rate energy_dissipation_rate "
+     "motion.drag.rate", "", kDragRate, Carry::kNothing},
+    {"motion.dissipation.tau motion.dissipation.time motion.dissipation.time_constant "
+     "motion.dissipation.time_scale motion.dissipation.timescale motion.dissipation.decay_time",
+     "motion.dissipation.alpha", "", kTimeConstant, Carry::kNothing},
+    {"energy_dissipation energy_damping dissipation alpha energy_loss internal_friction internal_damping "
+     "dissipation_rate energy_dissipation_rate "
      "energy_loss_rate internal_dissipation internal_losses losses motion.dissipation.rate "
      "motion.dissipation.coefficient",
      "motion.dissipation.alpha", "", "It makes the body lose energy and keep L."},
@@ -251,6 +272,21 @@ constexpr auto kRows = std::to_array<ForeignNames>({
      "motion.drag.enabled motion.gravity.direction motion.gravity.up motion.drag.type motion.drag.model "
      "motion.torque.enabled motion.dissipation.model",
      "", "", "The table itself switches it on.", Carry::kRemove},
+    {"speed launch_angle", "motion.flight.velocity", "", kLaunchAngle, Carry::kLaunch},
+    {"speed throw_angle", "motion.flight.velocity", "", kLaunchAngle, Carry::kLaunch},
+    {"speed elevation", "motion.flight.velocity", "", kLaunchAngle, Carry::kLaunch},
+    {"launch_speed launch_angle", "motion.flight.velocity", "", kLaunchAngle, Carry::kLaunch},
+    {"launch_speed launch_elevation", "motion.flight.velocity", "", kLaunchAngle, Carry::kLaunch},
+    {"throw_speed throw_angle", "motion.flight.velocity", "", kLaunchAngle, Carry::kLaunch},
+    {"throw_speed launch_angle", "motion.flight.velocity", "", kLaunchAngle, Carry::kLaunch},
+    {"initial_speed launch_angle", "motion.flight.velocity", "", kLaunchAngle, Carry::kLaunch},
+    {"velocity launch_angle", "motion.flight.velocity", "", kLaunchAngle, Carry::kLaunch},
+    {"v0 launch_angle", "motion.flight.velocity", "", kLaunchAngle, Carry::kLaunch},
+    {"v launch_angle", "motion.flight.velocity", "", kLaunchAngle, Carry::kLaunch},
+    {"motion.flight.speed motion.flight.angle", "motion.flight.velocity", "", kLaunchAngle, Carry::kLaunch},
+    {"motion.flight.speed motion.flight.elevation", "motion.flight.velocity", "", kLaunchAngle, Carry::kLaunch},
+    {"launch_angle throw_angle launch_elevation motion.flight.angle motion.flight.elevation",
+     "motion.flight.velocity", "", "A speed v at an angle a is [v cos(a), 0, v sin(a)].", Carry::kNothing},
     {"v v0 v_0 velocity linear_velocity vel initial_velocity throw_velocity launch_velocity v_cm vcm com_velocity "
      "translational_velocity toss_velocity",
      "motion.flight.velocity"},
@@ -273,8 +309,12 @@ constexpr auto kRows = std::to_array<ForeignNames>({
      "time.speed", "", "", Carry::kFilm},
     {"time.stop time.end time.until time.to", "time.duration", "", "", Carry::kFilm},
     {"steps n_steps nsteps num_steps frames n_frames nframes num_frames frame_count n "
-     "frame_end",
-     "time.duration", "", "A film has duration times fps frames.", Carry::kNothing},
+     "frame_end end_frame last_frame",
+     "time.duration", "", "A film has duration times fps frames.", Carry::kFrames},
+    {"frame_start start_frame first_frame", "", "",
+     "A film begins at time.start, without a number of its first frame.", Carry::kRemove},
+    {"output.orientation output.aspect output.aspect_ratio output.layout", "", "",
+     "The format follows from output.size, such as [1080, 1920].", Carry::kRemove},
     {"fps framerate frame_rate frames_per_second", "time.fps"},
     {"frame_interval frame_time frame_duration ms_per_frame output.interval time.interval", "time.fps", "", "",
      Carry::kInterval, "ms"},
@@ -290,6 +330,9 @@ constexpr auto kRows = std::to_array<ForeignNames>({
      "time.speed"},
     {"width height", "output.size", "", "", Carry::kList},
     {"height h", "body.height", "shape = \"cylinder\"; radius = 0.1; mass = 1"},
+    {"h", "body.pivot", kMass,
+     "This pivot is below the origin of the body axes, by the distance of the centre of mass from it.",
+     Carry::kBelow},
     {"resolution size_px image_size window_size video_size output_size", "output.size"},
     {"figsize dpi", "output.size", "", "A size is in pixels.", Carry::kInches},
     {"dpi", "output.size", "", "", Carry::kNothing},
@@ -361,6 +404,9 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"omega_vector omega_arrow angular_velocity_vector angular_velocity w_vector show.w show.spin "
      "show.angular_velocity rotation_vector spin_axis omega_visible show_omega draw_omega",
      "show.omega.visible"},
+    {"show.V show.velocity", "show.flight.velocity"},
+    {"show.R show.position", "show.flight.position"},
+    {"show.weight show.gravity", "show.flight.weight"},
     {"body_axes frame_axes axes body_frame show_axes draw_axes frame body_triad axis_triad",
      "show.principal_axes.visible"},
     {"world_axes inertial_axes lab_axes space_frame world_frame inertial_frame fixed_axes lab_frame",
@@ -376,7 +422,7 @@ constexpr auto kRows = std::to_array<ForeignNames>({
     {"trail_length trace_length", "show.trace.visible", "", "", Carry::kNothing},
     {"ghost onion onion_skin stroboscope strobe motion_blur", "show.ghosts.visible", "", "", Carry::kNothing},
     {"show.vectors show.arrows show.draw show.things show.elements show.visible show.objects show.items "
-     "show.overlays draw overlays vectors arrows",
+     "show.overlays show.poinsot show.poinsot_construction show.construction draw overlays vectors arrows",
      "show.L.visible", "", "Each thing has a table of its own in [show].", Carry::kShown},
     {"show.plots show.plot show.graphs show.graph show.curves show.time_series plots graphs", "plot[].quantities",
      "", "", Carry::kPlot},
@@ -406,6 +452,8 @@ constexpr auto kRows = std::to_array<ForeignNames>({
      "timeline[].caption"},
     {"vector[].vector vector[].value vector[].direction vector[].xyz vector[].v", "vector[].components"},
     {"vector[].label vector[].title", "vector[].name"},
+    {"vector[].c vector[].colour", "vector[].color", "",
+     "It names a colour of [style.colors], where the colours themselves are.", Carry::kNothing},
     {"vector[].quantity vector[].of vector[].type vector[].what vector[].which vector[].kind vector[].variable "
      "vector[].show vector[].source",
      "vector[].components", "", "", Carry::kArrow},
@@ -464,7 +512,10 @@ Rows foreignRows(std::string_view path) {
        {name, withoutInitial(name), std::string_view(snake), withoutInitial(snake)}) {
     if (tried != name && isTable(tried)) continue;  // [Body] is a misspelt table
     if (tried == pattern && !rows.empty()) break;
-    if (const Rows more = rowsOf(tried); !more.empty()) {
+    Rows more = rowsOf(tried);
+    if (tried.size() < snake.size() && tried != name)  // "initial" says something on physics or a camera alone
+      std::erase_if(more, [](const ForeignNames* row) { return row->key.starts_with("show."); });
+    if (!more.empty()) {
       rows.insert(rows.end(), more.begin(), more.end());
       break;
     }

@@ -12,31 +12,34 @@ namespace poinsot::scene {
 
 /// How the values of foreign names become the value of a key.
 enum class Carry {
-  kValue,      ///< the value of one name, as it is or in the form that the key needs
-  kNothing,    ///< the value has another meaning or another scale; an example replaces it
-  kList,       ///< one value for each name, in the order of the names
-  kTensor,     ///< Ixx, Ixy, Ixz, Iyy, Iyz, Izz, in this order; missing products are 0
-  kXyzw,       ///< quaternion with the scalar last
-  kBelow,      ///< a distance l, which becomes the vector [0, 0, -l]
-  kPosition,   ///< position of a camera, which becomes the key and camera.elevation
-  kSymmetric,  ///< a value across the axis of symmetry and one along it, which become [a, a, c]
-  kDirected,   ///< a magnitude and a direction, which become a vector
-  kReversed,   ///< three values in the opposite order
-  kPeriod,     ///< time of a turn, which becomes a rate
-  kSlowness,   ///< a factor by which a film is slower, which becomes a speed
-  kInches,     ///< size of a picture in inches, and perhaps the pixels of an inch
-  kInterval,   ///< time from frame to frame, which becomes frames per second
-  kEuler,      ///< three Euler angles or their rates, which become three keys
-  kSpan,       ///< start and end of a time, which become a duration
-  kFilm,       ///< time of the motion that the film shows, which becomes a speed
-  kOrbit,      ///< first and last azimuth of a camera, which become an azimuth and an orbit
-  kFrame,      ///< true for a camera in the frame of the body
-  kEither,     ///< the value of any of the names
-  kShown,      ///< names of things that are drawn, each of which becomes a key of [show]
-  kPlot,       ///< quantities, which become a [[plot]]
-  kArrow,      ///< the name of an arrow that [show] draws
-  kPoints,     ///< masses and positions, which become tables
-  kRemove,     ///< nothing stands for the name, which is to be left out; the row has no key
+  kValue,        ///< the value of one name, as it is or in the form that the key needs
+  kNothing,      ///< the value has another meaning or another scale; an example replaces it
+  kList,         ///< one value for each name, in the order of the names
+  kTensor,       ///< Ixx, Ixy, Ixz, Iyy, Iyz, Izz, in this order; missing products are 0
+  kXyzw,         ///< quaternion with the scalar last
+  kBelow,        ///< a distance l, which becomes the vector [0, 0, -l]
+  kPosition,     ///< position of a camera, which becomes the key and camera.elevation
+  kSymmetric,    ///< a value across the axis of symmetry and one along it, which become [a, a, c]
+  kDirected,     ///< a magnitude and a direction, which become a vector
+  kReversed,     ///< three values in the opposite order
+  kPeriod,       ///< time of a turn, which becomes a rate
+  kSlowness,     ///< a factor by which a film is slower, which becomes a speed
+  kInches,       ///< size of a picture in inches, and perhaps the pixels of an inch
+  kEllipticity,  ///< ellipticity (C - A)/A, which becomes the ratio of the moments
+  kLaunch,       ///< speed and angle of a throw, which become a velocity
+  kFrames,       ///< number of frames, which becomes a duration
+  kInterval,     ///< time from frame to frame, which becomes frames per second
+  kEuler,        ///< three Euler angles or their rates, which become three keys
+  kSpan,         ///< start and end of a time, which become a duration
+  kFilm,         ///< time of the motion that the film shows, which becomes a speed
+  kOrbit,        ///< first and last azimuth of a camera, which become an azimuth and an orbit
+  kFrame,        ///< true for a camera in the frame of the body
+  kEither,       ///< the value of any of the names
+  kShown,        ///< names of things that are drawn, each of which becomes a key of [show]
+  kPlot,         ///< quantities, which become a [[plot]]
+  kArrow,        ///< the name of an arrow that [show] draws
+  kPoints,       ///< masses and positions, which become tables
+  kRemove,       ///< nothing stands for the name, which is to be left out; the row has no key
 };
 
 /// Names in textbooks or in other programs, and the corresponding key of this program.

@@ -147,6 +147,17 @@ constexpr auto kColors = std::to_array<Pair>({
     {"c9 tab:cyan", "#17becf"},
 });
 
+constexpr auto kWorlds = std::to_array<Pair>({
+    {"earth terra standard normal default true on yes down -z z", "9.81"},
+    {"moon luna lunar", "1.62"},
+    {"mars", "3.71"},
+    {"venus", "8.87"},
+    {"mercury", "3.7"},
+    {"jupiter", "24.8"},
+    {"saturn", "10.4"},
+    {"titan", "1.35"},
+});
+
 // Usual densities, rounded as in tables of materials.
 constexpr auto kMaterials = std::to_array<Pair>({
     {"wood oak beech maple", "700"},
@@ -193,6 +204,7 @@ std::vector<std::string_view> wordsElsewhere(std::string_view word) {
 
 std::string_view quantityElsewhere(std::string_view word) { return second(kQuantities, word); }
 std::string_view namedColor(std::string_view name) { return second(kColors, name); }
+std::string_view gravityOn(std::string_view world) { return second(kWorlds, world); }
 std::string_view densityOf(std::string_view material) { return second(kMaterials, material); }
 
 }  // namespace poinsot::scene

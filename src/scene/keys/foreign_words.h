@@ -25,6 +25,9 @@ std::string_view quantityElsewhere(std::string_view word);
 /// an unknown name.
 std::string_view namedColor(std::string_view name);
 
+/// Returns the acceleration of gravity in m/s² on a planet or on the Moon, as text; empty for another word.
+std::string_view gravityOn(std::string_view world);
+
 /// Returns the density of a material in kg/m³, as text; empty for an unknown material.
 std::string_view densityOf(std::string_view material);
 

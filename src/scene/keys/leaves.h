@@ -22,6 +22,7 @@ struct Leaves {
   std::map<std::string, std::vector<std::string>, std::less<>> unknown{};
   std::set<std::string, std::less<>>
       meant{};  ///< keys for which unknown names stand, such as motion.omega_body for w
+  std::map<std::string, std::string, std::less<>> examples{};  ///< values of these keys in messages, as TOML
   /// Tables of this program by the names of tables in other programs, such as motion.torque for torque.
   std::map<std::string, std::string, std::less<>> aliases{};
   std::set<std::string, std::less<>> broken{};  ///< tables with broken lines, as in PartialDocument

@@ -25,6 +25,18 @@ const Node* valueIn(const Leaves& leaves, const std::string& path) {
   return found == leaves.values.end() ? nullptr : &found->second;
 }
 
+/// Returns the value of a key in the scene, or else in an example of a message, as TOML; empty if there is none.
+std::string textIn(const Leaves& leaves, const std::string& path) {
+  if (const Node* given = valueIn(leaves, path)) return given->as<DateOrTime>() ? "" : tomlText(*given);
+  const auto example = leaves.examples.find(path);
+  return example == leaves.examples.end() ? "" : example->second;
+}
+
+std::string unquoted(std::string_view text) {
+  const bool quoted = text.size() > 1 && text.starts_with('"') && text.ends_with('"');
+  return std::string(quoted ? text.substr(1, text.size() - 2) : text);
+}
+
 bool isGiven(const Leaves& leaves, const std::string& path) {
   return leaves.values.contains(path) || leaves.meant.contains(path);
 }
@@ -141,6 +153,8 @@ std::string shapeAdvice(const std::string& path, const Node& given, const Leaves
   if (shape.empty()) shape = "box";
   const bool isThick = isGiven(leaves, pathBelow(table, "height")) || isGiven(leaves, pathBelow(table, "length"));
   if (shape == "disc" && isThick) shape = "cylinder";
+  if (shape == "hoop" && isGiven(leaves, pathBelow(table, "inner_radius"))) shape = "cylinder";
+  if (shape == "hoop" && isThick) shape = "cylinder_shell";
   if (shape == "rod") shape = "cylinder";  // a rod alone has no moment about its line
   if (text && shape == *text) return "";
   if (const auto sides = givenSides(*shapeNamed(shape), table, leaves); !sides.empty())
@@ -149,27 +163,43 @@ std::string shapeAdvice(const std::string& path, const Node& given, const Leaves
                      missingLines(*shapeNamed(shape), table, leaves));
 }
 
+std::vector<double> momentsIn(const Leaves& leaves) {
+  const auto numbers = [&](const char* path) {
+    return numbersInToml(textIn(leaves, path), findKey(path)->dimension);
+  };
+  if (const auto moments = numbers("body.principal_moments"); moments.size() == 3) return moments;
+  const auto tensor = numbers("body.inertia");
+  for (std::size_t i = 0; i < tensor.size(); ++i)
+    if (tensor.size() != 9 || (i % 4 != 0 && tensor[i] != 0)) return {};  // not a diagonal tensor
+  return tensor.empty() ? tensor : std::vector<double>{tensor[0], tensor[4], tensor[8]};
+}
+
+bool isUnderGravity(const Leaves& leaves) {
+  const auto isGravity = [](std::string_view path) { return path.starts_with("motion.gravity."); };
+  const auto given = leaves.values.lower_bound("motion.gravity.");
+  const auto meant = leaves.meant.lower_bound("motion.gravity.");
+  return (given != leaves.values.end() && isGravity(given->first)) ||
+         (meant != leaves.meant.end() && isGravity(*meant));
+}
+
 std::string spinAxisText(const Leaves& leaves) {
-  const Node *shape = valueIn(leaves, "body.shape"), *moments = valueIn(leaves, "body.principal_moments");
-  const auto* word = shape ? shape->as<std::string>() : nullptr;
-  if (word && isRound(nearestShape(*word))) return "\"3\"";
-  const auto* three = moments ? moments->as<Node::Array>() : nullptr;
-  if (three && three->size() == 3 && numberIn((*three)[0]) && numberIn((*three)[0]) == numberIn((*three)[1]))
-    return "\"3\"";
-  return "\"largest\"";
+  if (isRound(nearestShape(unquoted(textIn(leaves, "body.shape"))))) return "\"3\"";
+  if (const auto moments = momentsIn(leaves); moments.size() == 3)
+    for (std::size_t axis : {2, 0, 1})
+      if (moments[(axis + 1) % 3] == moments[(axis + 2) % 3]) return fmt::format("\"{}\"", axis + 1);
+  return isUnderGravity(leaves) ? "\"3\"" : "\"largest\"";
 }
 
 std::string pivotText(const Leaves& leaves) {
-  const Node *shape = valueIn(leaves, "body.shape"), *height = valueIn(leaves, "body.height"),
-             *size = valueIn(leaves, "body.size");
-  const auto* word = shape ? shape->as<std::string>() : nullptr;
-  if (const auto* extents = size ? size->as<Node::Array>() : nullptr; extents && extents->size() == 3)
-    height = &extents->back();
-  if (!height || !(numberIn(*height) || height->as<std::string>())) return "[0, 0, \"-5 cm\"]";
-  const bool isCone = word && word->starts_with("cone");  // stands on its tip, three quarters of its height away
-  Node below = scaled(*height, isCone ? -0.75 : -0.5);
-  if (const auto number = numberIn(below)) return fmt::format("[0, 0, {:.6g}]", *number);
-  return fmt::format("[0, 0, {}]", tomlText(below));
+  const std::string shape(unquoted(textIn(leaves, "body.shape")));
+  std::string height = textIn(leaves, "body.height");
+  if (const std::string size = textIn(leaves, "body.size"); std::ranges::count(size, ',') == 2)
+    height = core::trimmed(size.substr(size.rfind(',') + 1, size.rfind(']') - size.rfind(',') - 1));
+  if (numbersInToml(height, Dimension::kLength).size() != 1) return "[0, 0, \"-5 cm\"]";
+  // A cone stands on its tip, three quarters of its height away.
+  const double factor = shape.starts_with("cone") ? -0.75 : -0.5;
+  if (height.starts_with('"')) return fmt::format("[0, 0, {}]", tomlText(scaled({unquoted(height), {}}, factor)));
+  return fmt::format("[0, 0, {:.6g}]", factor * numbersInToml(height, Dimension::kLength)[0]);
 }
 
 }  // namespace poinsot::scene

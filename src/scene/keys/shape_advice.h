@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/keys/leaves.h"
 #include "scene/shapes.h"
@@ -24,8 +25,15 @@ bool isRound(std::string_view shape);
 /// @param path  path of the key, such as "body.shape"
 std::string shapeAdvice(const std::string& path, const Node& given, const Leaves& leaves);
 
-/// Returns a spin axis as TOML: "3" for a round shape or for two equal moments, otherwise the axis of the largest
-/// moment.
+/// Returns the principal moments of the scene, or those in an example of a message, in kg m². Empty if the body is
+/// given in another way.
+std::vector<double> momentsIn(const Leaves& leaves);
+
+/// Returns whether the scene has [motion.gravity], or an unknown name stands for a key of this table.
+bool isUnderGravity(const Leaves& leaves);
+
+/// Returns a spin axis as TOML: the axis of symmetry of a round shape or of two equal moments. Otherwise "3" for a
+/// top under gravity, and the axis of the largest moment for other bodies.
 std::string spinAxisText(const Leaves& leaves);
 
 /// Returns a pivot below the body's centre of mass as TOML, by the size of the body if the scene gives it.

@@ -164,7 +164,8 @@ class Index {
 
   void addForeignNames() {
     for (const ForeignNames& row : foreignNames())
-      if (const Key* key = row.key.empty() ? nullptr : findKey(row.key); weights_.contains(key))
+      if (const Key* key = row.key.empty() || row.carry == Carry::kLaunch ? nullptr : findKey(row.key);
+          weights_.contains(key))
         for (const std::string_view name : namesIn(row))
           if (name.size() > 3) weigh(weights_[key], nameOf(name), kForeign);
   }

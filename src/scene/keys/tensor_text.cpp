@@ -123,13 +123,28 @@ std::string triangleAdvice(const Node& rows, std::span<const double> values) {
                      upper ? "below" : "above", rowsOf(words, upper ? kUpperOfNine : kLowerOfNine));
 }
 
-std::string nearestMomentsAdvice(std::span<const double> moments) {
-  const auto nearest = physics::nearestPossibleMoments({moments[0], moments[1], moments[2]});
+std::string triangleMessage(const Vector3d& moments) {
+  int largest = 0;
+  moments.maxCoeff(&largest);
+  const int other = largest == 0 ? 2 : 1, another = largest == 2 ? 2 : 3;
+  return fmt::format(
+      "I{} must not exceed I{} + I{}, got ({:g}, {:g}, {:g}) kg·m²; a solid body cannot have these values",
+      largest + 1, other, another, moments[0], moments[1], moments[2]);
+}
+
+std::string nearestMomentsText(std::span<const double> moments) {
+  const Vector3d given(moments[0], moments[1], moments[2]);
+  const auto nearest = isPossible(given.asDiagonal()) ? std::nullopt : physics::nearestPossibleMoments(given);
   if (!nearest) return "";
   const auto texts = acceptedDecimals(
       std::array{(*nearest)[0], (*nearest)[1], (*nearest)[2]},
       [](const auto& read) { return isPossible(Vector3d(read[0], read[1], read[2]).asDiagonal()); });
-  return fmt::format("; the nearest possible moments in kg·m² are [{}]", core::joined(texts, ", "));
+  return fmt::format("[{}]", core::joined(texts, ", "));
+}
+
+std::string nearestMomentsAdvice(std::span<const double> moments) {
+  const std::string nearest = nearestMomentsText(moments);
+  return nearest.empty() ? "" : "; the nearest possible moments in kg·m² are " + nearest;
 }
 
 std::string nearestTensorAdvice(const Matrix3d& inertia) {
@@ -140,6 +155,15 @@ std::string nearestTensorAdvice(const Matrix3d& inertia) {
                                       [](const auto& read) { return isPossible(matrixOf(read)); });
   return fmt::format("; the nearest possible tensor in kg·m² is {}{}",
                      rowsOf({texts.begin(), texts.end()}, kUpperTriangle), signAdvice(inertia));
+}
+
+std::string whyImpossible(const Matrix3d& inertia) {
+  try {
+    physics::PrincipalAxes axes(inertia);
+    return "";
+  } catch (const core::Error& error) {
+    return error.message() + nearestTensorAdvice(inertia);
+  }
 }
 
 }  // namespace poinsot::scene

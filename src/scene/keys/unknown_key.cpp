@@ -77,11 +77,12 @@ std::string unknownTable(std::string_view path, std::string_view table) {
   return fmt::format("{}: unknown table [{}]; {}", shown, core::printable(table), insteadOf(table, path));
 }
 
-std::optional<std::string> meant(std::string_view path) {
+std::optional<std::string> meant(std::string_view path, bool elsewhere) {
   if (nameOf(path).size() > kLongestName) return std::nullopt;
-  if (const auto rows = plausibleRows(path); !rows.empty()) return keyFor(*rows[0], path);
+  for (const ForeignNames* row : plausibleRows(path))
+    if (row->carry != Carry::kLaunch) return keyFor(*row, path);  // a launch needs a second name
   if (auto near = misspelt(tableOf(path), nameOf(path))) return near;
-  return otherKey(path);
+  return elsewhere ? otherKey(path) : std::nullopt;
 }
 
 /// Returns the key to which a path to a single element belongs, such as "motion.omega_body[1]"; otherwise null.
@@ -92,7 +93,7 @@ const Key* keyOfElement(std::string_view path) {
 
 }  // namespace
 
-std::string unknownKey(std::string_view path) {
+std::string unknownKey(std::string_view path, bool elsewhere) {
   if (const Key* key = keyOfElement(path))
     return fmt::format("{}: a single element cannot be set; give the whole array, such as {}={}",
                        core::printable(path), path.substr(0, path.rfind('[')),
@@ -101,7 +102,7 @@ std::string unknownKey(std::string_view path) {
   const std::string_view table = tableOf(path);
   if (isTableArray(table)) return withoutIndex(path, table);
   const std::string message = fmt::format("{}: unknown key", core::printable(path));
-  if (const auto key = meant(path)) return message + fmt::format("; did you mean {}?", *key);
+  if (const auto key = meant(path, elsewhere)) return message + fmt::format("; did you mean {}?", *key);
   return message + fmt::format("; {} has {}", whole(table), core::joined(namesBelow(table), ", "));
 }
 
@@ -149,6 +150,11 @@ std::string tableElsewhere(std::string_view name) {
       {"euler_angles", "motion.euler"},
       {"damping", "motion.drag"},
       {"friction", "motion.drag"},
+      {"energy_dissipation", "motion.dissipation"},
+      {"energy_loss", "motion.dissipation"},
+      {"internal_damping", "motion.dissipation"},
+      {"internal_friction", "motion.dissipation"},
+      {"internal_dissipation", "motion.dissipation"},
       {"torques", "motion.torque"},
       {"throw", "motion.flight"},
       {"film", "time"},

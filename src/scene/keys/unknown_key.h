@@ -13,7 +13,8 @@ constexpr std::size_t kLongestName = 64;
 
 /// Returns the message "path: unknown key; did you mean ...?". Suggests a similar name in the same table, the key
 /// for a name of another program, or the same name in another table. Otherwise lists the names in the table.
-std::string unknownKey(std::string_view path);
+/// @param elsewhere  whether to suggest a key of another table
+std::string unknownKey(std::string_view path, bool elsewhere = true);
 
 /// Returns the message for a path into an array of tables that lacks the index of the element.
 /// @param array  path of the array of tables

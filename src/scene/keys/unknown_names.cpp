@@ -19,6 +19,7 @@
 #include "scene/keys/key_text.h"
 #include "scene/keys/shape_advice.h"
 #include "scene/keys/similar_keys.h"
+#include "scene/keys/tensor_text.h"
 #include "scene/keys/unknown_key.h"
 #include "scene/keys/value_forms.h"
 #include "scene/shapes.h"
@@ -39,7 +40,8 @@ struct Counterpart {
   std::vector<std::string> replaced{};  ///< names of known keys that the lines replace
   std::string instead{};                ///< other text for what the lines replace
   std::vector<std::pair<const Key*, std::string>>
-      choices{};  ///< keys with their values, one of which may be meant
+      choices{};            ///< keys with their values, one of which may be meant
+  std::string otherwise{};  ///< another meaning of the value, and its line, which follow the example
 };
 
 /// Returns other keys that a shape needs: "radius = "10 cm"; mass = 1" for "sphere".
@@ -78,20 +80,6 @@ std::vector<KeyLine> exampleOf(const Key& key) {
 
 std::string numberText(double number) { return fmt::format("{:.6g}", number); }
 
-/// Returns the thing in [show] for a word such as "angular momentum" or "w"; empty if there is none.
-std::string figureOf(std::string_view word) {
-  std::string name = plainWord(word.substr(0, word.find('(')));
-  if (name == "l" || name == "h" || name == "angular_momentum") name = "L";
-  if (name == "w" || name == "angular_velocity" || name == "spin" || name == "rotation") name = "omega";
-  if (name == "axes" || name == "body_axes" || name == "principal_axes" || name == "frame")
-    name = "principal_axes";
-  if (name == "space_cone" || name == "body_cone") name = "cones";
-  if (name == "inertia_ellipsoid" || name == "energy_ellipsoid") name = "ellipsoid";
-  if (name == "invariable_plane") name = "plane";
-  if (name == "velocity" || name == "v" || name == "weight") name = "flight";
-  return hasVisible("show." + name) ? name : "";
-}
-
 /// Returns whether a name is that of the film's length and not of the motion's.
 bool isOfFilm(std::string_view name) {
   const std::string small = core::lowered(name);
@@ -121,8 +109,9 @@ class Report {
       if (counterpart || name->isTable)
         problems_.add(name->place, messageOf(*name, counterpart));
       else
-        problems_.addLater(name->place, [path = name->path, at = ours(name->path)] {
-          const std::string message = unknownKey(at);
+        problems_.addLater(name->place, [path = name->path, at = ours(name->path),
+                                         elsewhere = !leadsToOtherSubject(ours(name->path))] {
+          const std::string message = unknownKey(at, elsewhere);
           return at == path ? message
                             : core::printable(path) + message.substr(std::min(message.find(':'), message.size()));
         });
@@ -144,11 +133,11 @@ class Report {
     if (counterpart.key.empty()) return;
     leaves_.meant.insert(counterpart.key);
     for (const auto& [key, value] : counterpart.choices) leaves_.meant.insert(key->path);
-    for (const KeyLine& line : counterpart.lines)
-      if (line.table.empty())
-        leaves_.meant.insert(pathBelow(tableOf(counterpart.key), line.name));
-      else
-        leaves_.meant.insert(pathBelow(line.table, line.name));
+    for (const KeyLine& line : counterpart.lines) {
+      const std::string path = pathBelow(line.table.empty() ? tableOf(counterpart.key) : line.table, line.name);
+      leaves_.meant.insert(path);
+      leaves_.examples.emplace(path, line.value);
+    }
   }
 
   /// Returns the path that a name would have in this program: "motion.torque.Mx" for "torque.Mx".
@@ -168,17 +157,28 @@ class Report {
         table.find_first_of(".[") == std::string_view::npos && !isTableArray(table) && !misspelt("", table);
     if (!(isTable(table) || isForeign || at != path)) return std::nullopt;
     if (unknown.value->as<Node::Table>()) return rowThatTakes(path, at);
+    if (auto unit = unitOfOther(path)) return unit;
     if (at != path)
       if (auto same = knownKey(at, path)) return same;
     if (auto sides = sidesCounterpart(path)) return sides;
+    if (auto arrow = namedArrow(path)) return arrow;
     if (auto foreign = foreignCounterpart(path, at)) return foreign;
+    if (table == "show" && unknown.value->as<Node::Array>())
+      if (auto shown = shownCounterpart(path)) return shown;
     if (auto shape = shapeCounterpart(path)) return shape;
     if (auto unit = unitCounterpart(path, at)) return unit;
     if (auto near = misspeltCounterpart(path, *unknown.value)) return near;
     auto other = keyElsewhere(path, *unknown.value);
     if (other && !isOfOtherSubject(at, other->key)) return other;
     if (auto similar = similarCounterpart(path, at, *unknown.value)) return similar;
-    return other;
+    const Key* key = other ? findKey(other->key) : nullptr;
+    return key && carriedValue(*key, *unknown.value, leaves_.limits) ? other : std::nullopt;
+  }
+
+  /// Returns whether the only key with this name is of another subject.
+  static bool leadsToOtherSubject(const std::string& path) {
+    const auto other = nameOf(path).size() > kLongestName ? std::nullopt : otherKey(path);
+    return other && findKey(*other) && isOfOtherSubject(path, *other);
   }
 
   /// Returns whether one path is of the physics and the other of the picture.
@@ -201,7 +201,8 @@ class Report {
 
   std::optional<Counterpart> foreignCounterpart(const std::string& path, const std::string& at) const {
     if (auto taken = rowThatTakes(path, at)) return taken;
-    const std::vector<const ForeignNames*> rows = plausibleRows(at);
+    std::vector<const ForeignNames*> rows = plausibleRows(at);
+    std::erase_if(rows, [&](const ForeignNames* row) { return !counts(*row, path) || isOfMeasured(*row); });
     if (rows.empty()) return std::nullopt;
     const auto example = std::ranges::find(rows, Carry::kNothing, &ForeignNames::carry);
     const ForeignNames& row = example == rows.end() ? *rows[0] : **example;
@@ -212,11 +213,22 @@ class Report {
   std::optional<Counterpart> rowThatTakes(const std::string& path, const std::string& at) const {
     const bool isTable = values_.at(path)->as<Node::Table>() != nullptr;
     for (const ForeignNames* row : plausibleRows(at)) {
+      if (isOfMeasured(*row)) continue;
       if (isTable && row->carry != Carry::kValue && row->carry != Carry::kEuler && row->carry != Carry::kReversed)
         continue;
       if (auto counterpart = takenBy(*row, path, at)) return counterpart;
     }
     return std::nullopt;
+  }
+
+  /// Returns whether a row leads to a height although the moments describe the body.
+  bool isOfMeasured(const ForeignNames& row) const {
+    return row.key == "body.height" && (mentions("body.principal_moments") || mentions("body.inertia"));
+  }
+
+  /// Returns whether a row applies, because its other name is there too if it needs one.
+  bool counts(const ForeignNames& row, const std::string& path) const {
+    return row.carry != Carry::kLaunch || presentNames(row, path).size() == 2;
   }
 
   std::optional<Counterpart> takenBy(const ForeignNames& row, const std::string& path,
@@ -234,6 +246,8 @@ class Report {
         return arrowCounterpart(path);
       case Carry::kPoints:
         return pointsCounterpart(row, path);
+      case Carry::kFrames:
+        return framesCounterpart(row, path);
       case Carry::kEuler:
         if (auto other = otherSequence(row, path)) return other;
         break;
@@ -241,6 +255,7 @@ class Report {
         break;
     }
     const std::string key = keyFor(row, at);
+    if (row.carry == Carry::kNothing && isInTable(row, at)) return ofRow(row, path, at, exampleOf(*findKey(key)));
     const bool isBody = key == "body.shape" || key == "body.catalogue";
     if (isBody && nameOf(path) == "name" && (tableOf(path) != "body" || hasBody()))
       return std::nullopt;  // a title
@@ -251,13 +266,31 @@ class Report {
       whole.note = {};
       return ofRow(whole, path, at, carriedLines(whole, *findKey(key), valuesOf(row, path), leaves_.limits));
     }
+    if (key == "motion.tilt" && isTop()) {
+      const ForeignNames lean{row.names, "motion.lean", row.with,
+                              "It is the angle to the vertical under gravity."};
+      return ofRow(lean, path, at, carriedLines(lean, *findKey(lean.key), valuesOf(lean, path), leaves_.limits));
+    }
+    if (row.note.starts_with("Each is a unit inertia")) return unitInertia(row, path, at);
+    if (key == "motion.drag.rate") return dragCounterpart(row, path, at);
     if (key == "motion.gravity.g") return gravityCounterpart(row, path);
     if (key == "motion.precession" && row.carry == Carry::kNothing) return steadyCounterpart(row, path);
     if (key == "time.duration" && isOfFilm(nameOf(path)))
       if (auto film = filmCounterpart(path)) return film;
     if (key == "motion.L_body" && !values_.at(path)->as<Node::Array>() && mentionsAttitude())
       return takenBy({row.names, "motion.L_space"}, path, at);  // a single number is along the vertical
-    return ofRow(row, path, at, carriedLines(row, *findKey(key), valuesOf(row, path), leaves_.limits));
+    auto counterpart = withUnitBeside(row, path, at);
+    if (!counterpart)
+      counterpart = ofRow(row, path, at, carriedLines(row, *findKey(key), valuesOf(row, path), leaves_.limits));
+    if (counterpart && key == "motion.orientation") addOtherOrder(*counterpart, row, path);
+    return counterpart;
+  }
+
+  /// Returns whether the table of a name belongs to the name of a row, such as motion.dissipation.tau.
+  static bool isInTable(const ForeignNames& row, const std::string& path) {
+    const auto names = namesIn(row);
+    return tableOf(path).find('.') != std::string_view::npos &&
+           std::ranges::find(names, patternOf(path)) != names.end();
   }
 
   std::optional<Counterpart> ofRow(const ForeignNames& row, const std::string& path, const std::string& at,
@@ -265,13 +298,163 @@ class Report {
     if (lines.empty()) return std::nullopt;
     const std::string key = keyFor(row, at);
     std::string with = needsOf(key, lines[0].value, row.with);
-    return Counterpart{presentNames(row, path), key, std::move(lines), std::move(with), std::string(row.note)};
+    Counterpart counterpart{presentNames(row, path), key, std::move(lines), std::move(with),
+                            std::string(row.note)};
+    if (key == "body.principal_moments") makePossible(counterpart);
+    if (key == "body.inertia") sayIfImpossible(counterpart);
+    return counterpart;
+  }
+
+  // ---- values that need others
+
+  /// Puts the nearest possible moments in place of moments that no solid body can have.
+  static void makePossible(Counterpart& counterpart) {
+    std::string& value = counterpart.lines[0].value;
+    const auto moments = numbersInToml(value, findKey(counterpart.key)->dimension);
+    if (moments.size() != 3 || std::ranges::any_of(moments, [](double moment) { return !(moment > 0); })) return;
+    const std::string nearest = nearestMomentsText(moments);
+    if (nearest.empty()) return;
+    if (!counterpart.note.empty()) counterpart.note += ' ';
+    counterpart.note += triangleMessage(Eigen::Vector3d(moments[0], moments[1], moments[2])) +
+                        ". These are the nearest possible ones.";
+    value = nearest;
+  }
+
+  static void sayIfImpossible(Counterpart& counterpart) {
+    const auto nine = numbersInToml(counterpart.lines[0].value, findKey(counterpart.key)->dimension);
+    if (nine.size() != 9) return;
+    const std::string why = whyImpossible(Eigen::Map<const Eigen::Matrix3d>(nine.data()));
+    if (why.empty()) return;
+    if (!counterpart.note.empty()) counterpart.note += ' ';
+    counterpart.note += "It is impossible: " + why + ".";
+  }
+
+  std::optional<Counterpart> unitInertia(const ForeignNames& row, const std::string& path,
+                                         const std::string& at) const {
+    ForeignNames whole = row;
+    const Node* mass = knownValue("body.mass");
+    whole.factor = mass ? numberIn(*mass).value_or(1) : 1;
+    return ofRow(whole, path, at, carriedLines(whole, *findKey(row.key), valuesOf(row, path), leaves_.limits));
+  }
+
+  /// Returns the rate of a drag. If the name is that of a coefficient and the moments are known, computes it.
+  std::optional<Counterpart> dragCounterpart(const ForeignNames& row, const std::string& path,
+                                             const std::string& at) const {
+    const Key& key = *findKey(row.key);
+    const bool isCoefficient = row.carry == Carry::kNothing;
+    const auto carried = carriedValue(key, *values_.at(path), leaves_.limits, row.unit);
+    const std::string divided = dividedByMoments(*values_.at(path));
+    if (isCoefficient && divided.empty()) return std::nullopt;  // the example of the key
+    if (!isCoefficient && !carried) return std::nullopt;
+    auto counterpart = ofRow(row, path, at, {{"rate", isCoefficient ? divided : *carried}});
+    if (!isCoefficient && !divided.empty())
+      counterpart->otherwise = fmt::format("\n  or, for a coefficient in N m s:\n    {} = {}",
+                                           tableOf(path) == "motion.drag" ? "rate" : "drag.rate", divided);
+    return counterpart;
+  }
+
+  /// Returns a coefficient in N m s divided by each moment of the body, as TOML; empty if they are unknown.
+  std::string dividedByMoments(const Node& coefficient) const {
+    const auto c = numberIn(coefficient);
+    const auto moments = momentsIn(leaves_);
+    if (!c || moments.size() != 3) return "";
+    std::string text;
+    for (const double moment : moments) {
+      if (!(moment > 0) || !(*c >= 0) || !std::isfinite(*c / moment)) return "";
+      text += fmt::format("{}{:.6g}", text.empty() ? "[" : ", ", *c / moment);
+    }
+    return text + "]";
+  }
+
+  /// Adds the line for a quaternion whose scalar is the last of its numbers, if it may be: a small rotation has a
+  /// large scalar.
+  void addOtherOrder(Counterpart& counterpart, const ForeignNames& row, const std::string& path) const {
+    const auto* four = values_.at(path)->as<Node::Array>();
+    if (row.carry != Carry::kValue || !four || four->size() != 4) return;
+    const auto first = numberIn((*four)[0]), last = numberIn((*four)[3]);
+    if (!first || !last || !(std::abs(*last) > std::abs(*first))) return;
+    const Node turned = listNode({(*four)[3], (*four)[0], (*four)[1], (*four)[2]}, values_.at(path)->place);
+    counterpart.note = "The order is w, x, y, z: no rotation is [1, 0, 0, 0].";
+    counterpart.otherwise =
+        fmt::format("\n  or, if no rotation is [0, 0, 0, 1] where this comes from:\n    {} = {}",
+                    counterpart.lines[0].name, tomlText(turned));
+  }
+
+  /// Returns the value of a row with the unit that another name of the table gives: omega with omega_units.
+  std::optional<Counterpart> withUnitBeside(const ForeignNames& row, const std::string& path,
+                                            const std::string& at) const {
+    if (row.carry != Carry::kValue || !row.unit.empty()) return std::nullopt;
+    const Key& key = *findKey(keyFor(row, at));
+    for (const std::string_view ending : {"_units", "_unit"}) {
+      const std::string name = std::string(nameOf(path)) + std::string(ending);
+      const Node* unit = valueOf(path, name);
+      const auto* text = unit ? unit->as<std::string>() : nullptr;
+      if (!text || text->size() > kLongestName || !parseQuantity("1 " + *text, key.dimension).ok()) continue;
+      ForeignNames whole = row;
+      whole.unit = *text;
+      auto counterpart = ofRow(whole, path, at, carriedLines(whole, key, {values_.at(path)}, leaves_.limits));
+      if (counterpart) counterpart->names.push_back(name);
+      return counterpart;
+    }
+    return std::nullopt;
+  }
+
+  /// Returns the value with its unit for a name such as "omega_units", beside "omega".
+  std::optional<Counterpart> unitOfOther(const std::string& path) const {
+    const std::string_view name = nameOf(path);
+    const auto* unit = values_.at(path)->as<std::string>();
+    if (!unit || !(name.ends_with("_units") || name.ends_with("_unit") || name == "units" || name == "unit"))
+      return std::nullopt;
+    const std::string stem = pathBelow(tableOf(path), name.substr(0, std::min(name.rfind('_'), name.size())));
+    if (valueOf(path, nameOf(stem)) && stem != path) {
+      auto counterpart = foreignCounterpart(stem, ours(stem));
+      const bool both = counterpart && std::ranges::find(counterpart->names, name) != counterpart->names.end();
+      if (both) return counterpart;
+    }
+    Counterpart counterpart{{std::string(name)}, "", {}, "", "Each value has its unit: \"30 deg\"."};
+    const Key* key = findKey(stem);
+    const Node* value = key ? knownValue(stem) : nullptr;
+    if (!value || unit->size() > kLongestName) return counterpart;
+    const auto carried = carriedValue(*key, *value, leaves_.limits, *unit);
+    if (!carried || !parseQuantity("1 " + *unit, key->dimension).ok()) return counterpart;
+    return Counterpart{{std::string(name)},        stem, {{std::string(nameOf(stem)), *carried}}, "", "",
+                       {std::string(nameOf(stem))}};
+  }
+
+  /// Returns the length of a film with a number of frames.
+  std::optional<Counterpart> framesCounterpart(const ForeignNames& row, const std::string& path) const {
+    auto frames = numberIn(*values_.at(path));
+    Counterpart counterpart{{std::string(nameOf(path))}, std::string(row.key), {}, "", std::string(row.note)};
+    for (const std::string_view name : {"frame_start", "start_frame", "first_frame"})
+      if (const Node* first = valueOf(path, name)) {
+        counterpart.names.emplace_back(name);
+        if (frames) *frames -= numberIn(*first).value_or(1) - 1;
+      }
+    if (!frames || !(*frames >= 1 && *frames < 1e9)) return std::nullopt;
+    counterpart.lines.push_back({"duration", numberText(*frames / framesPerSecond())});
+    return counterpart;
+  }
+
+  double framesPerSecond() const {
+    const Node* given = knownValue("time.fps");
+    for (const UnknownName& name : names_) {
+      const auto rows = plausibleRows(ours(name.path));
+      if (!rows.empty() && rows[0]->key == "time.fps" && rows[0]->carry == Carry::kValue) given = name.value;
+    }
+    const auto numbers =
+        numbersInToml(given ? tomlTextOf(*given) : findKey("time.fps")->fallback, Dimension::kNone);
+    return numbers.size() == 1 && numbers[0] > 0 ? numbers[0] : 60;
+  }
+
+  static std::string tomlTextOf(const Node& node) {
+    const auto number = numberIn(node);
+    return number ? fmt::format("{}", *number) : "";
   }
 
   static bool takesSeveral(const ForeignNames& row) {
     return row.carry == Carry::kList || row.carry == Carry::kTensor || row.carry == Carry::kNothing ||
            row.carry == Carry::kSymmetric || row.carry == Carry::kDirected || row.carry == Carry::kEither ||
-           row.carry == Carry::kPoints || row.carry == Carry::kInches;
+           row.carry == Carry::kPoints || row.carry == Carry::kInches || row.carry == Carry::kLaunch;
   }
 
   std::vector<std::string> presentNames(const ForeignNames& row, const std::string& path) const {
@@ -312,11 +495,20 @@ class Report {
   bool mentions(std::string_view start) const {
     const auto next = leaves_.values.lower_bound(start);
     if (next != leaves_.values.end() && next->first.starts_with(start)) return true;
+    const auto meant = leaves_.meant.lower_bound(start);
+    if (meant != leaves_.meant.end() && meant->starts_with(start)) return true;
     return std::ranges::any_of(names_, [&](const UnknownName& name) {
+      if (taken_.contains(name.path)) return false;  // among those that are meant
       const auto rows = plausibleRows(ours(name.path));
-      return !rows.empty() && rows[0]->key.starts_with(start);
+      const auto row = std::ranges::find_if(rows, [&](const auto* one) { return counts(*one, name.path); });
+      if (row != rows.end()) return (*row)->key.starts_with(start);
+      const auto near = misspelt(tableOf(name.path), nameOf(name.path));
+      return near && near->starts_with(start);
     });
   }
+
+  /// Returns whether the scene has a top under gravity.
+  bool isTop() const { return !isThrown() && mentions("motion.gravity."); }
 
   bool mentionsAttitude() const {
     return mentions("motion.euler.") || mentions("motion.orientation") || mentions("motion.roll_pitch_yaw");
@@ -340,11 +532,14 @@ class Report {
   /// Returns the key of gravity for a thrown body, or for a body that is held at a point, with the keys it needs.
   std::optional<Counterpart> gravityCounterpart(const ForeignNames& row, const std::string& path) const {
     const Node& given = *values_.at(path);
+    if (isNoGravity(given))
+      return Counterpart{{std::string(nameOf(path))}, "", {}, "", "There is no gravity without this key."};
     const bool top = mentions("body.pivot") || mentions("motion.lean") || mentions("motion.precession") ||
                      mentions("motion.nutation") || mentions("motion.euler");
     if (isThrown() || (!top && mentions("motion.") && !knownValue("motion.spin"))) return freeFall(given, path);
     const Key& key = *findKey("motion.gravity.g");
-    const auto carried = carriedValue(key, given, leaves_.limits);
+    auto carried = carriedValue(key, given, leaves_.limits);
+    if (const std::string_view g = gravityWord(given); !g.empty()) carried = g;
     Counterpart counterpart{{std::string(nameOf(path))},
                             key.path,
                             carried ? std::vector<KeyLine>{{"g", *carried}} : exampleOf(key),
@@ -354,6 +549,19 @@ class Report {
       counterpart.lines.push_back({"mass", "1", "body"});
     if (!mentions("body.pivot")) counterpart.lines.push_back({"pivot", pivotText(leaves_), "body"});
     return counterpart;
+  }
+
+  static bool isNoGravity(const Node& given) {
+    const auto* text = given.as<std::string>();
+    const auto* flag = given.as<bool>();
+    const std::string word = text && text->size() <= kLongestName ? plainWord(*text) : "";
+    return (flag && !*flag) || numberIn(given) == 0.0 || word == "none" || word == "off" || word == "zero" ||
+           word == "no" || word == "false";
+  }
+
+  static std::string_view gravityWord(const Node& given) {
+    const auto* text = given.as<std::string>();
+    return text && text->size() <= kLongestName ? gravityOn(plainWord(*text)) : "";
   }
 
   /// Returns the key of a steady precession, with gravity if the scene lacks it.
@@ -373,8 +581,11 @@ class Report {
     const Key& key = *findKey("motion.flight.gravity");
     std::string value = "[0, 0, -9.81]";
     if (const auto number = numberIn(given)) value = fmt::format("[0, 0, {:g}]", -std::abs(*number));
-    if (given.as<std::string>() && !carriedValue(key, given, leaves_.limits)) return std::nullopt;
-    if (given.as<std::string>() || given.as<Node::Array>())
+    if (const std::string_view g = gravityWord(given); !g.empty())
+      value = fmt::format("[0, 0, -{}]", g);
+    else if (given.as<std::string>() && !carriedValue(key, given, leaves_.limits))
+      return std::nullopt;
+    else if (given.as<std::string>() || given.as<Node::Array>())
       value = carriedValue(key, given, leaves_.limits).value_or(value);
     return Counterpart{{std::string(nameOf(path))},
                        key.path,
@@ -513,8 +724,14 @@ class Report {
   std::optional<Counterpart> shownCounterpart(const std::string& path) const {
     const Node& given = *values_.at(path);
     Counterpart counterpart{{std::string(nameOf(path))}, "", {}, "", "Each thing has a key of its own in [show]."};
+    Node::Array all = {given};
+    const bool isConstruction =
+        nameOf(path).find("poinsot") != std::string_view::npos || nameOf(path) == "construction";
+    if (isConstruction && !given.as<Node::Array>())
+      for (const char* name : {"ellipsoid", "plane", "polhode", "herpolhode"})
+        all.push_back({std::string(name), given.place});
     const auto* array = given.as<Node::Array>();
-    for (const Node& one : array ? *array : Node::Array{given}) {
+    for (const Node& one : array ? *array : all) {
       const auto* word = one.as<std::string>();
       const std::string figure = word ? figureOf(*word) : "";
       if (figure.empty() || isOffered(counterpart, figure)) continue;
@@ -539,7 +756,28 @@ class Report {
   /// Returns the thing in [show] that draws an arrow, and its colour, in place of a [[vector]].
   std::optional<Counterpart> arrowCounterpart(const std::string& path) const {
     const auto* word = values_.at(path)->as<std::string>();
-    const std::string figure = word ? figureOf(*word) : "";
+    return word ? arrowOf(*word, path) : std::nullopt;
+  }
+
+  /// Returns the thing in [show] for a [[vector]] that has its name and no components.
+  std::optional<Counterpart> namedArrow(const std::string& path) const {
+    const std::string table(tableOf(path));
+    if (!table.starts_with("vector[")) return std::nullopt;
+    for (const std::string_view name : {"components", "position_of", "velocity_of"})
+      if (knownValue(pathBelow(table, name))) return std::nullopt;
+    for (const UnknownName& other : names_) {
+      const auto rows =
+          tableOf(other.path) == table ? plausibleRows(other.path) : std::vector<const ForeignNames*>();
+      if (rows.empty() || rows[0]->key != "vector[].components") continue;
+      return rows[0]->carry == Carry::kArrow ? arrowCounterpart(other.path) : std::nullopt;
+    }
+    const Node* name = knownValue(pathBelow(table, "name"));
+    const auto* word = name ? name->as<std::string>() : nullptr;
+    return word ? arrowOf(*word, path) : std::nullopt;
+  }
+
+  std::optional<Counterpart> arrowOf(const std::string& word, const std::string& path) const {
+    const std::string figure = figureOf(word);
     if (figure.empty()) return std::nullopt;
     Counterpart counterpart{{}, fmt::format("show.{}.visible", figure), {{figure, "true", "show"}}, ""};
     for (const UnknownName& name : names_)
@@ -548,7 +786,8 @@ class Report {
     counterpart.instead = fmt::format("this {}", tableText(array));
     const Key* color = findKey("style.colors." + figure);
     const Node* given = anyValueOf(path, "color");
-    if (!given) given = anyValueOf(path, "colour");
+    for (const std::string_view name : {"colour", "c"})
+      if (!given) given = anyValueOf(path, name);
     if (const auto carried = color && given ? carriedValue(*color, *given, leaves_.limits) : std::nullopt)
       counterpart.lines.push_back({figure, *carried, "style.colors"});
     for (const std::string_view name : {"color", "components", "position_of", "velocity_of"}) {
@@ -905,7 +1144,8 @@ class Report {
     if (!place.source->hasLines()) return text;
     if (!offered_.insert(counterpart.key).second)
       return text + " An earlier message gives it; leave this line out.";
-    return text + (counterpart.choices.empty() ? pasted(path, counterpart) : oneOf(counterpart));
+    return text + (counterpart.choices.empty() ? pasted(path, counterpart) : oneOf(counterpart)) +
+           counterpart.otherwise;
   }
 
   static std::string nameInText(const Counterpart& counterpart) {
@@ -919,11 +1159,15 @@ class Report {
     return text.replace(text.rfind(" and "), 5, " or ");
   }
 
-  /// Returns one line for each of several keys, with its help.
+  /// Returns one line for each of several keys, with its table and its help.
   static std::string oneOf(const Counterpart& counterpart) {
     std::string text = " For example, one of:";
-    for (const auto& [key, value] : counterpart.choices)
-      text += fmt::format("\n    {} = {}  # {}: {}", nameOf(key->path), value, key->path, shortHelp(*key));
+    for (const auto& [key, value] : counterpart.choices) {
+      const bool isThing = key->path.ends_with(".visible");
+      const std::string_view line = isThing ? tableOf(key->path) : std::string_view(key->path);
+      text += fmt::format("\n    {} = {}  # in {}: {}", nameOf(line), value, tableText(tableOf(line)),
+                          shortHelp(*key));
+    }
     return text;
   }
 
@@ -1034,6 +1278,19 @@ class Report {
 };
 
 }  // namespace
+
+std::string figureOf(std::string_view word) {
+  std::string name = plainWord(word.substr(0, word.find('(')));
+  if (name == "l" || name == "h" || name == "angular_momentum") name = "L";
+  if (name == "w" || name == "angular_velocity" || name == "spin" || name == "rotation") name = "omega";
+  if (name == "axes" || name == "body_axes" || name == "principal_axes" || name == "frame")
+    name = "principal_axes";
+  if (name == "space_cone" || name == "body_cone") name = "cones";
+  if (name == "inertia_ellipsoid" || name == "poinsot_ellipsoid" || name == "energy_ellipsoid") name = "ellipsoid";
+  if (name == "invariable_plane") name = "plane";
+  if (name == "velocity" || name == "v" || name == "weight") name = "flight";
+  return hasVisible("show." + name) ? name : "";
+}
 
 void reportUnknown(std::vector<UnknownName> names, Leaves& leaves, Problems& problems) {
   Report(std::move(names), leaves, problems).run();

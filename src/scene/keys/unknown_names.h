@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/keys/leaves.h"
@@ -15,6 +16,9 @@ struct UnknownName {
   const Node* value = nullptr;
   bool isTable = false;  ///< whether this is the name of a table, in place of which the value stands
 };
+
+/// Returns the thing in [show] for a word such as "angular momentum" or "w"; empty if there is none.
+std::string figureOf(std::string_view word);
 
 /// Reports unknown names of a document, in its order. A name of a textbook or of another program, and a key of
 /// another table, get an example of the right key with the given value. Names that belong together, such as I1, I2

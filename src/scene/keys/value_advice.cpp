@@ -45,6 +45,21 @@ std::string tiltAdvice(const Node& given) {
          pastedLine("lean", tomlText(given));
 }
 
+/// Returns the key that takes an angle in place of motion.nutation, which names a kind of nutation.
+std::string nutationAdvice(const Node& given, const Leaves& leaves) {
+  const bool spins = leaves.values.contains("motion.spin") || leaves.meant.contains("motion.spin");
+  std::vector<std::string> names{"euler.nutation"};
+  if (isUnderGravity(leaves))
+    names.insert(names.begin(), "lean");
+  else if (spins)
+    names.insert(names.begin(), "tilt");
+  for (const std::string& name : names)
+    if (const auto angle = carriedValue(*findKey("motion." + name), given, leaves.limits))
+      return fmt::format(". An angle is motion.{}. For example, in place of nutation:", name) +
+             pastedLine(name, *angle);
+  return "";
+}
+
 std::string colorAdvice(const Node& given) {
   const auto* text = given.as<std::string>();
   if (!text || !(text->starts_with('#') || !namedColor(plainWord(*text)).empty())) return "";
@@ -59,13 +74,18 @@ std::string adviceOf(const Key& key, const std::string& path, const Node& given,
     if (std::string advice = startAdvice(given, leaves); !advice.empty()) return advice;
   if (key.path == "motion.tilt")
     if (std::string advice = tiltAdvice(given); !advice.empty()) return advice;
+  if (key.path == "motion.nutation")
+    if (std::string advice = nutationAdvice(given, leaves); !advice.empty()) return advice;
   if (key.path == "vector[].color")
     if (std::string advice = colorAdvice(given); !advice.empty()) return advice;
   if (given.as<Node::Array>() && key.type == ValueType::kNumber)
     if (std::string advice = adviceFor(path, given, leaves); !advice.empty())
       return advice;  // three numbers for L are a vector, which has another key
   const auto carried = carriedValue(key, given, leaves.limits);
-  if (carried) return " For example:" + pastedLine(nameOf(path), *carried);
+  const bool isSize = nameOf(path) == "size" && key.dimension == Dimension::kLength;
+  if (carried)
+    return (isSize ? ". It takes full extents, not halves. For example:" : " For example:") +
+           pastedLine(nameOf(path), *carried);
   const bool isPlain = key.type == ValueType::kNumber && key.dimension == Dimension::kNone && key.words.empty();
   return isPlain && !key.example.empty() ? " For example:" + pastedLine(nameOf(path), key.example) : "";
 }

@@ -65,12 +65,13 @@ std::optional<std::string> quantityFor(std::string_view given, Dimension dimensi
   using Word = std::pair<std::string_view, std::string_view>;
   std::string text(given);
   for (const auto& [word, unit] :
-       {Word{" per ", "/"},     Word{"rotations", "rev"}, Word{"rotation", "rev"}, Word{"turns", "rev"},
-        Word{"degrees", "deg"}, Word{"radians", "rad"},   Word{"seconds", "s"},    Word{"second", "s"},
-        Word{"sec", "s"},       Word{"minutes", "min"},   Word{"minute", "min"},   Word{"hours", "h"},
-        Word{"hour", "h"},      Word{"days", "d"},        Word{"meters", "m"},     Word{"metres", "m"},
-        Word{"meter", "m"},     Word{"kilograms", "kg"},  Word{"grams", "g"},      Word{"centi", "c"},
-        Word{"milli", "m"},     Word{"cubic m", "m^3"},   Word{"squared", "^2"}})
+       {Word{"min^-1", "rpm"},    Word{"1/min", "rpm"},    Word{"U/min", "rpm"}, Word{" per ", "/"},
+        Word{"rotations", "rev"}, Word{"rotation", "rev"}, Word{"turns", "rev"}, Word{"degrees", "deg"},
+        Word{"radians", "rad"},   Word{"seconds", "s"},    Word{"second", "s"},  Word{"sec", "s"},
+        Word{"minutes", "min"},   Word{"minute", "min"},   Word{"hours", "h"},   Word{"hour", "h"},
+        Word{"days", "d"},        Word{"meters", "m"},     Word{"metres", "m"},  Word{"meter", "m"},
+        Word{"kilograms", "kg"},  Word{"grams", "g"},      Word{"centi", "c"},   Word{"milli", "m"},
+        Word{"cubic m", "m^3"},   Word{"squared", "^2"}})
     for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + unit.size()))
       text.replace(at, word.size(), unit);
   const std::size_t comma = text.find(',');
@@ -267,6 +268,8 @@ std::string wordFor(const Key& key, std::string_view given) {
   if (const auto quantity = quantityElsewhere(plain); isWordOf(key, quantity)) return std::string(quantity);
   for (const std::string_view word : key.words)  // "4179 Toutatis", "the Earth"
     if (word.size() > 3 && plain.find(word) != std::string::npos) return std::string(word);
+  if (key.path == "body.catalogue" && plain.size() > 3)
+    if (const auto near = core::closest(plain, {key.words.begin(), key.words.end()})) return *near;
   for (const std::string_view part : {plain.substr(0, plain.find('_')), plain.substr(plain.rfind('_') + 1)})
     for (const std::string_view other : wordsElsewhere(part))
       if (part.size() > 2 && isWordOf(key, other)) return std::string(other);
@@ -516,6 +519,22 @@ std::optional<Node> numbersIn(const Node& given) {
   std::erase_if(rows, [](const Node& row) { return row.as<Node::Array>()->empty(); });
   if (rows.empty()) return std::nullopt;
   return rows.size() == 1 ? rows[0] : listNode(std::move(rows), given.place);
+}
+
+std::vector<double> numbersInToml(std::string_view text, Dimension dimension) {
+  std::vector<double> numbers;
+  while (true) {
+    text.remove_prefix(std::min(text.find_first_not_of("[], "), text.size()));
+    if (text.empty()) return numbers;
+    const bool quoted = text.front() == '"';
+    const std::size_t end = std::min(quoted ? text.find('"', 1) : text.find_first_of("[], "), text.size());
+    const std::string one(text.substr(quoted ? 1 : 0, quoted ? end - 1 : end));
+    const auto number = plainNumber(one);
+    const Quantity quantity = quoted ? parseQuantity(one, dimension) : Quantity{};
+    if (quoted ? !quantity.ok() : !number) return {};
+    numbers.push_back(quoted ? quantity.value : *number);
+    text.remove_prefix(std::min(end + (quoted ? 1 : 0), text.size()));
+  }
 }
 
 bool areDegrees(const Node& given) {

@@ -34,6 +34,10 @@ std::optional<Node> numbersIn(const Node& given);
 /// Returns the forms of a value to try for a key, its own form first.
 std::vector<Node> formsOf(const Key& key, const Node& given);
 
+/// Returns the numbers of a value in TOML in SI units, such as three for `[1, 2, "3 g cm^2"]`, without the
+/// structure of the arrays. Empty if one of them is not a number.
+std::vector<double> numbersInToml(std::string_view text, Dimension dimension);
+
 /// Returns whether bare numbers of an angle are probably degrees: more than a turn in radians, or whole numbers
 /// of at least four.
 bool areDegrees(const Node& given);
