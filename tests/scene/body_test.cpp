@@ -188,9 +188,10 @@ TEST(Shapes, ErrorsListTheKeysOfTheShape) {
   EXPECT_EQ(
       problems("[body]\nmass=1\nradius=1"),
       "body.radius: body.shape is missing; this key describes a shape. For example:\n    shape = \"sphere\"\n");
-  EXPECT_EQ(problems("[body]\nmass=1\nshape='plate'\nsize=[1, 2, 3]"),
-            "body.size: shape \"plate\" has 2 extents, got 3; a plate with a thickness is a box. For example, in "
-            "place of shape:\n    shape = \"box\"\n");
+  EXPECT_EQ(
+      problems("[body]\nmass=1\nshape='plate'\nsize=[1, 2, 3]"),
+      "body.shape: \"plate\" has 2 extents, got 3; a plate with a thickness is a box. For example:\n    shape = "
+      "\"box\"\n");
   EXPECT_EQ(problems("[body]\nmass=1\nshape='box'\nsize=[1, 2]"),
             "body.size: shape \"box\" has 3 extents, got 2\n");
 }

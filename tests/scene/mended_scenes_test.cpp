@@ -217,6 +217,10 @@ TEST(MendedScenes, HaveTheBodyOfATop) {
       {"[body]\ntarget = \"TOUTATIS\"\n" + kSpun, {"catalogue = \"toutatis\""}},
       {"[body]\nellipticity = \"1/305\"\n" + kSpun, {"principal_moments = [1, 1, 1.0032787]"}},
       {"[body]\nmass = 2.0\nunit_inertia = [0.5, 0.6, 0.9]\n" + kSpun, {"principal_moments = [1, 1.2, 1.8]"}},
+      {"[body]\nmass = 0.2\nmoments = [5e-4, 5e-4, 2e-4]\ncom = [0, 0, 0.04]\n" + kTopStart + "gravity = 9.81\n",
+       {"centre_of_mass = [0, 0, 0.04]", "pivot = [0, 0, 0]"}},
+      {kFreeBody + "[motion]\nM = 3.0\ntheta = \"25 deg\"\n",
+       {"L_space = [0, 0, 3]", "euler.nutation = \"25 deg\""}},
       {"[body]\nmoments = {1, 2, 2.5}\n" + kSpun, {"principal_moments = [1, 2, 2.5]"}},
   });
 }
@@ -244,6 +248,10 @@ TEST(MendedScenes, HaveTheirUnitsAndOrders) {
       // 2e-6/5e-4 and 2e-6/2e-4
       {"[body]\nprincipal_moments = [5e-4, 5e-4, 2e-4]\n" + kSpun + "friction = 2e-6\n",
        {"drag.rate = [0.004, 0.004, 0.01]"}},
+      {kFreeBody + kSpun + "[motion.damping]\nangular = 0.1\n", {"rate = 0.1"}},
+      {kFreeBody + kSpun + "[[torque]]\naxis = \"x\"\nvalue = 0.02\nframe = \"world\"\n",
+       {"[motion.torque]\nspace = [0.02, 0, 0]"}},
+      {kFreeBody + kSpun + "[time]\nduration = \"400 d\"\nspeed = 1728000\n", {"duration = 20\n"}},
       {kFreeBody + kSpun + "[motion.energy_dissipation]\ntau = 200\n", {"[motion.dissipation]\nalpha = 0.02"}},
   });
 }
@@ -271,6 +279,7 @@ TEST(MendedScenes, HaveTheThingsOfTheirLists) {
        {"ellipsoid = true", "plane = true", "polhode = true", "herpolhode = true"}},
       {scene + "[show]\npoinsot = true\n", {"ellipsoid = true", "herpolhode = true"}},
       {scene + "[show]\nextras = [\"theta\", \"trace\"]\n", {"theta = true", "trace = true"}},
+      {scene + "[camera]\nreference_frame = \"BODY_FIXED\"\n", {"frame = \"body\""}},
       {scene + "[output]\nsize = [1080, 1920]\norientation = \"portrait\"\n", {"size = [1080, 1920]"}},
       {scene + "flight.velocity = [0, 0, 4]\n[show]\nV = true\n", {"flight.velocity = true"}},
   });

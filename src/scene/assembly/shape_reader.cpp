@@ -24,11 +24,6 @@ std::string extentsText(const std::vector<double>& size) {
 /// Returns what is wrong with the extents in the key `size`; empty if they are valid. Such a message names `size`.
 /// The errors of the physics library name lengths that are derived from it.
 std::string extentsProblem(const NamedShape& kind, const std::vector<double>& size) {
-  if (kind.word == "plate" && size.size() == 3)
-    return fmt::format(
-        "shape \"plate\" has 2 extents, got 3; a plate with a thickness is a box. For example, in place of "
-        "shape:\n"
-        "    shape = \"box\"");
   if (size.size() != 1 && size.size() != kind.extents)
     return fmt::format("shape \"{}\" has {} extents, got {}", kind.word, kind.extents, size.size());
   const double x = size[0], y = size.size() == 1 ? x : size[1];
@@ -148,6 +143,12 @@ bool ShapeReader::refuseMissing(const KeyNames& way) {
 bool ShapeReader::sizeFits() {
   if (!shape_.size) return true;
   const std::string problem = extentsProblem(kind(), *shape_.size);
+  if (kind().word == "plate" && shape_.size->size() == 3) {
+    findings_.refuse(path("shape"),
+                     "\"plate\" has 2 extents, got 3; a plate with a thickness is a box. For example:\n"
+                     "    shape = \"box\"");
+    return false;
+  }
   if (!problem.empty()) findings_.refuse(path("size"), problem);
   return problem.empty();
 }

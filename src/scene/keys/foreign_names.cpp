@@ -253,10 +253,11 @@ constexpr auto kRows = std::to_array<ForeignNames>({
      "motion.gravity.g", "", "It acts on a body that has body.mass and body.pivot."},
     {"mgr mgl mgh MgR Mgl mgr_body", "motion.gravity.mgr_body"},
     {"drag damping angular_damping rotational_damping damping_rate drag_rate angular_drag air_drag decay_rate "
-     "rotational_drag spin_decay",
+     "rotational_drag spin_decay motion.drag.angular motion.drag.value motion.drag.strength",
      "motion.drag.rate", "", kDragRate},
     {"friction friction_coefficient viscosity viscous_friction damping_coefficient drag_coefficient "
-     "air_resistance drag_torque friction_torque rolling_friction sliding_friction mu",
+     "motion.drag.coefficient motion.drag.c air_resistance drag_torque friction_torque rolling_friction "
+     "sliding_friction mu",
      "motion.drag.rate", "", kDragRate, Carry::kNothing},
     {"motion.dissipation.tau motion.dissipation.time motion.dissipation.time_constant "
      "motion.dissipation.time_scale motion.dissipation.timescale motion.dissipation.decay_time",
@@ -370,6 +371,7 @@ constexpr auto kRows = std::to_array<ForeignNames>({
      "The camera frames the motion by itself.", Carry::kRemove},
     {"camera.body_fixed camera.in_body camera.attached camera.corotating camera.body_frame camera.co_rotating",
      "camera.frame", "", "\"body\" stands still with the body, \"space\" with the world.", Carry::kFrame},
+    {"camera.reference_frame camera.ref_frame camera.relative_to", "camera.frame"},
     {"camera.tracking camera.track camera.follow_body camera.follows", "camera.follow"},
     {"camera.type camera.mode camera.perspective_mode", "camera.projection"},
     {"camera.view camera.name camera.viewpoint camera.direction", "camera.preset"},

@@ -191,6 +191,7 @@ std::string spinAxisText(const Leaves& leaves) {
 }
 
 std::string pivotText(const Leaves& leaves) {
+  if (isGiven(leaves, "body.centre_of_mass")) return "[0, 0, 0]";  // its distance from the origin is given
   const std::string shape(unquoted(textIn(leaves, "body.shape")));
   std::string height = textIn(leaves, "body.height");
   if (const std::string size = textIn(leaves, "body.size"); std::ranges::count(size, ',') == 2)

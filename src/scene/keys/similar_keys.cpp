@@ -221,7 +221,7 @@ std::vector<const Key*> similarKeys(std::string_view path, const std::function<b
 std::string shortHelp(const Key& key) {
   constexpr std::size_t kLongest = 60;
   std::string_view help = key.help;
-  for (const std::string_view end : {". ", ": ", "; "}) help = help.substr(0, help.find(end));
+  for (const std::string_view end : {". ", ": ", "; ", ", as in "}) help = help.substr(0, help.find(end));
   if (help.size() > kLongest) help = help.substr(0, help.find(", "));
   if (help.size() > kLongest) return std::string(help.substr(0, help.rfind(' ', kLongest))) + " ...";
   if (help.ends_with('.')) help.remove_suffix(1);

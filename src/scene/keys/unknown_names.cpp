@@ -255,6 +255,7 @@ class Report {
         break;
     }
     const std::string key = keyFor(row, at);
+    if (key == "motion.drag.rate") return dragCounterpart(row, path, at);
     if (row.carry == Carry::kNothing && isInTable(row, at)) return ofRow(row, path, at, exampleOf(*findKey(key)));
     const bool isBody = key == "body.shape" || key == "body.catalogue";
     if (isBody && nameOf(path) == "name" && (tableOf(path) != "body" || hasBody()))
@@ -272,16 +273,21 @@ class Report {
       return ofRow(lean, path, at, carriedLines(lean, *findKey(lean.key), valuesOf(lean, path), leaves_.limits));
     }
     if (row.note.starts_with("Each is a unit inertia")) return unitInertia(row, path, at);
-    if (key == "motion.drag.rate") return dragCounterpart(row, path, at);
+    if (key == "motion.torque.body" || key == "motion.torque.space")
+      if (auto torque = torqueOfTable(path)) return torque;
     if (key == "motion.gravity.g") return gravityCounterpart(row, path);
     if (key == "motion.precession" && row.carry == Carry::kNothing) return steadyCounterpart(row, path);
     if (key == "time.duration" && isOfFilm(nameOf(path)))
       if (auto film = filmCounterpart(path)) return film;
-    if (key == "motion.L_body" && !values_.at(path)->as<Node::Array>() && mentionsAttitude())
+    const bool isMomentum = key == "motion.L_body" || key == "motion.L";
+    if (isMomentum && !values_.at(path)->as<Node::Array>() && mentionsAttitude())
       return takenBy({row.names, "motion.L_space"}, path, at);  // a single number is along the vertical
     auto counterpart = withUnitBeside(row, path, at);
     if (!counterpart)
       counterpart = ofRow(row, path, at, carriedLines(row, *findKey(key), valuesOf(row, path), leaves_.limits));
+    const bool isMeasured = mentions("body.principal_moments") || mentions("body.inertia");
+    if (counterpart && row.carry == Carry::kBelow && isMeasured)
+      counterpart->note += " The moments are about the centre of mass, unless moments_about = \"pivot\".";
     if (counterpart && key == "motion.orientation") addOtherOrder(*counterpart, row, path);
     return counterpart;
   }
@@ -329,6 +335,29 @@ class Report {
     counterpart.note += "It is impossible: " + why + ".";
   }
 
+  /// Returns the torque of a single [[torque]] with a value and an axis.
+  std::optional<Counterpart> torqueOfTable(const std::string& path) const {
+    const auto* tables = values_.at(path)->as<Node::Array>();
+    const auto* entries = tables && tables->size() == 1 ? (*tables)[0].as<Node::Table>() : nullptr;
+    if (!entries) return std::nullopt;
+    const auto entry = [&](std::initializer_list<std::string_view> names) -> const Node* {
+      for (const Entry& one : *entries)
+        if (std::ranges::find(names, one.key) != names.end()) return &one.value;
+      return nullptr;
+    };
+    const Node* frame = entry({"frame", "axes"});
+    const auto* word = frame ? frame->as<std::string>() : nullptr;
+    const bool inSpace = word && word->size() <= kLongestName &&
+                         (plainWord(*word) == "space" || wordElsewhere(plainWord(*word)) == "space");
+    const Node *value = entry({"value", "magnitude", "torque", "size"}), *axis = entry({"axis", "direction"});
+    const ForeignNames row{"", inSpace ? "motion.torque.space" : "motion.torque.body", "", "", Carry::kDirected};
+    auto lines = carriedLines(row, *findKey(row.key), {value, axis}, leaves_.limits);
+    if (lines.empty()) return std::nullopt;
+    Counterpart counterpart{{std::string(nameOf(path))}, std::string(row.key), std::move(lines), ""};
+    counterpart.instead = fmt::format("[[{}]]", core::printable(path));
+    return counterpart;
+  }
+
   std::optional<Counterpart> unitInertia(const ForeignNames& row, const std::string& path,
                                          const std::string& at) const {
     ForeignNames whole = row;
@@ -349,7 +378,7 @@ class Report {
     auto counterpart = ofRow(row, path, at, {{"rate", isCoefficient ? divided : *carried}});
     if (!isCoefficient && !divided.empty())
       counterpart->otherwise = fmt::format("\n  or, for a coefficient in N m s:\n    {} = {}",
-                                           tableOf(path) == "motion.drag" ? "rate" : "drag.rate", divided);
+                                           tableOf(path) == "motion" ? "drag.rate" : "rate", divided);
     return counterpart;
   }
 
@@ -426,9 +455,9 @@ class Report {
     auto frames = numberIn(*values_.at(path));
     Counterpart counterpart{{std::string(nameOf(path))}, std::string(row.key), {}, "", std::string(row.note)};
     for (const std::string_view name : {"frame_start", "start_frame", "first_frame"})
-      if (const Node* first = valueOf(path, name)) {
-        counterpart.names.emplace_back(name);
-        if (frames) *frames -= numberIn(*first).value_or(1) - 1;
+      if (const auto first = values_.find(pathBelow(tableOf(path), name)); first != values_.end()) {
+        if (!taken_.contains(first->first)) counterpart.names.emplace_back(name);
+        if (frames) *frames -= numberIn(*first->second).value_or(1) - 1;
       }
     if (!frames || !(*frames >= 1 && *frames < 1e9)) return std::nullopt;
     counterpart.lines.push_back({"duration", numberText(*frames / framesPerSecond())});

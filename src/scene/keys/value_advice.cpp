@@ -26,7 +26,12 @@ std::string filmAdvice(const Node& given, const Leaves& leaves) {
   if (!span_s || !(*span_s > static_cast<double>(leaves.limits[Limit::kDuration]))) return "";
   const std::string text = ". It is the length of the film, not of the motion.";
   if (leaves.meant.contains("time.speed")) return text;
-  const bool hasSpeed = leaves.values.contains("time.speed");
+  const auto known = leaves.values.find("time.speed");
+  const bool hasSpeed = known != leaves.values.end();
+  const auto speed = hasSpeed ? numberIn(known->second) : std::nullopt;
+  const double film_s = speed && *speed > 0 ? *span_s / *speed : 0;
+  if (film_s >= 1 && film_s <= 600)
+    return text + " For example:" + pastedLine("duration", fmt::format("{:.6g}", film_s));
   return text + " For example:" + pastedLine("duration", "\"20 s\"") +
          (hasSpeed ? "" : pastedLine("speed", fmt::format("{:.6g}", *span_s / kUsualFilm_s)));
 }
