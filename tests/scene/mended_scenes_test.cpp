@@ -248,6 +248,7 @@ TEST(MendedScenes, HaveTheirUnitsAndOrders) {
       // 2e-6/5e-4 and 2e-6/2e-4
       {"[body]\nprincipal_moments = [5e-4, 5e-4, 2e-4]\n" + kSpun + "friction = 2e-6\n",
        {"drag.rate = [0.004, 0.004, 0.01]"}},
+      {kFreeBody + kSpun + "damping = \"2 N m s\"\n", {"drag.rate = [2, 1, 0.8]"}},
       {kFreeBody + kSpun + "[motion.damping]\nangular = 0.1\n", {"rate = 0.1"}},
       {kFreeBody + kSpun + "[[torque]]\naxis = \"x\"\nvalue = 0.02\nframe = \"world\"\n",
        {"[motion.torque]\nspace = [0.02, 0, 0]"}},

@@ -370,7 +370,10 @@ class Report {
   std::optional<Counterpart> dragCounterpart(const ForeignNames& row, const std::string& path,
                                              const std::string& at) const {
     const Key& key = *findKey(row.key);
-    const bool isCoefficient = row.carry == Carry::kNothing;
+    const auto* text = values_.at(path)->as<std::string>();
+    const bool hasItsUnit =
+        text && text->size() <= kLongestName && parseQuantity(*text, Dimension::kAngularMomentum).ok();
+    const bool isCoefficient = row.carry == Carry::kNothing || hasItsUnit;
     const auto carried = carriedValue(key, *values_.at(path), leaves_.limits, row.unit);
     const std::string divided = dividedByMoments(*values_.at(path));
     if (isCoefficient && divided.empty()) return std::nullopt;  // the example of the key
@@ -384,7 +387,9 @@ class Report {
 
   /// Returns a coefficient in N m s divided by each moment of the body, as TOML; empty if they are unknown.
   std::string dividedByMoments(const Node& coefficient) const {
-    const auto c = numberIn(coefficient);
+    auto c = numberIn(coefficient);
+    if (const auto* given = coefficient.as<std::string>(); given && given->size() <= kLongestName)
+      if (const Quantity read = parseQuantity(*given, Dimension::kAngularMomentum); read.ok()) c = read.value;
     const auto moments = momentsIn(leaves_);
     if (!c || moments.size() != 3) return "";
     std::string text;
