@@ -253,6 +253,7 @@ TEST(MendedScenes, HaveTheirUnitsAndOrders) {
       {kFreeBody + kSpun + "[[torque]]\naxis = \"x\"\nvalue = 0.02\nframe = \"world\"\n",
        {"[motion.torque]\nspace = [0.02, 0, 0]"}},
       {kFreeBody + kSpun + "[time]\nduration = \"400 d\"\nspeed = 1728000\n", {"duration = 20\n"}},
+      {kFreeBody + kSpun + "energy_dissipation = { tau = 200 }\n", {"[motion.dissipation]\nalpha = 0.02"}},
       {kFreeBody + kSpun + "[motion.energy_dissipation]\ntau = 200\n", {"[motion.dissipation]\nalpha = 0.02"}},
   });
 }
@@ -284,6 +285,14 @@ TEST(MendedScenes, HaveTheThingsOfTheirLists) {
       {scene + "[output]\nsize = [1080, 1920]\norientation = \"portrait\"\n", {"size = [1080, 1920]"}},
       {scene + "flight.velocity = [0, 0, 4]\n[show]\nV = true\n", {"flight.velocity = true"}},
   });
+}
+
+// A mass of the shape would be refused in the next run.
+TEST(MendedScenes, HaveTheirMomentsAndNoShape) {
+  const std::string shape = "size = [0.3, 0.2, 0.1]\nmoments = [1, 2, 2.5]\n" + kSpun;
+  EXPECT_THAT(messagesOf("[body]\nshape = \"box\"\n" + shape), HasSubstr("leave out shape and size ("));
+  EXPECT_THAT(messagesOf("[body]\nshape = \"T-shape\"\nmoments = [1, 2, 2.5]\n" + kSpun),
+              Not(HasSubstr("body.mass is missing")));
 }
 
 TEST(MendedScenes, NeverLeadToAnotherSubject) {

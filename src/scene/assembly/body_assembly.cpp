@@ -110,6 +110,8 @@ class BodyAssembly {
     const std::vector<std::string> ways = waysGiven();
     if (ways.empty())
       refuseNone();
+    else if (ways[0] == wholePath() && isMeantMeasured())
+      refuseShape();
     else if (ways.size() > 1)
       refuseSecond(ways);
     else
@@ -126,6 +128,21 @@ class BodyAssembly {
     findings_.refuse("body", fmt::format("the body is missing; give {}. For example, in [body]:\n    shape = "
                                          "\"box\"\n    size = [0.3, 0.2, 0.05]\n    mass = 1",
                                          kWays));
+  }
+
+  /// Refuses the keys of a shape beside an unknown name that stands for the moments. An invalid shape is already
+  /// reported.
+  void refuseShape() {
+    if (findings_.failed("body.shape")) return;
+    KeyNames names;
+    if (findings_.has("body.shape")) names.emplace_back("shape");
+    for (const std::string_view name : shapeKeyNames())
+      if (findings_.has(fmt::format("body.{}", name))) names.push_back(name);
+    if (findings_.has("body.density")) names.emplace_back("density");
+    findings_.refuse(wholePath(),
+                     fmt::format("the scene gives the moments, which a shape would set too; leave out {} "
+                                 "(show.body.shape draws a shape that does not set them)",
+                                 listed(names)));
   }
 
   std::vector<std::string> waysGiven() const {

@@ -102,6 +102,8 @@ class Report {
     for (std::size_t i = 0; i < names_.size(); ++i) {
       if (taken_.contains(names_[i].path)) continue;
       auto counterpart = i < kMostExamples ? counterpartOf(names_[i]) : std::nullopt;
+      if (counterpart && isOnOneLine(names_[i]))
+        counterpart->replaced.emplace_back(nameOf(tableOf(names_[i].path)));
       if (counterpart) take(*counterpart, tableOf(names_[i].path));
       found.emplace_back(&names_[i], std::move(counterpart));
     }
@@ -127,6 +129,13 @@ class Report {
   }
 
  private:
+  /// Returns whether a name is in a table on one line, such as energy_dissipation = { tau = 200 }.
+  bool isOnOneLine(const UnknownName& name) const {
+    if (!leaves_.aliases.contains(tableOf(name.path)) || !name.place.source->hasLines()) return false;
+    const std::string_view line = core::trimmed(name.place.source->line(name.place.line));
+    return line.starts_with(nameOf(tableOf(name.path))) && line.find('{') != std::string_view::npos;
+  }
+
   /// Marks the names of a counterpart as reported, and its keys as meant.
   void take(const Counterpart& counterpart, std::string_view table) {
     for (const std::string& name : counterpart.names) taken_.insert(pathBelow(table, name));
