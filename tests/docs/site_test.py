@@ -55,7 +55,7 @@ class TheSite(unittest.TestCase):
             self.assertIn(f'src="../_static/{scene.stem}.mp4"', gallery)
             self.assertTrue((self.site / f'_static/{scene.stem}.mp4').stat().st_size)
             page = re.sub('<[^>]*>', '', (self.site / f'scenes/{scene.name}.html').read_text())
-            self.assertTrue('\n[motion]\n' in page and 'The film lasts' in page, scene.name)
+            self.assertTrue('\n[motion' in page and 'The film lasts' in page, scene.name)
 
     def test_shows_every_column_of_the_tables_of_keys(self):
         rows = [line.strip('| ').split(' | ') for line in (ROOT / 'docs/scene.md').read_text().splitlines() if line.startswith('| `')]
