@@ -108,6 +108,20 @@ TEST(TexError, NamesTheCommandOfASignOnlyIfItDrawsTheSign) {
   EXPECT_THAT(failureOf("^"), ::testing::HasSubstr("no command for the character"));
 }
 
+TEST(TexError, NamesTheFormOfAMatrix) {
+  using ::testing::HasSubstr;
+  EXPECT_THAT(failureOf("$\\begin{pmatrix} 1 \\end{pmatrix}$"), HasSubstr("column 2 of"));
+  EXPECT_THAT(failureOf("$\\begin{pmatrix} 1 \\end{pmatrix}$"),
+              HasSubstr("\\begin begins a matrix: \\begin{bmatrix} a & b \\\\ c & d \\end{bmatrix}"));
+  EXPECT_THAT(failureOf("$\\begin{bmatrix} 1 & 2$"), HasSubstr("this matrix is never closed"));
+  EXPECT_THAT(failureOf("$\\begin{bmatrix} 1 }$"), HasSubstr("this matrix is never closed"));
+  EXPECT_THAT(failureOf("$1 \\end{bmatrix}$"), HasSubstr("unknown command \\end"));
+  EXPECT_EQ(failureOf("$\\begin{bmatrix}\\end{bmatrix}$"), "no error");
+  std::string nested = "$";
+  for (int i = 0; i < 60; ++i) nested += "\\begin{bmatrix}";
+  EXPECT_THAT(failureOf(nested), HasSubstr("nested more than 40 deep"));
+}
+
 TEST(TexError, LimitsHostileInput) {
   EXPECT_THAT(failureOf(std::string(2001, 'x')), ::testing::HasSubstr("too long; at most 2000 characters"));
   EXPECT_EQ(failureOf(std::string(2000, 'x')), "no error");
@@ -135,11 +149,17 @@ TEST(Commands, EveryDocumentedCommandCanBeSet) {
   for (const char* name : {",", ";", " ", "quad"}) EXPECT_GT(setTex(std::string("$\\") + name + "$").width_em, 0);
 }
 
+/// Returns what must follow a command.
+std::string argumentOf(const Command& command) {
+  const CommandKind kind = command.kind;
+  if (kind == CommandKind::kMatrix) return "{bmatrix} x & y \\end{bmatrix}";
+  if (kind == CommandKind::kFraction || kind == CommandKind::kDisplayFraction) return "{x}{y}";
+  return kind >= CommandKind::kAccent ? "{x}" : " ";
+}
+
 TEST(Commands, EveryCommandInTheTableHasItsGlyphAtEverySize) {
   for (const Command& c : commands()) {
-    const bool takesTwo = c.kind == CommandKind::kFraction || c.kind == CommandKind::kDisplayFraction;
-    const std::string argument = takesTwo ? "{x}{y}" : c.kind >= CommandKind::kAccent ? "{x}" : " ";
-    const std::string use = "\\" + std::string(c.name) + argument;
+    const std::string use = "\\" + std::string(c.name) + argumentOf(c);
     for (const std::string& tex :
          {"$" + use + "$", "$x_{" + use + "}$", "$\\mathbf{" + use + "}$", "$\\boldsymbol{" + use + "}$"})
       EXPECT_EQ(failureOf(tex), "no error") << tex;
