@@ -292,9 +292,9 @@ bool isKnown(double value, const std::vector<double>& known) {
   });
 }
 
-/// Removes the author's notes, whose formulas may contain any number.
+/// Removes the author's notes and the titles of panels, which may contain any number.
 std::string withoutNotes(const std::string& text) {
-  return std::regex_replace(text, std::regex("Written in the picture: “.*?”\\."), "");
+  return std::regex_replace(text, std::regex("Written in the picture: “.*?”\\.|Panel [0-9]+, “.*?”"), "");
 }
 
 TEST(AltText, ContainsOnlyNumbersOfTheReport) {
