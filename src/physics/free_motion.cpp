@@ -24,9 +24,10 @@
 //
 // phi' = L (A_a^2 cn^2/I_a + A_2^2 sn^2/I_2)/(A_a^2 cn^2 + A_2^2 sn^2) is a weighted mean of L/I_a and L/I_2.
 // L/I_2 is split off, because |omega - (L/I_2) L^| <= lambda for every body and start: an error du of the phase
-// then changes the attitude by at most du. Textbooks split off L/I_a, L/I_c or 2T/L, which loses digits near the
-// separatrix, for near-spheres and for rods. The arctangent is the half turn of the node line near the middle
-// axis; its coefficient is exactly 1. The R_J term is a sum of positive terms.
+// then changes the attitude by at most du (docs/derivations.md). Textbooks split off L/I_a or L/I_c, whose
+// remainder can turn much faster than lambda: near the separatrix, for near-spheres and for rods. The arctangent
+// is the half turn of the node line near the middle axis; its coefficient is exactly 1. The R_J term is a sum of
+// positive terms.
 //
 // All quantities that grow with t, which are (L/I2) t, u and N Q, have about 100 bits until they are reduced. All
 // other quantities are doubles. Verified in tests/physics/free_motion_oracle_test.cpp (Taylor integrator, 34 and
