@@ -111,10 +111,5 @@ TEST(PhysicsWords, GiveTheSpinAtWhichASleepingTopWakes) {
       AllOf(HasSubstr("energy"), HasSubstr(fmt::format("{:.1f} turns a second", spin / (2 * std::numbers::pi)))));
 }
 
-// No picture of the gallery shows T about a fixed point.
-TEST(PhysicsWords, ListNoSceneForEquation11) {
-  EXPECT_THAT(rowOf(textOf(kRoot / "docs/gallery.md"), "11 |"), HasSubstr("| no scene"));
-}
-
 }  // namespace
 }  // namespace poinsot
