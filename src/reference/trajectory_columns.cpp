@@ -13,7 +13,6 @@
 namespace poinsot::reference {
 namespace {
 
-using scene::QuantityNeeds;
 using scene::StateQuantity;
 
 /// Returns the unit in the form of kTrajectoryColumns, such as "kg m^2/s".
@@ -46,13 +45,8 @@ std::vector<std::string> allNames() {
 }
 
 void checkExists(const StateQuantity& quantity, const scene::Scene& scene, std::string_view option) {
-  if (quantity.needs == QuantityNeeds::kNothing) return;
-  if (!scene.motion.flight)
-    throw core::usageError(fmt::format(
-        "{}: {} exists only for a thrown body; give the scene a table [motion.flight]", option, quantity.name));
-  if (quantity.needs == QuantityNeeds::kFlightAndMass && !scene.body.mass)
-    throw core::usageError(
-        fmt::format("{}: {} needs a body with a mass; give the scene body.mass", option, quantity.name));
+  if (const std::string lack = scene::lackFor(quantity, scene); !lack.empty())
+    throw core::usageError(fmt::format("{}: {} {}", option, quantity.name, lack));
 }
 
 }  // namespace

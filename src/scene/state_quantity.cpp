@@ -8,6 +8,7 @@
 #include "physics/heavy_top.h"
 #include "physics/level_attitude.h"
 #include "physics/precession_cones.h"
+#include "physics/reference_point.h"
 
 namespace poinsot::scene {
 namespace {
@@ -102,6 +103,28 @@ double totalL(const RigidBodyState& s, const Basis& b) {
 }
 double totalLSize(const RigidBodyState& s, const Basis& b) { return size(flightOf(s, b).orbital_W) + size(s.L_W); }
 
+// ---- terms of the angular momentum about the origin, for a reference point K (eq 4)
+
+/// Returns the terms at the time of the state. Without a point K, all are NaN.
+physics::ReferencePointTerms termsOf(const RigidBodyState& s, const Basis& b) {
+  if (!b.thrown() || !b.thrown()->point) {
+    const Vector3d missing = Vector3d::Constant(kMissing);
+    return {missing, missing, missing, missing, missing, missing, missing};
+  }
+  const auto& [flight, mass_kg, point] = *b.thrown();
+  return physics::referencePointTerms(point->body, point->K_B,
+                                      {flight.positionAt(s.t_s), flight.velocityAt(s.t_s), Vector3d::Zero()}, s);
+}
+template <Vector3d physics::ReferencePointTerms::*term, int axis>
+double termOfK(const RigidBodyState& s, const Basis& b) {
+  return (termsOf(s, b).*term)[axis];
+}
+double termsSize(const RigidBodyState& s, const Basis& b) {
+  const physics::ReferencePointTerms terms = termsOf(s, b);
+  return size(terms.translation_W) + size(terms.turningCentre_W) + size(terms.displaced_W) +
+         size(terms.rotation_W);
+}
+
 // ---- energies; without the mass of the body, the energies of the flight are left out
 
 double orZero(double value) { return std::isnan(value) ? 0 : value; }
@@ -170,6 +193,13 @@ double psiRate(const RigidBodyState& s, const Basis& b) {
   return across == 0 ? kMissing : (k_W.dot(s.omega_W) - pole_W.dot(k_W) * pole_W.dot(s.omega_W)) / across;
 }
 
+// Eq (29). In the lecture, omega_3 >= 0.
+double bodyRate(const RigidBodyState& s, const Basis& b) {
+  if (s.omega_B.isZero(0)) return 0;
+  const auto cones = physics::precessionCones(b.axes().moments(), omega_P(s, b));
+  return cones ? cones->bodyRate : kMissing;
+}
+
 double planeHeight(const RigidBodyState& s, const Basis&) {
   return s.L_W.isZero(0) ? kMissing : s.omega_W.dot(s.L_W.normalized());
 }
@@ -187,6 +217,7 @@ using enum QuantityUnit;
 using enum QuantityBranch;
 using enum QuantityNeeds;
 using F = QuantityFamily;
+using Terms = physics::ReferencePointTerms;
 
 constexpr StateQuantity kQuantities[] = {
     {"t", "t", "time of the motion", kSecond, F::kTime, kSmooth, time},
@@ -228,6 +259,9 @@ constexpr StateQuantity kQuantities[] = {
      kRadianPerSecond, F::kOmega, kSmooth, phiRate, omegaSize},
     {"psi_rate", "\\dot{\\psi}", "rate of the spin psi; for a free symmetric body, -Omega_p (eq 29, 32)",
      kRadianPerSecond, F::kOmega, kSmooth, psiRate, omegaSize},
+    {"Omega_p", "\\Omega_p",
+     "rate at which omega goes round k on a symmetric body, (I3/I1 - 1) omega_3 with omega_3 > 0 (eq 29)",
+     kRadianPerSecond, F::kOmega, kSmooth, bodyRate, omegaSize, kSymmetricBody},
     {"h", "h", "height of the centre above the point of contact, 2T/|L|", kRadianPerSecond, F::kL, kSmooth,
      planeHeight, omegaSize},
     {"rho", "\\rho", "distance of the point of contact from L: radius of the herpolhode", kRadianPerSecond,
@@ -272,6 +306,33 @@ constexpr StateQuantity kQuantities[] = {
     {"L_total_z", "L_{\\mathrm{tot},z}",
      "total angular momentum R x P + L of a thrown body about the origin, along z", kAction, F::kL, kSmooth,
      totalL<2>, totalLSize, kFlightAndMass},
+    {"L_K_translation_x", "(\\mathbf{R}\\times M\\mathbf{V})_x", "R x M V of the point K, a term of eq 4, along x",
+     kAction, F::kL, kSmooth, termOfK<&Terms::translation_W, 0>, termsSize, kFlightByPoint},
+    {"L_K_translation_y", "(\\mathbf{R}\\times M\\mathbf{V})_y", "R x M V of the point K, a term of eq 4, along y",
+     kAction, F::kL, kSmooth, termOfK<&Terms::translation_W, 1>, termsSize, kFlightByPoint},
+    {"L_K_translation_z", "(\\mathbf{R}\\times M\\mathbf{V})_z", "R x M V of the point K, a term of eq 4, along z",
+     kAction, F::kL, kSmooth, termOfK<&Terms::translation_W, 2>, termsSize, kFlightByPoint},
+    {"L_K_mixed_1_x", "(\\mathbf{R}\\times(\\boldsymbol{\\omega}\\times M\\mathbf{c}))_x",
+     "R x (omega x M c) of the point K, a term of eq 4, along x", kAction, F::kL, kSmooth,
+     termOfK<&Terms::turningCentre_W, 0>, termsSize, kFlightByPoint},
+    {"L_K_mixed_1_y", "(\\mathbf{R}\\times(\\boldsymbol{\\omega}\\times M\\mathbf{c}))_y",
+     "R x (omega x M c) of the point K, a term of eq 4, along y", kAction, F::kL, kSmooth,
+     termOfK<&Terms::turningCentre_W, 1>, termsSize, kFlightByPoint},
+    {"L_K_mixed_1_z", "(\\mathbf{R}\\times(\\boldsymbol{\\omega}\\times M\\mathbf{c}))_z",
+     "R x (omega x M c) of the point K, a term of eq 4, along z", kAction, F::kL, kSmooth,
+     termOfK<&Terms::turningCentre_W, 2>, termsSize, kFlightByPoint},
+    {"L_K_mixed_2_x", "(M\\mathbf{c}\\times\\mathbf{V})_x", "M c x V of the point K, a term of eq 4, along x",
+     kAction, F::kL, kSmooth, termOfK<&Terms::displaced_W, 0>, termsSize, kFlightByPoint},
+    {"L_K_mixed_2_y", "(M\\mathbf{c}\\times\\mathbf{V})_y", "M c x V of the point K, a term of eq 4, along y",
+     kAction, F::kL, kSmooth, termOfK<&Terms::displaced_W, 1>, termsSize, kFlightByPoint},
+    {"L_K_mixed_2_z", "(M\\mathbf{c}\\times\\mathbf{V})_z", "M c x V of the point K, a term of eq 4, along z",
+     kAction, F::kL, kSmooth, termOfK<&Terms::displaced_W, 2>, termsSize, kFlightByPoint},
+    {"L_K_rotation_x", "(I_K\\boldsymbol{\\omega})_x", "I_K omega of the point K, a term of eq 4, along x",
+     kAction, F::kL, kSmooth, termOfK<&Terms::rotation_W, 0>, termsSize, kFlightByPoint},
+    {"L_K_rotation_y", "(I_K\\boldsymbol{\\omega})_y", "I_K omega of the point K, a term of eq 4, along y",
+     kAction, F::kL, kSmooth, termOfK<&Terms::rotation_W, 1>, termsSize, kFlightByPoint},
+    {"L_K_rotation_z", "(I_K\\boldsymbol{\\omega})_z", "I_K omega of the point K, a term of eq 4, along z",
+     kAction, F::kL, kSmooth, termOfK<&Terms::rotation_W, 2>, termsSize, kFlightByPoint},
     {"T_cm", "T_\\mathrm{cm}", "kinetic energy of the centre of mass of a thrown body, M V^2/2", kJoule,
      F::kEnergy, kSmooth, energyOfFlight, energySize, kFlightAndMass},
     {"T_total", "T_\\mathrm{tot}", "total kinetic energy of a thrown body, T_cm + T", kJoule, F::kEnergy, kSmooth,

@@ -10,16 +10,25 @@
 #include "core/abi.h"
 #include "physics/flight_path.h"
 #include "physics/forcing.h"
+#include "physics/mass_properties.h"
 #include "physics/principal_axes.h"
 #include "physics/rigid_body_state.h"
 #include "scene/units.h"
 
 namespace poinsot::scene {
 
-/// Flight of a thrown body, and its mass. Without a mass (NaN), momentum and energy of the flight are NaN.
+/// Point K by which a body is thrown (eq 4), in B, m, and the masses of this body.
+struct ThrownPoint {
+  physics::MassProperties body;
+  Eigen::Vector3d K_B;
+};
+
+/// Flight of a thrown body, and its mass. Without a mass (NaN), momentum and energy of the flight are NaN. Without
+/// a point K, so are the terms of eq (4).
 struct ThrownBody {
   physics::FlightPath flight;
   double mass_kg = std::numeric_limits<double>::quiet_NaN();
+  std::optional<ThrownPoint> point = {};
 };
 
 /// Body, forcing and body axis k, from which the quantities of a state are computed. The axis k is:
@@ -73,8 +82,8 @@ enum class QuantityUnit {
   kBare
 };
 
-/// Requirement of a quantity on the scene: none, a flight, or a flight and a mass.
-enum class QuantityNeeds { kNothing, kFlight, kFlightAndMass };
+/// Requirement of a quantity on the scene.
+enum class QuantityNeeds { kNothing, kFlight, kFlightAndMass, kFlightByPoint, kSymmetricBody };
 
 struct StateQuantity {
   std::string_view name;  ///< name in a scene, such as "omega_1"
@@ -108,6 +117,7 @@ const StateQuantity& stateQuantity(int index);
 /// @pre index of a quantity.
 std::string quantityTex(int index, const physics::Forcing& forcing);
 
-static_assert(core::laidOut<ThrownBody, 96>());
+static_assert(core::laidOut<ThrownBody, 232>());
+static_assert(core::laidOut<ThrownPoint, 128>());
 
 }  // namespace poinsot::scene

@@ -213,11 +213,14 @@ TEST(ChosenColumns, RejectUnknownRepeatedAndImpossibleNames) {
   EXPECT_THAT(refusedWith(free, {"zzzzzzzz"}), Not(HasSubstr("did you mean")));
   EXPECT_THAT(refusedWith(free, {"theta", ""}), HasSubstr("no quantity has the name ''"));
   EXPECT_THAT(refusedWith(free, {"theta", "phi", "theta"}), HasSubstr("theta is given twice"));
-  EXPECT_THAT(refusedWith(free, {"R_x"}), HasSubstr("R_x exists only for a thrown body; give the scene a table"));
+  EXPECT_THAT(refusedWith(free, {"R_x"}), HasSubstr("R_x exists only for a thrown body; give [motion.flight]"));
   const scene::Scene noMass =
       sceneOf(sceneText("[1, 2, 2.5]", "[0.1, 3, 0.2]", "[motion.flight]\nvelocity = [1, 0, 1]\n"));
   EXPECT_EQ(refusedWith(noMass, {"R_x", "V_z"}), "");
   EXPECT_THAT(refusedWith(noMass, {"P_x"}), HasSubstr("P_x needs a body with a mass"));
+  EXPECT_THAT(refusedWith(noMass, {"L_K_mixed_1_x"}), HasSubstr("thrown by a point; give motion.flight.point"));
+  EXPECT_THAT(refusedWith(free, {"Omega_p"}),
+              HasSubstr("Omega_p exists only for a symmetric body; give two equal"));
 }
 
 TEST(NamesIn, SplitAtCommasAndDropBlanks) {

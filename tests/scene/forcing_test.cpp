@@ -253,6 +253,16 @@ TEST(Flight, QuantitiesOfAFlightNeedAThrownBody) {
   EXPECT_EQ(problems(kBare + thrown + "[[plot]]\nquantities=['R_x', 'R_z']\n"), "");
   EXPECT_THAT(problems(kBare + thrown + "[[readout]]\nquantity='T_cm'\n"),
               HasSubstr("readout[0].quantity: \"T_cm\" needs a body with a mass"));
+  EXPECT_EQ(problems(kBare + thrown + "[[plot]]\nquantities=['L_K_rotation_x']\n"),
+            "plot[0].quantities: \"L_K_rotation_x\" exists only for a body that is thrown by a point; give "
+            "motion.flight.point\n");
+}
+
+TEST(Flight, AProblemOfTheBodyIsNotReportedAgainAtAQuantity) {
+  EXPECT_EQ(
+      problems("[body]\nshape='box'\nsize=[1, 2, 3]\nmass=-1\n[motion]\nomega_body=[1, 2, 3]\n[motion.flight]\n"
+               "velocity=[1, 0, 2]\n[[plot]]\nquantities=['P_x']\n"),
+      "body.mass: must be positive, got -1\n");
 }
 
 // A picture whose camera goes with the body may repeat.

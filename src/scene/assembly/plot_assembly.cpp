@@ -7,6 +7,7 @@
 
 #include "core/text.h"
 #include "scene/body_matrix.h"
+#include "scene/motion/quantity_basis.h"
 #include "scene/state_quantity.h"
 
 namespace poinsot::scene {
@@ -23,14 +24,14 @@ void require(const std::string& path, const char* example, Findings& findings) {
   if (!findings.has(path)) findings.refuseMissing(path, path, fmt::format("is required, such as {}", example));
 }
 
-/// Reports a problem if the quantity exists only for a thrown body, or needs a mass, and the scene has none.
+/// Reports a problem if the scene lacks what the quantity needs.
 void checkExists(int quantity, const std::string& path, const Scene& scene, Findings& findings) {
   const StateQuantity& q = stateQuantity(quantity);
-  if (q.needs == QuantityNeeds::kNothing) return;
-  if (!scene.motion.flight)
-    findings.refuse(path, fmt::format("\"{}\" exists only for a thrown body; give [motion.flight]", q.name));
-  else if (q.needs == QuantityNeeds::kFlightAndMass && massIsUnknown(findings))
-    findings.refuse(path, fmt::format("\"{}\" {}", q.name, kNeedsMass));
+  const std::string lack = lackFor(q, scene);
+  // A body with a problem has no mass here, and its problem is already reported.
+  const bool bodyFailed = !scene.body.mass && !massIsUnknown(findings);
+  if (lack.empty() || (scene.motion.flight && bodyFailed)) return;
+  findings.refuse(path, fmt::format("\"{}\" {}", q.name, lack));
 }
 
 void checkUnits(const Plot& plot, const std::string& path, Findings& findings) {

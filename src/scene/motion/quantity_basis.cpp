@@ -3,17 +3,41 @@
 
 #include <optional>
 
+#include "physics/precession_cones.h"
+
 namespace poinsot::scene {
 namespace {
 
 std::optional<ThrownBody> thrownBody(const Scene& scene) {
   if (!scene.motion.flight) return std::nullopt;
   ThrownBody thrown{.flight = *scene.motion.flight};
-  if (scene.body.mass) thrown.mass_kg = scene.body.mass->mass_kg();
+  if (!scene.body.mass) return thrown;
+  thrown.mass_kg = scene.body.mass->mass_kg();
+  if (scene.motion.thrownBy_B) thrown.point = {*scene.body.mass, *scene.motion.thrownBy_B};
   return thrown;
 }
 
 }  // namespace
+
+std::string lackFor(const StateQuantity& quantity, const Scene& scene) {
+  const Motion& motion = scene.motion;
+  switch (quantity.needs) {
+    case QuantityNeeds::kNothing:
+      return "";
+    case QuantityNeeds::kSymmetricBody: {
+      const auto cones = physics::precessionCones(scene.body.axes.moments(), Eigen::Vector3d::UnitZ());
+      return cones ? "" : "exists only for a symmetric body; give two equal principal moments";
+    }
+    default:
+      break;
+  }
+  if (!motion.flight) return "exists only for a thrown body; give [motion.flight]";
+  if (quantity.needs == QuantityNeeds::kFlightByPoint && !motion.thrownBy_B)
+    return "exists only for a body that is thrown by a point; give motion.flight.point";
+  if (quantity.needs != QuantityNeeds::kFlight && !scene.body.mass)
+    return "needs a body with a mass; give body.mass in addition to the moments of inertia";
+  return "";
+}
 
 QuantityBasis quantityBasis(const Scene& scene, const physics::Motion& motion) {
   const physics::RigidBodyState start = motion.at(scene.time.start_s);
