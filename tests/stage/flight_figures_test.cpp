@@ -111,6 +111,26 @@ TEST(FlightFigure, ArrowsShowPositionVelocityAndWeight) {
   }
 }
 
+// The point K is the first mass, 1.5 kg. R and V of the scene are then those of K, and r is measured from it (eq
+// 4).
+TEST(FlightFigure, ArrowsShowPositionAndVelocityOfThePointThatIsThrown) {
+  const Scenery s(replaced(kFiveMasses, "gravity", "point = [0.5, -1.25, 0.75]\ngravity") + kBare +
+                  "flight.scale = 1\n[[vector]]\nposition_of = [1.75, 0.5, -0.25]\n");
+  const FlightFigure figure(s.setting);
+  const PictureState start = s.motion.at(0);
+  const Vector3d K = figure.point_V(start);
+  EXPECT_LT((K - figure.origin_V(start) - s.scales.flight * kStart).norm(), 1e-14);
+  EXPECT_LT((figure.velocityTip_V(start) - K - s.scales.velocity * kVelocity).norm(), 1e-14);
+  const NamedVectorFigure r(s.setting, s.scene.vectors.at(0));
+  for (const double t : kTimes_s) {
+    const PictureState state = s.motion.at(t);
+    const NamedVectorFigure::Arrow arrow = r.arrow(state);
+    EXPECT_EQ(arrow.from_V, figure.point_V(state));
+    EXPECT_LT((arrow.tip_V - arrow.from_V - s.scales.body * (state.R_VB * Vector3d(1.25, 1.75, -1))).norm(),
+              1e-14);
+  }
+}
+
 // The eye's place in space does not depend on the time; the body, at V's origin, goes along the parabola.
 TEST(FlightFigure, TheCameraIsFixedInSpace) {
   const std::string text = kFiveMasses + kBare;

@@ -52,7 +52,7 @@ std::vector<Key> vectorKeys() {
        .range = kPositions,
        .example = "[0.3, 0, 0.1]",
        .help = "Point of the body to which the arrow leads. The arrow starts at the point that the body turns "
-               "about. Use position_of instead of `components`.",
+               "about, or at motion.flight.point if the scene gives it. Use position_of instead of `components`.",
        .put = intoVector([](VectorDraft& v) { return &v.position; })},
       {.path = "vector[].velocity_of",
        .type = kVector,

@@ -34,6 +34,7 @@ enum class LabelName {
   kV,
   kWeight,
   kOrigin,
+  kReferencePoint,
   kOrbitalL,
   kTotalL,
   kTorqueAboutOrigin,

@@ -33,13 +33,14 @@ void Canvas::line(const std::vector<Vector3d>& points_V, bool closed, const draw
   list.curves.push_back(std::move(curve));
 }
 
-void Canvas::dashes(const Vector3d& from_V, const Vector3d& to_V, const draw::Color& color, double width) const {
+void Canvas::dashes(const Vector3d& from_V, const Vector3d& to_V, const draw::Color& color, double width,
+                    double lift) const {
   const double length = (to_V - from_V).norm();
   const int pieces =
       2 * static_cast<int>(std::round(0.5 * (length / kDash - 1))) + 1;  // an odd number, to end with a dash
   for (int i = 0; i < pieces; i += 2)
-    line({from_V + (to_V - from_V) * i / pieces, from_V + (to_V - from_V) * (i + 1) / pieces}, false, color,
-         width);
+    line({from_V + (to_V - from_V) * i / pieces, from_V + (to_V - from_V) * (i + 1) / pieces}, false, color, width,
+         lift);
 }
 
 void Canvas::arrow(const Vector3d& tip_V, double radius, const draw::Color& color) const {

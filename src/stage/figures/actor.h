@@ -44,8 +44,9 @@ struct Canvas {
   void line(const std::vector<Eigen::Vector3d>& points_V, bool closed, const draw::Color& color, double width = 1,
             double lift = 0.004) const;
   /// Adds a straight dashed line that begins and ends with a dash.
+  /// @param lift  as for line(); a lift of the body's extent keeps a line inside the body visible
   void dashes(const Eigen::Vector3d& from_V, const Eigen::Vector3d& to_V, const draw::Color& color,
-              double width = 1) const;
+              double width = 1, double lift = 0.004) const;
   /// Adds an arrow from the origin, with a shaft of the given radius.
   void arrow(const Eigen::Vector3d& tip_V, double radius, const draw::Color& color) const;
   void dot(const Eigen::Vector3d& at_V, double radius, const draw::Color& color) const;

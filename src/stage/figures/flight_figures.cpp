@@ -28,12 +28,16 @@ Vector3d unitOrZero(const Vector3d& v) { return v.isZero(0) ? v : Vector3d(v.nor
 FlightFigure::FlightFigure(const Setting& setting)
     : motion_(setting.motion),
       scale_(setting.scales.flight),
+      bodyScale_(setting.scales.body),
       velocityScale_(setting.scales.velocity),
+      point_B_(Vector3d::Zero()),
+      byPoint_(setting.scene.motion.thrownBy_B),
       position_(setting.scene.show.figures.flight.position),
       velocity_(setting.scene.show.figures.flight.velocity),
       weight_(setting.scene.show.figures.flight.weight),
       follows_(setting.scene.camera.follow) {
   POINSOT_EXPECT(motion_.flight());
+  if (byPoint_) point_B_ = *setting.scene.motion.thrownBy_B - setting.scene.body.fixedPoint_B();
   weight_W_ = kWeight * unitOrZero(motion_.flight()->gravity_W);
 }
 
@@ -52,20 +56,26 @@ void FlightFigure::add(const Canvas& canvas, double filmTime_s, const PictureSta
     canvas.line(path_V(state, trail.now, trail.end), false, mixed(color, canvas.colors.paper, kPale), 1.4);
   if (trail.now > trail.from) canvas.line(path_V(state, trail.from, trail.now), false, color, 2.2);
   canvas.dot(Vector3d::Zero(), kCentreDot, canvas.colors.ink);
+  const Vector3d point = point_V(state), velocityTip = velocityTip_V(state);
+  if (byPoint_) {
+    canvas.dot(point, kCentreDot, canvas.colors.ink);
+    canvas.point("K", point);
+    canvas.label(scene::LabelName::kReferencePoint, point, velocityTip, canvas.colors.ink);
+  }
   if (position_) {
     const Vector3d origin = origin_V(state);
     canvas.dot(origin, kCentreDot, canvas.colors.ink);
     canvas.point("origin", origin);
     canvas.label(scene::LabelName::kOrigin, origin, Vector3d::Zero(), canvas.colors.ink);
-    canvas.arrowFrom(origin, Vector3d::Zero(), kFlightArrowRadius, canvas.colors.ink);
+    canvas.arrowFrom(origin, point, kFlightArrowRadius, canvas.colors.ink);
     const double most = follows_ ? kNearBody / std::max(origin.norm(), kNearBody) : 1;
-    canvas.label(scene::LabelName::kR, std::min(kNameOfR, most) * origin, origin + Vector3d::UnitX(),
-                 canvas.colors.ink);
+    canvas.label(scene::LabelName::kR, point + std::min(kNameOfR, most) * (origin - point),
+                 origin + Vector3d::UnitX(), canvas.colors.ink);
   }
-  if (velocity_ && !state.velocity_V.isZero(0)) {
-    canvas.arrow(velocityTip_V(state), kFlightArrowRadius, color);
-    canvas.point("V", velocityTip_V(state));
-    canvas.label(scene::LabelName::kV, velocityTip_V(state), Vector3d::Zero(), color);
+  if (velocity_ && velocityTip != point) {
+    canvas.arrowFrom(point, velocityTip, kFlightArrowRadius, color);
+    canvas.point("V", velocityTip);
+    canvas.label(scene::LabelName::kV, velocityTip, point, color);
   }
   if (weight_ && !weight_W_.isZero(0)) {
     canvas.arrow(weightTip_V(state), kFlightArrowRadius, canvas.colors.torque);
@@ -75,7 +85,7 @@ void FlightFigure::add(const Canvas& canvas, double filmTime_s, const PictureSta
 }
 
 std::vector<Vector3d> FlightFigure::outermostPoints(const PictureState& state) const {
-  std::vector<Vector3d> points{Vector3d::Zero()};
+  std::vector<Vector3d> points{Vector3d::Zero(), point_V(state)};
   if (position_ && !follows_) points.push_back(origin_V(state));
   if (velocity_) points.push_back(velocityTip_V(state));
   if (weight_) points.push_back(weightTip_V(state));

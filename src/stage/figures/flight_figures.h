@@ -6,7 +6,8 @@
 namespace poinsot::stage {
 
 /// Actor for the flight of a thrown body (eq 1). Draws the path of the centre of mass, the arrow R from the origin
-/// of space to the centre of mass, the velocity V and the weight.
+/// of space to the centre of mass, the velocity V and the weight. If the scene throws the body by a point K (eq
+/// 4), R and V are those of K.
 class FlightFigure final : public Actor {
  public:
   /// @pre the body moves through the view: setting.motion.flight().
@@ -18,15 +19,19 @@ class FlightFigure final : public Actor {
   Eigen::Vector3d origin_V(const PictureState& state) const { return -scale_ * state.centre_V; }
   /// Returns the path between two played times, in V.
   std::vector<Eigen::Vector3d> path_V(const PictureState& state, double from_s, double to_s) const;
-  /// Return the tips of the arrows V and M g, which begin at the centre of mass.
-  Eigen::Vector3d velocityTip_V(const PictureState& state) const { return velocityScale_ * state.velocity_V; }
+  /// Returns the point whose R and V are drawn: the centre of mass, or K.
+  Eigen::Vector3d point_V(const PictureState& state) const { return bodyScale_ * (state.R_VB * point_B_); }
+  /// Return the tips of the arrows V, which begins at this point, and M g, which begins at the centre of mass.
+  Eigen::Vector3d velocityTip_V(const PictureState& state) const {
+    return point_V(state) + velocityScale_ * state.velocityAt(point_B_);
+  }
   Eigen::Vector3d weightTip_V(const PictureState& state) const { return state.R_VW * weight_W_; }
 
  private:
   const PictureMotion& motion_;
-  double scale_, velocityScale_;
-  Eigen::Vector3d weight_W_;
-  bool position_, velocity_, weight_;
+  double scale_, bodyScale_, velocityScale_;
+  Eigen::Vector3d point_B_, weight_W_;
+  bool byPoint_, position_, velocity_, weight_;
   bool follows_;  // true if the camera follows the body; the origin of space may be outside the picture
 };
 

@@ -14,7 +14,8 @@ using Eigen::Vector3d;
 using scene::Direction;
 
 constexpr double kArrowRadius = 0.016;
-constexpr double kArcShare = 0.72;  // radius of an arc, as a fraction of the shorter arrow
+constexpr double kHiddenWidth = 1.4;  // width of the dashes of an arrow in the body
+constexpr double kArcShare = 0.72;    // radius of an arc, as a fraction of the shorter arrow
 constexpr double kVertical = 1.15;
 constexpr double kSpaceAxisReach = 1.15;  // length of a space axis, as a multiple of Scales::reach
 constexpr int kArcPoints = 48;
@@ -79,9 +80,12 @@ struct MakeArrow {
     };
   }
 
+  /// The arrow r starts at the point K by which the scene throws the body (eq 4), otherwise at the fixed point.
   ArrowOf operator()(const scene::PositionVector& vector) const {
-    return [tip_B = Vector3d(scale * place_B(vector.point_B))](const PictureState& state) {
-      return Arrow{Vector3d::Zero(), state.R_VB * tip_B};
+    const Vector3d from_B = place_B(setting.scene.motion.thrownBy_B.value_or(setting.scene.body.fixedPoint_B()));
+    const Vector3d tip_B = from_B + scale * (place_B(vector.point_B) - from_B);
+    return [from_B, tip_B, extent = 2 * setting.scales.reach](const PictureState& state) {
+      return Arrow{.from_V = state.R_VB * from_B, .tip_V = state.R_VB * tip_B, .inBody_V = extent};
     };
   }
 
@@ -159,6 +163,7 @@ void NamedVectorFigure::add(const Canvas& canvas, double /*filmTime_s*/, const P
   const Arrow now = arrow(state);
   const draw::Color color = colorOf(canvas.colors, vector_.color);
   canvas.arrowFrom(now.from_V, now.tip_V, kArrowRadius, color);
+  if (now.inBody_V > 0) canvas.dashes(now.from_V, now.tip_V, color, kHiddenWidth, now.inBody_V);
   canvas.point(pointName_, now.tip_V);
   if (now.corner_V) {
     canvas.dashes(now.from_V, *now.corner_V, color);

@@ -37,6 +37,7 @@ class NamedVectorFigure final : public Actor {
     /// Point where the two parts of a body point's velocity, V and omega × r, meet. Set only while the body moves
     /// through the view.
     std::optional<Eigen::Vector3d> corner_V = {};
+    double inBody_V = 0;  ///< extent of the body in which the arrow may be hidden; it is then dashed
   };
   Arrow arrow(const PictureState& state) const { return arrow_(state); }
 
