@@ -61,9 +61,11 @@ struct ShownFigures {
     bool visible = true;
     std::optional<double> scale;  ///< scale of the path; nullopt for a scale at which the body is visible
     bool position = true, velocity = true, weight = false;
-  } flight;      ///< path of a thrown body through the views of space
-  Drawn forces;  ///< forces at points of the body, while they act
-  Drawn table;   ///< table on which a cone rolls, with the line of contact
+  } flight;  ///< path of a thrown body through the views of space
+  struct : Drawn {
+    bool arms = false;  ///< whether the position r of each point is drawn too
+  } forces;             ///< forces at points of the body, while they act
+  Drawn table;          ///< table on which a cone rolls, with the line of contact
   struct : Extra {
     bool torque = false;  ///< whether the torque about the origin is drawn
   } totalL;               ///< angular momentum of a thrown body about the origin, and its parts

@@ -6,6 +6,7 @@
 
 #include "scene_samples.h"
 #include "scenery.h"
+#include "stage/stage.h"
 #include "stage/timed_motion.h"
 
 namespace poinsot::stage {
@@ -58,6 +59,20 @@ TEST(ForcesFigure, IsDrawnOnlyWhileItActsButAlwaysFramed) {
   EXPECT_FALSE(figure.acts(0, s.motion.at(2.5)));
   EXPECT_TRUE(figure.acts(1, s.motion.at(1.0015)));
   EXPECT_EQ(figure.outermostPoints(s.motion.at(0)).size(), 4u);
+}
+
+TEST(ForcesFigure, HasArmsIfTheSceneAsksForThem) {
+  const auto names = [](const std::string& keys) {
+    const std::string text = kBox + force("at = [1.5, 0, 0]\nbody = [0, 3, 0]\nto = 2\n") +
+                             force("at = [0, 1, 0]\nbody = [3, 0, 0]\nfrom = 2\n") + keys;
+    std::vector<std::string> found;
+    const draw::Picture picture = Stage(scene::parseScene(text, "arms.toml")).compose(1, {960, 540});
+    for (const draw::Text& label : picture.panels.at(0).list.texts)
+      if (label.tex.find("mathbf{r}") != std::string::npos) found.push_back(label.tex);
+    return found;
+  };
+  EXPECT_EQ(names(""), std::vector<std::string>());
+  EXPECT_EQ(names("[show]\nforces.arms = true\n"), std::vector<std::string>{"$\\mathbf{r}_1$"});
 }
 
 TEST(ForcesFigure, IsAnActorOnlyIfThereAreForces) {

@@ -278,7 +278,7 @@ std::vector<Key> vectorKeys(const ShowTable& table) {
   const FigureKeys torque(table, "torque"), forces(table, "forces"), plane(table, "plane_of_L");
   return {
       torque.visible(
-          "The torque on the body: gravity, given torques and drag together.",
+          "The torque on the body: gravity, given torques, forces at points and drag together.",
           [](ShownFigures & f) -> auto& { return f.torque.visible; }),
       torque.scale(
           "Factor on the length of the torque's arrow. The length is relative to the largest torque of the film.",
@@ -290,6 +290,12 @@ std::vector<Key> vectorKeys(const ShowTable& table) {
       forces.scale(
           "Factor on the lengths of the forces' arrows. The lengths are relative to the largest of the forces.",
           [](ShownFigures & f) -> auto& { return f.forces.scale; }),
+      forces.flag(
+          "arms", false,
+          "An arrow r to the point of each force, while the force acts. It starts at the point that the body "
+          "turns "
+          "about, so that r x F is the force's torque.",
+          [](ShownFigures & f) -> auto& { return f.forces.arms; }),
       plane.visible(
           "The plane that contains L and omega. The axis of a symmetric top lies in this plane too.",
           [](ShownFigures & f) -> auto& { return f.planeOfL.visible; }),
@@ -346,10 +352,14 @@ std::vector<Key> flightKeys(const ShowTable& table) {
                "shortens the path until the body can be seen.",
        .put = key.put([](ShownFigures & f) -> auto& { return f.flight.scale; })},
       key.flag(
-          "position", true, "The arrow R from the origin to the centre of mass.",
+          "position", true,
+          "The arrow R from the origin to the centre of mass, or to the point motion.flight.point if the scene "
+          "gives "
+          "it.",
           [](ShownFigures & f) -> auto& { return f.flight.position; }),
       key.flag(
-          "velocity", true, "The velocity V of the centre of mass.",
+          "velocity", true,
+          "The velocity V of the centre of mass, or of the point motion.flight.point if the scene gives it.",
           [](ShownFigures & f) -> auto& { return f.flight.velocity; }),
       key.flag(
           "weight", false,

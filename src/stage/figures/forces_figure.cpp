@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/figures/forces_figure.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "core/expect.h"
@@ -14,11 +16,20 @@ constexpr double kForceRadius = 0.019;
 constexpr double kLongestForce = 0.75;
 constexpr double kInwards = 1e-9;  // smallest sine of the angle by which a force leads into the body
 
+constexpr double kArmRadius = 0.012;
+constexpr double kNameOfArm = 0.55;
+constexpr double kArmDashes = 1.4;
+
+std::string armName(std::size_t i, std::size_t count) {
+  return count == 1 ? "$\\mathbf{r}$" : fmt::format("$\\mathbf{{r}}_{}$", i + 1);
+}
+
 double sizeOf(const physics::PointForce& force) { return force.force_B.norm() + force.force_W.norm(); }
 
 }  // namespace
 
-ForcesFigure::ForcesFigure(const Setting& setting) {
+ForcesFigure::ForcesFigure(const Setting& setting)
+    : arms_(setting.scene.show.figures.forces.arms), extent_(2 * setting.scales.reach) {
   const scene::Motion& motion = setting.scene.motion;
   double largest = 0;
   for (const physics::PointForce& force : motion.forcing.forces) largest = std::max(largest, sizeOf(force));
@@ -33,7 +44,8 @@ ForcesFigure::ForcesFigure(const Setting& setting) {
                 force.from_s,
                 force.to_s,
                 false,
-                motion.forceNames[i]};
+                motion.forceNames[i],
+                armName(i, motion.forcing.forces.size())};
     drawn.endsAtPoint = leadsInwards(setting, states, drawn);
     forces_.push_back(std::move(drawn));
   }
@@ -78,7 +90,16 @@ void ForcesFigure::add(const Canvas& canvas, double /*filmTime_s*/, const Pictur
     canvas.arrowFrom(arrow.from_V, arrow.tip_V, kForceRadius, canvas.colors.torque);
     const Vector3d& point = arrow.endsAtPoint ? arrow.tip_V : arrow.from_V;
     canvas.label(forces_[i].name, arrow.endsAtPoint ? arrow.from_V : arrow.tip_V, point, canvas.colors.torque);
+    if (arms_) addArm(canvas, forces_[i], state);
   }
+}
+
+void ForcesFigure::addArm(const Canvas& canvas, const Drawn& force, const PictureState& state) const {
+  const Vector3d tip = state.R_VB * force.point_B, middle = kNameOfArm * tip;
+  if (tip.isZero(0)) return;
+  canvas.arrow(tip, kArmRadius, canvas.colors.ink);
+  canvas.dashes(Vector3d::Zero(), tip, canvas.colors.ink, kArmDashes, extent_);  // for the part in the body
+  canvas.label(force.armName, middle, middle + along_V(force, state), canvas.colors.ink);
 }
 
 std::vector<Vector3d> ForcesFigure::outermostPoints(const PictureState& state) const {

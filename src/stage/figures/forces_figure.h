@@ -9,7 +9,7 @@ namespace poinsot::stage {
 
 /// Actor for the forces at points of the body (eq 8, 9). A force is an arrow at its point while the force acts.
 /// Its length is relative to the largest of the forces. The arrow begins at the point. If it would lead into the
-/// body, it ends at the point instead.
+/// body, it ends at the point instead. With `arms`, an arrow r from the fixed point leads to the point.
 class ForcesFigure final : public Actor {
  public:
   struct Arrow {
@@ -34,13 +34,17 @@ class ForcesFigure final : public Actor {
     Eigen::Vector3d point_B, force_B, force_W;  // in picture lengths
     double from_s, to_s;
     bool endsAtPoint;
-    std::string name;
+    std::string name, armName;
   };
 
   Eigen::Vector3d along_V(const Drawn& force, const PictureState& state) const;
   bool leadsInwards(const Setting& setting, const std::vector<PictureState>& states, const Drawn& force) const;
 
+  void addArm(const Canvas& canvas, const Drawn& force, const PictureState& state) const;
+
   std::vector<Drawn> forces_;
+  bool arms_;
+  double extent_;
 };
 
 }  // namespace poinsot::stage
