@@ -11,6 +11,7 @@
 #include "scenery.h"
 #include "stage/figures/ghosts_figure.h"
 #include "stage/figures/plane_of_L_figure.h"
+#include "stage/figures/triad_figure.h"
 #include "stage/figures/vector_figures.h"
 #include "stage/palette.h"
 #include "stage/stage.h"
@@ -139,6 +140,20 @@ TEST(PlaneOfL, ContainsLOmegaAndTheAxis) {
       const double x = (p - c[0]).dot(u) / u.squaredNorm(), y = (p - c[0]).dot(v) / v.squaredNorm();
       EXPECT_TRUE(x > 0 && x < 1 && y > 0 && y < 1) << x << " " << y;
     }
+  }
+}
+
+TEST(PlaneOfL, ReachesBeyondTheAxesIAndK) {
+  const Scenery s(kTop + "[show.plane_of_L]\nvisible = true\n[show.triad]\nvisible = true\nscale = 3\n");
+  const PictureState state = s.motion.at(1);
+  const std::vector<Vector3d> c = PlaneOfLFigure(s.setting).corners_V(state);
+  ASSERT_EQ(c.size(), 4u);
+  const Eigen::Matrix3d axes = TriadFigure(s.setting).axes_V(state);
+  const Vector3d u = c[1] - c[0], v = c[3] - c[0];
+  for (const int axis : {0, 2}) {
+    const Vector3d p = axes.col(axis) - c[0];
+    const double x = p.dot(u) / u.squaredNorm(), y = p.dot(v) / v.squaredNorm();
+    EXPECT_TRUE(x > 0 && x < 1 && y < 1) << x << " " << y;
   }
 }
 

@@ -2,8 +2,10 @@
 #include "stage/figures/plane_of_L_figure.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "stage/figures/symmetric_top.h"
+#include "stage/figures/triad_figure.h"
 #include "stage/to_picture.h"
 
 namespace poinsot::stage {
@@ -20,14 +22,14 @@ constexpr double kParallel = 1e-6;    // rad; at smaller angles, rounding errors
 PlaneOfLFigure::PlaneOfLFigure(const Setting& setting)
     : opacity_(setting.scene.show.figures.planeOfL.opacity), along_(0), across_(0) {
   const Vector3d k_P = mainAxis_P(setting.motion);
-  const double axis = setting.axisLengths.dot(k_P.cwiseAbs());
+  const double i = triadLength(setting), k = std::max(i, setting.axisLengths.dot(k_P.cwiseAbs()));
   for (const PathPoint& p : setting.motion.outline()) {
     const PictureState state = setting.motion.atPlayed(p.played_s);
     if (state.L_V.isZero(0)) continue;
     const Vector3d l = state.L_V.normalized(), omega = setting.scales.omega * state.omega_V;
-    const Vector3d k = axis * (state.R_VP * k_P);
-    along_ = std::max({along_, setting.scales.L * state.L_V.norm(), omega.dot(l), k.dot(l)});
-    across_ = std::max({across_, omega.cross(l).norm(), k.cross(l).norm()});
+    const double cosine = l.dot(state.R_VP * k_P), sine = l.cross(state.R_VP * k_P).norm();
+    along_ = std::max({along_, setting.scales.L * state.L_V.norm(), omega.dot(l), k * cosine, i * sine});
+    across_ = std::max({across_, omega.cross(l).norm(), k * sine, i * std::abs(cosine)});
   }
   const double size = kSheetReach * setting.scene.show.figures.planeOfL.scale;
   along_ *= size;

@@ -19,9 +19,14 @@ constexpr double kLeastSide = 0.06;   // a shorter component has no room for its
 
 }  // namespace
 
+double triadLength(const Setting& setting) {
+  const auto& triad = setting.scene.show.figures.triad;
+  return triad.visible ? kTriadReach * setting.scales.reach * triad.scale : 0;
+}
+
 TriadFigure::TriadFigure(const Setting& setting)
     : cones_(triadOf(setting.motion, "show.triad.visible")),
-      length_(kTriadReach * setting.scales.reach * setting.scene.show.figures.triad.scale),
+      length_(triadLength(setting)),
       omegaScale_(setting.scales.omega),
       components_(setting.scene.show.figures.triad.components),
       namesK_(!setting.scene.show.figures.mainAxis.visible) {}

@@ -6,6 +6,9 @@
 
 namespace poinsot::stage {
 
+/// Returns the length of the axes i, j, k in the picture; 0 if the scene does not show them.
+double triadLength(const Setting& setting);
+
 /// Actor for the lecture's axes i, j, k of a free symmetric top (eq 19), with i in the plane of L and k. Also
 /// draws omega_1 along i and omega_3 along k, the sides of a rectangle whose diagonal is omega.
 class TriadFigure final : public Actor {
