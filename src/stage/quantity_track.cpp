@@ -52,6 +52,15 @@ constexpr double kFlat = 1e-5;  // change relative to the value; smaller changes
 
 double largestOf(const QuantityRange& range) { return std::max(std::abs(range.low), std::abs(range.high)); }
 
+/// Returns the scene's own motion. The drawn motion differs from it if angles are exaggerated.
+std::shared_ptr<const physics::Motion> measured(const scene::Scene& scene,
+                                                std::shared_ptr<const physics::Motion> drawn) {
+  if (scene.show.exaggerateAngles == 1) return drawn;
+  scene::Scene own = scene;
+  own.show.exaggerateAngles = 1;
+  return drawnMotion(own);
+}
+
 }  // namespace
 
 QuantityRange joined(const QuantityRange& a, const QuantityRange& b) {
@@ -70,7 +79,7 @@ double sizeOf(const QuantityRange& range) {
 
 QuantityTrack::QuantityTrack(const scene::Scene& scene, std::shared_ptr<const physics::Motion> motion,
                              std::vector<int> quantities)
-    : motion_(std::move(motion)),
+    : motion_(measured(scene, std::move(motion))),
       quantities_(std::move(quantities)),
       clock_(filmClock(scene)),
       duration_s_(scene.time.duration_s),

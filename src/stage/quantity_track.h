@@ -30,7 +30,8 @@ double sizeOf(const QuantityRange& range);
 /// angle across its jumps by a full turn. Values between the samples are computed exactly, not interpolated.
 class QuantityTrack {
  public:
-  /// @param motion  drawnMotion() of the scene
+  /// @param motion  drawnMotion() of the scene. If angles are exaggerated, the values are those of the scene's own
+  /// motion instead.
   /// @param quantities  indices into scene::stateQuantities()
   QuantityTrack(const scene::Scene& scene, std::shared_ptr<const physics::Motion> motion,
                 std::vector<int> quantities);

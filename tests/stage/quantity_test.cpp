@@ -94,6 +94,19 @@ TEST(Quantities, RatesOfEulersAnglesAreThoseOfTheLecture) {
   EXPECT_NEAR(valueOf("psi_rate", symmetric.at(3.7), basis), -(3. / 2 - 1) * 1, 1e-14);
 }
 
+// Eq (29): Omega_p = (I3/I1 - 1) omega_3, with k on the side on which omega_3 is positive.
+TEST(Quantities, OmegaPHasTheSignOfTheLecture) {
+  const auto Omega_p = [](const Vector3d& moments, const Vector3d& omega) {
+    const physics::FreeMotion motion(physics::PrincipalMoments(moments), omega, Quaterniond::Identity());
+    return valueOf("Omega_p", motion.at(3.7), {physics::PrincipalMoments(moments), {}, omega});
+  };
+  EXPECT_NEAR(Omega_p({2, 2, 3}, {0.5, 0, 1}), 0.5, 1e-15);
+  EXPECT_NEAR(Omega_p({2, 2, 3}, {0.5, 0, -1}), 0.5, 1e-15);
+  EXPECT_NEAR(Omega_p({1, 2, 2}, {4, 0.5, 0}), -2, 1e-15);
+  EXPECT_EQ(Omega_p({2, 2, 2}, {0.5, 0, 1}), 0);
+  EXPECT_TRUE(std::isnan(Omega_p({1, 2, 3}, {0.5, 0, 1})));
+}
+
 TEST(Quantities, RatesAreTheDerivativesOfTheirAngles) {
   const Vector3d omega0(0.4, 0.3, 1.2);
   const physics::PrincipalMoments moments(Vector3d(1, 2, 2.5));
@@ -182,6 +195,40 @@ TEST(Quantities, MatchSumsByHandForAThrownBody) {
     EXPECT_NEAR(valueOf(name, s, basis), value, 3e-14) << name;  // measured: at most 1.5e-14
 }
 
+// The five masses again, with the first of them as K. By hand, R x M V + R x (omega x M c) = R x P, where P =
+// (7.2, -4.2, 2.4) kg m/s is the momentum of all: (0.15, 4.2, 6.9).
+TEST(Quantities, MatchTheTermsByHandForAPointK) {
+  Eigen::Matrix3d inertia;
+  inertia << 8.5045166015625, -0.052734375, 1.06787109375, -0.052734375, 7.9420166015625, 2.19287109375,
+      1.06787109375, 2.19287109375, 8.54296875;
+  const Vector3d centre(0.34375, 0.09375, 0.0234375);
+  const physics::Flight flight{centre, {1.2, -0.7, 0.4}, {0, 0, -9.81}};
+  const physics::PrincipalAxes axes(inertia);
+  physics::RigidBodyState s;
+  s.omega_B = s.omega_W = Vector3d(0.6, -1.1, 0.8);
+  s.L_W = inertia * s.omega_W;
+  const scene::QuantityBasis basis{
+      axes,
+      {},
+      axes.toP(s.omega_B),
+      scene::ThrownBody{flight, 6, scene::ThrownPoint{{6, centre, inertia}, {0.5, -1.25, 0.75}}}};
+  const auto vector = [&](const std::string& name) {
+    return Vector3d(valueOf(name + "_x", s, basis), valueOf(name + "_y", s, basis),
+                    valueOf(name + "_z", s, basis));
+  };
+  const Vector3d translation = vector("L_K_translation"), mixed = vector("L_K_mixed_1");
+  EXPECT_LT((translation + mixed - Vector3d(0.15, 4.2, 6.9)).norm(), 1e-14);
+  EXPECT_LT((vector("L_K_mixed_2") - Vector3d(-6.2967041015625, -6.65321044921875, -10.950732421875)).norm(),
+            1e-14);
+  // c x M (omega x c), with c = (-0.15625, 1.34375, -0.7265625), and I omega about the centre of mass.
+  EXPECT_LT((vector("L_K_rotation") - s.L_W - Vector3d(6.4701416015625, 1.79696044921875, 1.931982421875)).norm(),
+            1e-14);
+  s.t_s = 0.5;
+  const Vector3d sum =
+      vector("L_K_translation") + vector("L_K_mixed_1") + vector("L_K_mixed_2") + vector("L_K_rotation");
+  EXPECT_LT((sum - vector("L_total")).norm(), 1e-14);
+}
+
 TEST(Quantities, HaveNoMomentumForAThrownBodyWithoutMass) {
   const scene::QuantityBasis basis{
       physics::PrincipalMoments(Vector3d(2, 3, 4)), {}, Vector3d(1, 2, 3), scene::ThrownBody{}};
@@ -240,6 +287,17 @@ TEST(QuantityTrack, EulersAnglesOfATopGrowBeyondFullTurns) {
 }
 
 // q and -q are one attitude. The track keeps the sign along the film, so that no component jumps.
+// The picture exaggerates the angle between omega and the axis 100 times. The numbers are those of the scene.
+TEST(QuantityTrack, HasTheTrueNumbersIfAnglesAreExaggerated) {
+  const scene::Scene scene = scene::parseScene(
+      "[body]\nprincipal_moments = [2, 2, 3]\n[motion]\nomega_body = [0.001, 0, 1]\n[show]\n"
+      "exaggerate_angles = 100\n",
+      "small.toml");
+  const QuantityTrack track(scene, drawnMotion(scene), {indexOf("omega_1"), indexOf("theta_omega")});
+  EXPECT_NEAR(track.at(0, 0), 0.001, 1e-18);
+  EXPECT_NEAR(track.at(1, 0), std::atan(0.001) - std::atan(0.001 * 2 / 3), 1e-15);
+}
+
 TEST(QuantityTrack, QuaternionsAreContinuous) {
   const scene::Scene scene = symmetricTop();
   const QuantityTrack track(scene, drawnMotion(scene),

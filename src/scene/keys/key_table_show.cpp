@@ -67,8 +67,10 @@ std::vector<Key> pictureKeys() {
        .range = {.least = 1, .most = 1e9},
        .fallback = "1",
        .example = "100",
-       .help = "Factor by which poinsot enlarges small angles in the picture, so that they can be seen. It "
-               "enlarges the part of omega across the main axis of spin. The picture states this factor.",
+       .help =
+           "Factor by which poinsot enlarges small angles in the picture, so that they can be seen. It "
+           "enlarges the part of omega across the main axis of spin. The picture states this factor. Plots and "
+           "read-outs have the true numbers.",
        .put = into([](Draft& d) { return &d.scene.show.exaggerateAngles; })},
   };
 }
