@@ -119,11 +119,14 @@ class Step:
     """One step of the gallery's path: its heading, its scenes, and the names of the rows that it shows."""
 
     def __init__(self, heading, cells):
-        self.heading, self.scenes = heading, SCENE.findall(cells[0])
+        self.heading, self.shown, self.scenes = heading, cells[0], SCENE.findall(cells[0])
         self.names = list(names_of_rows(cells[-1]))
 
     def __str__(self):
-        return f"the step {', '.join(self.scenes)}"
+        return f"the step {', '.join(self.scenes) or self.shown}"
+
+    def is_linked(self):
+        return self.shown == ", ".join(f"[{scene}](../scenes/{scene}.toml)" for scene in self.scenes)
 
 
 def names_of_rows(cell):
@@ -137,7 +140,7 @@ def names_of_rows(cell):
 
 def steps(gallery):
     return [Step(heading, [cell.strip() for cell in line.strip("|").split("|")])
-            for heading, part in parts(section(gallery, PATH)) for line in re.findall(r"^\| \[.+\|$", part, re.M)]
+            for heading, part in parts(section(gallery, PATH)) for line in re.findall(r"^\|.+", part, re.M)[2:]]
 
 
 def problems_of_path(gallery, found):
@@ -146,6 +149,8 @@ def problems_of_path(gallery, found):
     by_name, first = {row.name: row for row in found}, {}
     in_words = {row.name for row in found if row.only_in_words()}
     for step in steps(gallery):
+        if not step.is_linked():
+            yield f"{step} is not a list of links to scenes: {step.shown}"
         for name in step.names:
             first.setdefault(name, step)
             if name not in by_name or name in in_words:
@@ -472,6 +477,12 @@ class PlantedFaultsOfThePath(unittest.TestCase):
         self.assertEqual(self.faults("| [sphere](../scenes/sphere.toml) | A", "| [football](../scenes/football.toml) | A"),
                          ["the step football names Claim 12, which has no command with this scene",
                           "the step football is the first to name Claim 12, whose first command has another scene"])
+
+    def test_a_step_without_its_link_is_found(self):
+        self.assertEqual(self.faults("| [sphere](../scenes/sphere.toml) | A", "| sphere | A")[0],
+                         "the step sphere is not a list of links to scenes: sphere")
+        self.assertEqual(self.faults("| [sphere](../scenes/sphere.toml) | A", "| [ball](../scenes/sphere.toml) | A"),
+                         ["the step sphere is not a list of links to scenes: [ball](../scenes/sphere.toml)"])
 
     def test_a_later_step_with_another_scene_is_found(self):
         self.assertEqual(self.faults("| [frisbee](../scenes/frisbee.toml) | Count", "| [sphere](../scenes/sphere.toml) | Count"),
