@@ -10,6 +10,7 @@ docs/testing.md describes the form of a row.
 import concurrent.futures
 import decimal
 import functools
+import itertools
 import json
 import pathlib
 import re
@@ -24,6 +25,7 @@ import xml.etree.ElementTree
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
 PAGE, GALLERY = ROOT / "docs/physics.md", ROOT / "docs/gallery.md"
+NOTEBOOK = ROOT / "python/notebooks/lecture15.ipynb"
 SECTION = "## The lecture, row by row\n"
 COUNTS = {"Eq": 40, "Figure": 4, "Claim": 30}
 MOST_IN_WORDS = 8
@@ -183,6 +185,36 @@ def problems_of_table(gallery, first):
         for name in (f"Eq {number}" for number in range(int(begin), int(end or begin) + 1)):
             if name in first and not set(SCENE.findall(line)) & set(first[name].scenes):
                 yield f"the table of equations lacks {first[name]} of {name}"
+
+
+def rows_of_notebook(cells):
+    """Returns pairs of the rows that a text names, such as "**Eq 20.** The axis precesses", and the code up to the next."""
+    pairs = []
+    for cell in cells:
+        text = "".join(cell["source"])
+        if cell["cell_type"] == "code":
+            if pairs:
+                pairs[-1][1] += text + "\n"
+        elif names := re.findall(r"^\*\*(\w+ \d+)\.\*\*", text, re.M):
+            pairs.append([names, ""])
+    return pairs
+
+
+def problems_of_notebook(cells, found):
+    """Returns what is wrong with the notebook: it compares each row that can be computed, once and in order."""
+    pairs = rows_of_notebook(cells)
+    named = [name for names, _ in pairs for name in names]
+    everything, expected = [row.name for row in found], [row.name for row in found if not row.only_in_words()]
+    if missing := [name for name in expected if name not in named]:
+        yield f"the notebook does not name {', '.join(missing)}"
+    if unknown := [name for name in named if name not in everything]:
+        yield f"the notebook names {', '.join(unknown)}, which the page lacks"
+    for before, name in itertools.pairwise(name for name in named if name in everything):
+        if everything.index(before) >= everything.index(name):
+            yield f"the notebook names {name} after {before}"
+    for names, code in pairs:
+        if not re.search(r"^ *assert ", code, re.M):
+            yield f"the notebook compares nothing for {', '.join(names)}"
 
 
 def half_unit(text):
@@ -376,6 +408,9 @@ class TheLecture(unittest.TestCase):
     def test_shows_every_row_in_the_path_of_the_gallery_by_the_scene_of_its_command(self):
         self.assertEqual(list(problems_of_path(GALLERY.read_text(), rows(self.page))), [])
 
+    def test_has_every_row_that_can_be_computed_in_the_notebook(self):
+        self.assertEqual(list(problems_of_notebook(json.loads(NOTEBOOK.read_text())["cells"], rows(self.page))), [])
+
 
 class PlantedFaults(unittest.TestCase):
     """Each fault is planted in the page as it is, and must be found in its row."""
@@ -442,6 +477,28 @@ class PlantedFaults(unittest.TestCase):
         end = text.index("#### ", begin + 1)
         self.assertEqual(list(problems_of_list(rows(text[:begin] + text[end:])))[-1], "expected 74 rows, and found 73")
         self.assertRegex(list(problems_of_list(rows(text.replace("#### Eq 20: ", "#### Eq 41: "))))[0], "^Eq: expected 1 to 40 in order")
+
+    def fault_of_notebook(self, old, new):
+        cells = json.loads(NOTEBOOK.read_text())["cells"]
+        self.assertTrue(any(old in "".join(cell["source"]) for cell in cells))
+        for cell in cells:
+            cell["source"] = "".join(cell["source"]).replace(old, new)
+        return list(problems_of_notebook(cells, rows(PAGE.read_text())))
+
+    def test_a_row_missing_in_the_notebook_is_found(self):
+        self.assertEqual(self.fault_of_notebook("**Eq 20.**", "Eq 20."), ["the notebook does not name Eq 20"])
+
+    def test_an_unknown_row_of_the_notebook_is_found(self):
+        self.assertEqual(self.fault_of_notebook("**Eq 40.**", "**Eq 40.**\n\n**Eq 41.**"),
+                         ["the notebook names Eq 41, which the page lacks"])
+
+    def test_a_row_that_the_notebook_repeats_or_misplaces_is_found(self):
+        self.assertEqual(self.fault_of_notebook("**Eq 20.**", "**Eq 20.**\n\n**Eq 20.**"), ["the notebook names Eq 20 after Eq 20"])
+        self.assertEqual(self.fault_of_notebook("**Eq 9.**", "**Claim 5.**")[:2],
+                         ["the notebook does not name Eq 9", "the notebook names Claim 5 after Claim 5"])
+
+    def test_a_row_that_the_notebook_does_not_compare_is_found(self):
+        self.assertIn("the notebook compares nothing for Claim 29", self.fault_of_notebook("assert error(", "print(error("))
 
     def test_too_many_rows_in_words_only_are_found(self):
         text = re.sub(r"- \*\*Result:\*\*", "- **In words only:**", PAGE.read_text())
