@@ -4,6 +4,7 @@
     words.py [FILE ...]    prints FILE:LINE: PROBLEM for each; without files, all sources and pages
 """
 import collections
+import json
 import pathlib
 import re
 import sys
@@ -103,6 +104,14 @@ def paragraphs(path, text):
     return found
 
 
+def notebook_texts(path, text):
+    """Returns a notebook's text cells as one page, in which formulas are one word or none, and its comments in code."""
+    cells = [(cell["cell_type"], "".join(cell["source"])) for cell in json.loads(text)["cells"]]
+    page = "\n\n".join(source for kind, source in cells if kind == "markdown")
+    page = re.sub(r"\$[^$]+\$", "`formula`", re.sub(r"\$\$.+?\$\$", "", page, flags=re.S))
+    return page, [said for kind, source in cells if kind == "code" for said in python_texts(path, source)]
+
+
 def sentences(text):
     """Splits a paragraph at full stops, question marks and exclamation marks.
 
@@ -148,6 +157,9 @@ def problems(path, text):
     if suffix == ".py":
         said = python_texts(path, text)
         return [*headless(said), *no_nouns(said)]
+    if suffix == ".ipynb":
+        page, said = notebook_texts(path, text)
+        return [*page_problems(path, page), *no_nouns(paragraphs(path, page)), *headless(said), *no_nouns(said)]
     if suffix == ".md":
         return [*page_problems(path, text), *no_nouns(paragraphs(path, text))]
     return []
@@ -158,7 +170,7 @@ def files():
 
     It walks the folders, because a machine that only builds and tests need not have git.
     """
-    found = [path for folder in FOLDERS for path in (ROOT / folder).rglob("*") if path.suffix in (".cpp", ".h", ".py", ".md")]
+    found = [path for folder in FOLDERS for path in (ROOT / folder).rglob("*") if path.suffix in (".cpp", ".h", ".py", ".md", ".ipynb")]
     listed = [str(path.relative_to(ROOT)) for path in [*ROOT.glob("*.md"), *found]]
     return sorted(path for path in listed if not path.startswith("bench/journal/"))
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tests words.py with one planted fault of each kind, then holds every source and page to it."""
+import json
 import unittest
 
 import words
@@ -56,6 +57,19 @@ class Words(unittest.TestCase):
         listed = ", ".join(f'"word_{i}"' for i in range(words.MOST_WORDS + 1))
         self.assertEqual(problems("a.md", f"| a | b |\n| - | - |\n| c | {listed} |\n"), [])
 
+    def test_reads_a_notebook(self):
+        def notebook(**cell):
+            return json.dumps({"cells": [{"cell_type": kind, "source": [source]} for kind, source in cell.items()]})
+
+        self.assertEqual(problems("a.ipynb", notebook(markdown=SENTENCE, code="b = 1  # b\nb")), [])
+        self.assertEqual(problems("a.ipynb", notebook(markdown=f"Word {SENTENCE}")),
+                         [f"33 words, more than 32: {('Word ' + SENTENCE)[:60]}"])
+        self.assertEqual(problems("a.ipynb", notebook(code="b = 1  # That of b")), ["begins with That: That of b"])
+
+    def test_counts_a_formula_of_a_notebook_as_one_word_or_none(self):
+        text = f"$a + b = c$ {SENTENCE[5:-1]}\n\n$$a + b\n= c$$\n\nand so on."
+        self.assertEqual(problems("a.ipynb", json.dumps({"cells": [{"cell_type": "markdown", "source": [text]}]})), [])
+
     def test_finds_a_page_with_too_many_long_sentences(self):
         page = "A word.\n\n" * 18 + f"{LONG}\n\n"
         self.assertEqual(problems("a.md", page + "A word.\n"), [])
@@ -65,7 +79,8 @@ class Words(unittest.TestCase):
 class EverySourceAndPage(unittest.TestCase):
     def test_is_found(self):
         found = set(words.files())
-        self.assertLess({"README.md", "docs/scene.md", "src/core/error.h", "tests/docs/words.py"}, found)
+        self.assertLess({"README.md", "docs/scene.md", "src/core/error.h", "tests/docs/words.py",
+                         "python/notebooks/lecture15.ipynb"}, found)
 
     def test_keeps_the_rules(self):
         found = [problem for path in words.files() for problem in words.problems(path, (words.ROOT / path).read_text())]
