@@ -75,6 +75,22 @@ TEST(ForcesFigure, HasArmsIfTheSceneAsksForThem) {
   EXPECT_EQ(names("[show]\nforces.arms = true\n"), std::vector<std::string>{"$\\mathbf{r}_1$"});
 }
 
+// The body rests until a force acts. A thousandth of the final L is shorter than its label.
+TEST(AngularMomentum, HasNoNameWhileItIsTooShortToSee) {
+  const Stage stage(
+      scene::parseScene("[body]\nshape = 'box'\nsize = [3, 2, 1]\nmass = 4\n[motion]\nomega_body = [0, 0, 0]\n"
+                        "[time]\nduration = 4\nspeed = 1\n" +
+                            force("at = [1.5, 0, 0]\nbody = [0, 3, 0]\nfrom = 2\n"),
+                        "start.toml"));
+  const auto hasName = [&](double t) {
+    const draw::Picture picture = stage.compose(t, {960, 540});
+    return std::ranges::any_of(picture.panels.at(0).list.texts,
+                               [](const draw::Text& label) { return label.tex == "$\\mathbf{L}$"; });
+  };
+  EXPECT_FALSE(hasName(2.002));
+  EXPECT_TRUE(hasName(3));
+}
+
 TEST(ForcesFigure, IsAnActorOnlyIfThereAreForces) {
   const auto has = [](const std::string& text) {
     const Scenery s(text);

@@ -143,6 +143,21 @@ TEST(PlaneOfL, ContainsLOmegaAndTheAxis) {
   }
 }
 
+// The dashes of a position vector lie in front of the body, but not so near that the camera cuts them off.
+TEST(NamedVector, IsDashedWhereTheBodyHidesIt) {
+  const Stage stage(
+      scene::parseScene(kTop + "[[vector]]\nname = '$r$'\nposition_of = [0.1, 0.1, 0.1]\n", "r.toml"));
+  const draw::DrawList list = stage.compose(1, {640, 360}).panels.at(0).list;
+  std::size_t dashes = 0;
+  for (const draw::Curve& curve : list.curves) {
+    if (curve.points_V.size() != 2 || curve.lift_V < 0.1f) continue;
+    ++dashes;
+    for (const glm::vec3& point : curve.points_V)
+      EXPECT_GT(depthOf(list.camera, point) - curve.lift_V, list.camera.near);
+  }
+  EXPECT_GE(dashes, 1u);
+}
+
 TEST(PlaneOfL, ReachesBeyondTheAxesIAndK) {
   const Scenery s(kTop + "[show.plane_of_L]\nvisible = true\n[show.triad]\nvisible = true\nscale = 3\n");
   const PictureState state = s.motion.at(1);

@@ -19,6 +19,12 @@ constexpr float kSoft = 0.6f;    // distance below which a direction is shortene
 
 bool beforeEye(const draw::Camera& camera, glm::vec3 point) { return depthOf(camera, point) >= camera.near; }
 
+/// Returns the distance by which a point can be moved towards the eye and is still drawn.
+double mostLift(const draw::Camera& camera, const Vector3d& point_V) {
+  constexpr double kWithin = 0.98;
+  return kWithin * std::max(static_cast<double>(depthOf(camera, toPicture(point_V)) - camera.near), 0.0);
+}
+
 }  // namespace
 
 void Canvas::line(const std::vector<Vector3d>& points_V, bool closed, const draw::Color& color, double width,
@@ -38,9 +44,12 @@ void Canvas::dashes(const Vector3d& from_V, const Vector3d& to_V, const draw::Co
   const double length = (to_V - from_V).norm();
   const int pieces =
       2 * static_cast<int>(std::round(0.5 * (length / kDash - 1))) + 1;  // an odd number, to end with a dash
-  for (int i = 0; i < pieces; i += 2)
-    line({from_V + (to_V - from_V) * i / pieces, from_V + (to_V - from_V) * (i + 1) / pieces}, false, color, width,
-         lift);
+  for (int i = 0; i < pieces; i += 2) {
+    const Vector3d begin = from_V + (to_V - from_V) * i / pieces,
+                   end = from_V + (to_V - from_V) * (i + 1) / pieces;
+    line({begin, end}, false, color, width,
+         std::min({lift, mostLift(list.camera, begin), mostLift(list.camera, end)}));
+  }
 }
 
 void Canvas::arrow(const Vector3d& tip_V, double radius, const draw::Color& color) const {

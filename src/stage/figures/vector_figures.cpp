@@ -15,6 +15,7 @@ constexpr double kVectorRadius = 0.019;
 constexpr double kLongestTorque = 0.9;
 constexpr double kAlongShaft = 0.62;  // position of omega's label along the shaft
 constexpr double kFarRight = 0.9;     // distance right of L at which omega's label changes sides, in text sizes
+constexpr double kNoName = 0.02;      // length of L, in picture lengths, below which it has no label
 constexpr double kFading = 0.5;       // distance from kFarRight within which omega's label fades, in text sizes
 
 float headRadius_px(const Canvas& canvas, const Vector3d& tip_V) {
@@ -40,8 +41,10 @@ void AngularMomentumFigure::add(const Canvas& canvas, double /*filmTime_s*/, con
   canvas.arrow(tip_V, kVectorRadius, canvas.colors.L);
   canvas.point("L", tip_V);
   const glm::vec2 tip = canvas.at_px(tip_V), along = softUnit(tip - canvas.at_px(Vector3d::Zero()), 1);
-  canvas.labelAt(scene::LabelName::kL, tip, besideTip(along), canvas.colors.L, canvas.arrowName,
-                 kLabelGap / canvas.arrowName);
+  const double there = std::clamp((tip_V.norm() - kNoName) / kNoName, 0.0, 1.0);
+  if (there > 0)
+    canvas.labelAt(scene::LabelName::kL, tip, besideTip(along), canvas.colors.L, canvas.arrowName,
+                   kLabelGap / canvas.arrowName, static_cast<float>(there));
 }
 
 std::vector<Vector3d> AngularMomentumFigure::outermostPoints(const PictureState& state) const {
