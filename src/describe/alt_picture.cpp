@@ -145,9 +145,11 @@ std::string otherWords(const scene::Scene& scene) {
       {"the axes x, y and z of space", [](const scene::Show& s) { return s.figures.spaceAxes.visible; }}};
   static const Thing forces{"an arrow for each force at its point of the body, while it acts",
                             [](const scene::Show& s) { return s.figures.forces.visible; }};
+  static const Thing arms{"an arrow r to this point",
+                          [](const scene::Show& s) { return s.figures.forces.visible && s.figures.forces.arms; }};
   std::vector<std::string> words = shown(things, scene.views);
   if (!scene.motion.forcing.forces.empty())
-    for (const std::string& arrows : shown({forces}, scene.views)) words.push_back(arrows);
+    for (const std::string& arrows : shown({forces, arms}, scene.views)) words.push_back(arrows);
   const Thing table{"the table on which it rolls",
                     [&](const scene::Show& s) { return scene.motion.rolling && s.figures.table.visible; }};
   for (const std::string& word : shown({table}, scene.views)) words.push_back(word);
@@ -188,8 +190,12 @@ std::string flightWords(const scene::Scene& scene, const scene::View& view) {
   if (!scene::movesAlong(scene.motion, view.camera, view.show)) return "";
   std::vector<std::string> things{say("the path of its centre of mass")};
   const auto& flight = view.show.figures.flight;
-  if (flight.position) things.push_back(say("an arrow from the origin to where it is"));
-  if (flight.velocity) things.push_back(say("an arrow for its velocity"));
+  const bool byPoint = scene.motion.thrownBy_B.has_value();  // R and V are those of the point
+  if (flight.position)
+    things.push_back(say(byPoint ? "an arrow from the origin to the point by which it is thrown"
+                                 : "an arrow from the origin to where it is"));
+  if (flight.velocity)
+    things.push_back(say(byPoint ? "an arrow for the velocity of this point" : "an arrow for its velocity"));
   if (flight.weight) things.push_back(say("an arrow for its weight"));
   return say(", with {}", listWords(things));
 }

@@ -16,7 +16,7 @@ constexpr Translation kGerman[] = {
     {"an infinite time", "unendlich lange"},
     {"{} minutes", "{} Minuten"},
     {"{} hours", "{} Stunden"},
-    {"{} days", "{} Tage"},
+    {"{} days", "{} d"},  // "Tage" would be "Tagen" after "in"
     {"{}, {} turns a second", "{}, {} Umdrehungen je Sekunde"},
     {"{}, one turn in {}", "{}, eine Umdrehung in {}"},
 
@@ -227,6 +227,7 @@ constexpr Translation kGerman[] = {
      "die Achsen i, j und k, mit i in der Ebene von L und k"},
     {"the path of a point of the body", "die Bahn eines Punktes des Körpers"},
     {"an arrow for the torque", "ein Pfeil für das Drehmoment"},
+    {"an arrow r to this point", "ein Pfeil r zu diesem Punkt"},
     {"an arrow for each force at its point of the body, while it acts",
      "ein Pfeil für jede Kraft an ihrem Punkt des Körpers, solange sie wirkt"},
     {"the axes x, y and z of space", "die Achsen x, y und z des Raums"},
@@ -244,6 +245,9 @@ constexpr Translation kGerman[] = {
      "so, wie ein Beobachter sie sieht, der mit der Achse L umläuft, so dass L, ω und die Achse stillstehen"},
     {", with {}", ", mit: {}"},
     {"the path of its centre of mass", "die Bahn seines Schwerpunkts"},
+    {"an arrow from the origin to the point by which it is thrown",
+     "ein Pfeil vom Ursprung zu dem Punkt, an dem er geworfen wird"},
+    {"an arrow for the velocity of this point", "ein Pfeil für die Geschwindigkeit dieses Punktes"},
     {"an arrow from the origin to where it is", "ein Pfeil vom Ursprung zu seinem Ort"},
     {"an arrow for its velocity", "ein Pfeil für seine Geschwindigkeit"},
     {"an arrow for its weight", "ein Pfeil für sein Gewicht"},

@@ -150,6 +150,8 @@ TEST(AltText, DescribesForcesAtPoints) {
   EXPECT_THAT(text, HasSubstr("A force of 5 N, fixed in space, acts at a point of the body from 1 s until 2 s."));
   EXPECT_THAT(text, HasSubstr("A force of 0.02 N, fixed in the body, acts at a point of the body."));
   EXPECT_THAT(text, HasSubstr("an arrow for each force at its point of the body, while it acts"));
+  EXPECT_THAT(altText(sceneOf(body + forces + "[show.forces]\narms=true\n")),
+              HasSubstr("while it acts and an arrow r to this point."));
   EXPECT_THAT(altText(sceneOf(body + forces + "[show]\nforces=false\n")),
               Not(HasSubstr("an arrow for each force")));
   EXPECT_THAT(
@@ -171,6 +173,10 @@ TEST(AltText, DescribesAThrownBody) {
   EXPECT_THAT(thrown,
               HasSubstr("at rest in space, with the path of its centre of mass, an arrow from the origin to "
                         "where it is and an arrow for its velocity."));
+  EXPECT_THAT(
+      altText(sceneOf(top + "point=[1, 0, 0]\nvelocity=[3, 0, 4]\n")),
+      HasSubstr("an arrow from the origin to the point by which it is thrown and an arrow for the velocity of "
+                "this point."));
   const std::string drifts =
       altText(sceneOf(top + "velocity=[0, 3, 4]\ngravity=[0, 0, 0]\n[show]\nflight=false\n"));
   EXPECT_THAT(drifts, HasSubstr("Nothing acts on the body, so"));
