@@ -145,7 +145,7 @@ std::string otherWords(const scene::Scene& scene) {
       {"the axes x, y and z of space", [](const scene::Show& s) { return s.figures.spaceAxes.visible; }}};
   static const Thing forces{"an arrow for each force at its point of the body, while it acts",
                             [](const scene::Show& s) { return s.figures.forces.visible; }};
-  static const Thing arms{"an arrow r to this point",
+  static const Thing arms{"an arrow r to it from the point that the body turns about",
                           [](const scene::Show& s) { return s.figures.forces.visible && s.figures.forces.arms; }};
   std::vector<std::string> words = shown(things, scene.views);
   if (!scene.motion.forcing.forces.empty())

@@ -13,6 +13,7 @@
 
 #include "core/rational.h"
 #include "core/sha256.h"
+#include "core/vector2.h"
 #include "geometry/mesh.h"
 #include "physics/catalogue.h"
 #include "physics/flight.h"
@@ -129,16 +130,18 @@ enum class Projection { kPerspective, kOrthographic };
 
 struct Camera {
   Projection projection = Projection::kPerspective;
-  double azimuth_rad = 0;    ///< angle about the vertical z axis, from the x axis
-  double elevation_rad = 0;  ///< angle above the horizontal plane
-  double fov_rad = 0;        ///< vertical field of view of a perspective
-  double zoom = 1;           ///< 1 fits the complete motion into the view; 2 is twice as large
-  Eigen::Vector2d shift = Eigen::Vector2d::Zero();  ///< shift of the picture to the right and up, as fractions
-                                                    ///< of the panel's width and height
+  double azimuth_rad = 0;                       ///< angle about the vertical z axis, from the x axis
+  double elevation_rad = 0;                     ///< angle above the horizontal plane
+  double fov_rad = 0;                           ///< vertical field of view of a perspective
+  double zoom = 1;                              ///< 1 fits the complete motion into the view; 2 is twice as large
+  core::Vector2 shift = core::Vector2::Zero();  ///< shift of the picture to the right and up, as fractions of the
+                                                ///< panel's width and height
   double orbit_rad = 0;  ///< angle that is added to the azimuth over the film, at a constant rate
   CameraFrame frame = CameraFrame::kSpace;  ///< axes that are fixed in the picture
   bool follow = false;                      ///< whether the camera moves with a thrown body
 };
+
+static_assert(core::laidOut<Camera, 72>());
 
 struct Show {
   std::string title, subtitle;  ///< text in the TeX subset of the text library
@@ -242,5 +245,12 @@ struct Scene {
   Style style;
   Output output;
 };
+
+/// Returns the vector from the fixed point of a scene's body to the point K by which the body is thrown (eq 4), in
+/// B, m. Zero if the scene gives no such point: then R, V and r are those of the fixed point.
+inline Eigen::Vector3d referencePoint_B(const Scene& scene) {
+  const Eigen::Vector3d fixed_B = scene.body.fixedPoint_B();
+  return scene.motion.thrownBy_B.value_or(fixed_B) - fixed_B;
+}
 
 }  // namespace poinsot::scene

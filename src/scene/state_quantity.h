@@ -83,7 +83,7 @@ enum class QuantityUnit {
 };
 
 /// Requirement of a quantity on the scene.
-enum class QuantityNeeds { kNothing, kFlight, kFlightAndMass, kFlightByPoint, kSymmetricBody };
+enum class QuantityNeeds { kNothing, kFlight, kFlightAndMass, kFlightByPoint, kFreeSymmetricBody };
 
 struct StateQuantity {
   std::string_view name;  ///< name in a scene, such as "omega_1"

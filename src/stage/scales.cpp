@@ -30,12 +30,13 @@ struct Longest {
   }
 };
 
-// Returns the largest speed in the film, m/s, of the centre of mass and of all points whose velocity is drawn.
+// Returns the largest speed in the film, m/s, of the point whose V is drawn and of all other points whose velocity
+// is drawn.
 double fastestShown(const scene::Scene& scene, const PictureMotion& motion) {
   double fastest = 0;
   for (const PathPoint& p : motion.outline()) {
     const PictureState state = motion.atPlayed(p.played_s);
-    fastest = std::max(fastest, state.velocity_V.norm());
+    fastest = std::max(fastest, state.velocityAt(scene::referencePoint_B(scene)).norm());
     for (const scene::NamedVector& vector : scene.vectors)
       if (const auto* of = std::get_if<scene::VelocityVector>(&vector.what))
         fastest = std::max(fastest, state.velocityAt(of->point_B - scene.body.fixedPoint_B()).norm());

@@ -151,7 +151,7 @@ TEST(AltText, DescribesForcesAtPoints) {
   EXPECT_THAT(text, HasSubstr("A force of 0.02 N, fixed in the body, acts at a point of the body."));
   EXPECT_THAT(text, HasSubstr("an arrow for each force at its point of the body, while it acts"));
   EXPECT_THAT(altText(sceneOf(body + forces + "[show.forces]\narms=true\n")),
-              HasSubstr("while it acts and an arrow r to this point."));
+              HasSubstr("while it acts and an arrow r to it from the point that the body turns about."));
   EXPECT_THAT(altText(sceneOf(body + forces + "[show]\nforces=false\n")),
               Not(HasSubstr("an arrow for each force")));
   EXPECT_THAT(

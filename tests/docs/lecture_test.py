@@ -67,6 +67,7 @@ class Row:
         self.heading = heading
         self.name, self.title = re.match(r"(\w+ \d+): (.+)", text).groups()
         self.commands, self.items, self.paragraphs, self.lines = [], {}, [], 0
+        self.early = []  # results before the first command, which belong to no command
         for block in re.split(r"\n\n+", text.partition("\n")[2].strip("\n")):
             if block.startswith("    ./poinsot "):
                 for words in re.findall(r"^    \./(poinsot .+)$", block, re.M):
@@ -80,8 +81,8 @@ class Row:
         self.lines += len(re.findall(r"^- ", block, re.M))
         for kind, words in re.findall(r"^- \*\*(.+?):\*\* (.+(?:\n  .+)*)", block, re.M):
             self.items.setdefault(kind, []).append(re.sub(r"\s+", " ", words))
-            if kind == "Result" and self.commands:
-                self.commands[-1].results.append(self.items[kind][-1])
+            if kind == "Result":
+                (self.commands[-1].results if self.commands else self.early).append(self.items[kind][-1])
 
     def links(self, kind):
         return [link for words in self.items.get(kind, []) for link in LINK.findall(words)]
@@ -350,6 +351,8 @@ def problems_of_form(row):
         return
     if not row.commands:
         yield "no command"
+    elif row.early:
+        yield f"a result before the first command: {row.early[0]}"
     for command in row.commands:
         yield from not_worked_out(command)
         if not command.results:
@@ -470,6 +473,10 @@ class PlantedFaults(unittest.TestCase):
         self.assertRegex(self.fault_of("Claim 9", "`theta`", "`thetas`")[0], "the table has no thetas at t = 0")
         self.assertRegex(self.fault_of("Eq 20", "./poinsot info", "./poinsot infos")[0], "exit code 2")
         self.assertEqual(self.fault_of("Eq 18", "    ./poinsot", "    # ./poinsot"), ["Eq 18: no command"])
+
+    def test_a_result_before_the_first_command_is_found(self):
+        self.assertEqual(self.fault_of("Eq 18", "    ./poinsot", "- **Result:** `L` is 1 m.\n\n    ./poinsot"),
+                         ["Eq 18: a result before the first command: `L` is 1 m."])
 
     def test_a_missing_or_misplaced_row_is_found(self):
         text = PAGE.read_text()

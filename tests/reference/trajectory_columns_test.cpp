@@ -219,6 +219,9 @@ TEST(ChosenColumns, RejectUnknownRepeatedAndImpossibleNames) {
   EXPECT_EQ(refusedWith(noMass, {"R_x", "V_z"}), "");
   EXPECT_THAT(refusedWith(noMass, {"P_x"}), HasSubstr("P_x needs a body with a mass"));
   EXPECT_THAT(refusedWith(noMass, {"L_K_mixed_1_x"}), HasSubstr("thrown by a point; give motion.flight.point"));
+  EXPECT_THAT(
+      refusedWith(sceneOf(sceneText("[2, 2, 1]", "[0.1, 3, 0.2]", "[motion.drag]\nrate = 0.1\n")), {"Omega_p"}),
+      HasSubstr("Omega_p exists only for a body on which nothing acts"));
   EXPECT_THAT(refusedWith(free, {"Omega_p"}),
               HasSubstr("Omega_p exists only for a symmetric body; give two equal"));
 }

@@ -70,6 +70,10 @@ TEST(FilmLoop, RejectsMotionsThatDoNotRepeat) {
   const std::string free = kBodies[0].text;
   EXPECT_THAT(messagesOf(free + "[motion.drag]\nrate = 0.1\n" + kLoop, {}),
               HasSubstr("time.loop: something acts on the body, so its motion never repeats exactly"));
+  const std::string exaggerated = free + kLoop + "[show]\nexaggerate_angles = 2\n";
+  EXPECT_EQ(messagesOf(exaggerated, {}), "");
+  EXPECT_THAT(messagesOf(exaggerated + "[[readout]]\nquantity = 'omega'\n", {}),
+              HasSubstr("plots and read-outs show the true motion, which does not"));
   EXPECT_THAT(messagesOf(free + kLoop + "speed = 0\n", {}), HasSubstr("time.loop: nothing moves at speed 0"));
   EXPECT_THAT(
       messagesOf("[body]\nprincipal_moments = [1, 2, 2.25]\n[motion]\nomega_body = [0.75, 0.5, 1]\n" + kLoop, {}),

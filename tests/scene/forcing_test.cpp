@@ -13,6 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 using testing::HasSubstr;
+using testing::Not;
 
 const std::string kBare = "body.principal_moments=[2, 4, 5]\nmotion.omega_body=[1, 2, 3]\n";
 const std::string kTop =
@@ -259,6 +260,10 @@ TEST(Flight, QuantitiesOfAFlightNeedAThrownBody) {
 }
 
 TEST(Flight, AProblemOfTheBodyIsNotReportedAgainAtAQuantity) {
+  EXPECT_THAT(
+      problems("[body]\nshape='box'\nsize=[1, 2, 3]\nmass=1\n[motion]\nomega_body=[1, 2, 3]\n[motion.flight]\n"
+               "velocity=[1, 0, 2]\npoint='x'\n[[plot]]\nquantities=['L_K_rotation_x']\n"),
+      Not(HasSubstr("plot[0]")));
   EXPECT_EQ(
       problems("[body]\nshape='box'\nsize=[1, 2, 3]\nmass=-1\n[motion]\nomega_body=[1, 2, 3]\n[motion.flight]\n"
                "velocity=[1, 0, 2]\n[[plot]]\nquantities=['P_x']\n"),

@@ -125,9 +125,32 @@ TEST(FlightFigure, ArrowsShowPositionAndVelocityOfThePointThatIsThrown) {
   for (const double t : kTimes_s) {
     const PictureState state = s.motion.at(t);
     const NamedVectorFigure::Arrow arrow = r.arrow(state);
-    EXPECT_EQ(arrow.from_V, figure.point_V(state));
+    EXPECT_LT((arrow.from_V - figure.point_V(state)).norm(), 1e-15);
     EXPECT_LT((arrow.tip_V - arrow.from_V - s.scales.body * (state.R_VB * Vector3d(1.25, 1.75, -1))).norm(),
               1e-14);
+  }
+}
+
+// The sides of the arrow V + omega x r are V of K and omega x r from K (eq 4).
+TEST(NamedVector, VelocityHasTheSidesOfThePointThatIsThrown) {
+  const Scenery s(replaced(kFiveMasses, "gravity", "point = [0.5, -1.25, 0.75]\ngravity") + kBare +
+                  "[[vector]]\nvelocity_of = [1.75, 0.5, -0.25]\n");
+  const NamedVectorFigure::Arrow arrow = NamedVectorFigure(s.setting, s.scene.vectors.at(0)).arrow(s.motion.at(0));
+  ASSERT_TRUE(arrow.corner_V);
+  EXPECT_LT(((*arrow.corner_V - arrow.from_V) / s.scales.velocity - kVelocity).norm(), 1e-14);
+  const Vector3d turning = Vector3d(0.6, -1.1, 0.8).cross(Vector3d(1.25, 1.75, -1));
+  EXPECT_LT(((arrow.tip_V - *arrow.corner_V) / s.scales.velocity - turning).norm(), 1e-14);
+}
+
+// K is fast, and the centre of mass is not. V of K fits the picture as V of a fast centre does.
+TEST(FlightFigure, AFastPointThatIsThrownHasAnArrowOfUsualLength) {
+  const std::string fast = replaced(replaced(kFiveMasses, "[0.6, -1.1, 0.8]", "[6, -11, 8]"),
+                                    "gravity = [0, 0, -9.81]", "point = [0.5, -1.25, 0.75]\ngravity = [0, 0, 0]");
+  const Scenery s(fast + kBare);
+  const FlightFigure figure(s.setting);
+  for (const double t : kTimes_s) {
+    const PictureState state = s.motion.at(t);
+    EXPECT_LT((figure.velocityTip_V(state) - figure.point_V(state)).norm(), 1) << t;
   }
 }
 

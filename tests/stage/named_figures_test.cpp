@@ -168,7 +168,7 @@ TEST(PlaneOfL, ReachesBeyondTheAxesIAndK) {
   for (const int axis : {0, 2}) {
     const Vector3d p = axes.col(axis) - c[0];
     const double x = p.dot(u) / u.squaredNorm(), y = p.dot(v) / v.squaredNorm();
-    EXPECT_TRUE(x > 0 && x < 1 && y < 1) << x << " " << y;
+    EXPECT_TRUE(x > 0 && x < 1 && y > 0 && y < 1) << x << " " << y;
   }
 }
 

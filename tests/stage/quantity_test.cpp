@@ -286,7 +286,6 @@ TEST(QuantityTrack, EulersAnglesOfATopGrowBeyondFullTurns) {
   }
 }
 
-// q and -q are one attitude. The track keeps the sign along the film, so that no component jumps.
 // The picture exaggerates the angle between omega and the axis 100 times. The numbers are those of the scene.
 TEST(QuantityTrack, HasTheTrueNumbersIfAnglesAreExaggerated) {
   const scene::Scene scene = scene::parseScene(
@@ -298,6 +297,7 @@ TEST(QuantityTrack, HasTheTrueNumbersIfAnglesAreExaggerated) {
   EXPECT_NEAR(track.at(1, 0), std::atan(0.001) - std::atan(0.001 * 2 / 3), 1e-15);
 }
 
+// q and -q are one attitude. The track keeps the sign along the film, so that no component jumps.
 TEST(QuantityTrack, QuaternionsAreContinuous) {
   const scene::Scene scene = symmetricTop();
   const QuantityTrack track(scene, drawnMotion(scene),

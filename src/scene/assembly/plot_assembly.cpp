@@ -28,9 +28,10 @@ void require(const std::string& path, const char* example, Findings& findings) {
 void checkExists(int quantity, const std::string& path, const Scene& scene, Findings& findings) {
   const StateQuantity& q = stateQuantity(quantity);
   const std::string lack = lackFor(q, scene);
-  // A body with a problem has no mass here, and its problem is already reported.
+  // If the body or the point by which it is thrown failed, its problem is already reported.
   const bool bodyFailed = !scene.body.mass && !massIsUnknown(findings);
-  if (lack.empty() || (scene.motion.flight && bodyFailed)) return;
+  const bool pointFailed = q.needs == QuantityNeeds::kFlightByPoint && findings.has("motion.flight.point");
+  if (lack.empty() || (scene.motion.flight && (bodyFailed || pointFailed))) return;
   findings.refuse(path, fmt::format("\"{}\" {}", q.name, lack));
 }
 

@@ -293,8 +293,7 @@ std::vector<Key> vectorKeys(const ShowTable& table) {
       forces.flag(
           "arms", false,
           "An arrow r to the point of each force, while the force acts. It starts at the point that the body "
-          "turns "
-          "about, so that r x F is the force's torque.",
+          "turns about, so that r x F is the force's torque.",
           [](ShownFigures & f) -> auto& { return f.forces.arms; }),
       plane.visible(
           "The plane that contains L and omega. The axis of a symmetric top lies in this plane too.",
@@ -348,14 +347,13 @@ std::vector<Key> flightKeys(const ShowTable& table) {
        .fallback = "\"auto\"",
        .example = "0.2",
        .help = "Factor on the lengths of a thrown body's path. If the factor is not 1, the path and the body have "
-               "different scales. `auto` is 1 if the body is then large enough to be seen. Otherwise, `auto` "
-               "shortens the path until the body can be seen.",
+               "different scales, and the arrow R to motion.flight.point has both. `auto` is 1 if the body is "
+               "then large enough to be seen. Otherwise, `auto` shortens the path until the body can be seen.",
        .put = key.put([](ShownFigures & f) -> auto& { return f.flight.scale; })},
       key.flag(
           "position", true,
           "The arrow R from the origin to the centre of mass, or to the point motion.flight.point if the scene "
-          "gives "
-          "it.",
+          "gives it.",
           [](ShownFigures & f) -> auto& { return f.flight.position; }),
       key.flag(
           "velocity", true,

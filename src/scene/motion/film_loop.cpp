@@ -29,6 +29,11 @@ void checkCanRepeat(const Scene& scene, double speed) {
         "the loop of a rolling cone is not computed; leave out the loop, and choose time.duration so that the "
         "film "
         "ends where it begins");
+  if (scene.show.exaggerateAngles != 1 && !(scene.plots.empty() && scene.readouts.empty()))
+    throw core::sceneError(
+        "the motion with exaggerated angles repeats, but plots and read-outs show the true motion, which does "
+        "not; "
+        "leave out time.loop, show.exaggerate_angles, or the plots and read-outs");
   if (speed == 0) throw core::sceneError("nothing moves at speed 0: there is no period");
 }
 

@@ -24,7 +24,8 @@ std::string lackFor(const StateQuantity& quantity, const Scene& scene) {
   switch (quantity.needs) {
     case QuantityNeeds::kNothing:
       return "";
-    case QuantityNeeds::kSymmetricBody: {
+    case QuantityNeeds::kFreeSymmetricBody: {
+      if (!motion.isFree()) return "exists only for a body on which nothing acts";
       const auto cones = physics::precessionCones(scene.body.axes.moments(), Eigen::Vector3d::UnitZ());
       return cones ? "" : "exists only for a symmetric body; give two equal principal moments";
     }

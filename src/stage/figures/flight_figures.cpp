@@ -30,14 +30,13 @@ FlightFigure::FlightFigure(const Setting& setting)
       scale_(setting.scales.flight),
       bodyScale_(setting.scales.body),
       velocityScale_(setting.scales.velocity),
-      point_B_(Vector3d::Zero()),
+      point_B_(scene::referencePoint_B(setting.scene)),
       byPoint_(setting.scene.motion.thrownBy_B),
       position_(setting.scene.show.figures.flight.position),
       velocity_(setting.scene.show.figures.flight.velocity),
       weight_(setting.scene.show.figures.flight.weight),
       follows_(setting.scene.camera.follow) {
   POINSOT_EXPECT(motion_.flight());
-  if (byPoint_) point_B_ = *setting.scene.motion.thrownBy_B - setting.scene.body.fixedPoint_B();
   weight_W_ = kWeight * unitOrZero(motion_.flight()->gravity_W);
 }
 

@@ -21,7 +21,7 @@ constexpr double kNameOfArm = 0.55;
 constexpr double kArmDashes = 1.4;
 
 std::string armName(std::size_t i, std::size_t count) {
-  return count == 1 ? "$\\mathbf{r}$" : fmt::format("$\\mathbf{{r}}_{}$", i + 1);
+  return count == 1 ? "$\\mathbf{r}$" : fmt::format("$\\mathbf{{r}}_{{{}}}$", i + 1);
 }
 
 double sizeOf(const physics::PointForce& force) { return force.force_B.norm() + force.force_W.norm(); }

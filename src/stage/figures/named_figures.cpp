@@ -82,7 +82,7 @@ struct MakeArrow {
 
   /// The arrow r starts at the point K by which the scene throws the body (eq 4), otherwise at the fixed point.
   ArrowOf operator()(const scene::PositionVector& vector) const {
-    const Vector3d from_B = place_B(setting.scene.motion.thrownBy_B.value_or(setting.scene.body.fixedPoint_B()));
+    const Vector3d from_B = setting.scales.body * scene::referencePoint_B(setting.scene);
     const Vector3d tip_B = from_B + scale * (place_B(vector.point_B) - from_B);
     return [from_B, tip_B, extent = 2 * setting.scales.reach](const PictureState& state) {
       return Arrow{.from_V = state.R_VB * from_B, .tip_V = state.R_VB * tip_B, .inBody_V = extent};
@@ -90,11 +90,13 @@ struct MakeArrow {
   }
 
   ArrowOf operator()(const scene::VelocityVector& vector) const {
-    const Vector3d r_B = vector.point_B - setting.scene.body.fixedPoint_B();
-    return [r_B, body = setting.scales.body, factor = scale * setting.scales.velocity](const PictureState& state) {
+    const Vector3d r_B = vector.point_B - setting.scene.body.fixedPoint_B(),
+                   K_B = scene::referencePoint_B(setting.scene);
+    return [r_B, K_B, body = setting.scales.body,
+            factor = scale * setting.scales.velocity](const PictureState& state) {
       const Vector3d place_V = body * (state.R_VB * r_B);
       Arrow arrow{place_V, place_V + factor * state.velocityAt(r_B)};
-      if (!state.velocity_V.isZero(0)) arrow.corner_V = place_V + factor * state.velocity_V;
+      if (!state.velocity_V.isZero(0)) arrow.corner_V = place_V + factor * state.velocityAt(K_B);
       return arrow;
     };
   }
@@ -174,7 +176,7 @@ void NamedVectorFigure::add(const Canvas& canvas, double /*filmTime_s*/, const P
 
 std::vector<Vector3d> NamedVectorFigure::outermostPoints(const PictureState& state) const {
   const Arrow now = arrow(state);
-  return {now.tip_V, now.corner_V.value_or(now.tip_V)};
+  return {now.from_V, now.tip_V, now.corner_V.value_or(now.tip_V)};
 }
 
 AngleFigure::AngleFigure(const Setting& setting, const scene::NamedAngle& angle, bool framed)

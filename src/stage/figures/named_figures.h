@@ -34,8 +34,8 @@ class NamedVectorFigure final : public Actor {
 
   struct Arrow {
     Eigen::Vector3d from_V, tip_V;
-    /// Point where the two parts of a body point's velocity, V and omega × r, meet. Set only while the body moves
-    /// through the view.
+    /// Point where the two parts of a body point's velocity, V and omega × r, meet (eq 4). Set only while the body
+    /// moves through the view.
     std::optional<Eigen::Vector3d> corner_V = {};
     double inBody_V = 0;  ///< extent of the body in which the arrow may be hidden; it is then dashed
   };
