@@ -241,7 +241,8 @@ std::string readoutSentence(const scene::Scene& scene) {
 
 std::string noteSentence(const scene::Note& note) {
   std::vector<std::string> lines;
-  for (const std::string& line : note.lines) lines.push_back(text::setTex(line).plainText);
+  for (const std::string& line : note.lines)
+    if (!line.empty()) lines.push_back(text::setTex(line).plainText);
   return say("Written in the picture: “{}”.", core::joined(lines, " "));
 }
 

@@ -188,7 +188,7 @@ TEST(AltText, DescribesGhostsVectorsReadoutsAndNotes) {
   const std::string text = altText(sceneOf(
       "[body]\nprincipal_moments = [2, 2, 3]\n[motion]\nomega_body = [0.5, 0, 2]\n[show]\nghosts = true\ntheta = "
       "true\n[[vector]]\nname = '$\\mathbf{r}$'\nposition_of = [1, 0, 0]\n[[readout]]\nquantity = \"omega\"\n"
-      "[[readout]]\nquantity = \"t\"\n[[note]]\ntext = ['One line', 'and $E = T$']\n"));
+      "[[readout]]\nquantity = \"t\"\n[[note]]\ntext = ['One line', '', 'and $E = T$']\n"));
   EXPECT_THAT(text, HasSubstr("the body, paler poses of it at other times and its principal axes e1, e2 and e3."));
   EXPECT_THAT(text, HasSubstr("Also shown: the angle θ between L and k and an arrow “r”."));
   EXPECT_THAT(text, HasSubstr("At the edge of the picture, |ω| and t are written in numbers."));

@@ -164,8 +164,11 @@ TEST(ChosenColumns, FollowTheForcesOnAThrownBody) {
   }
 }
 
+// A symmetric body that is thrown by a point has every quantity.
 TEST(ChosenColumns, HaveEveryQuantityOfPlots) {
-  const scene::Scene scene = sceneOf(kThrown);
+  const scene::Scene scene = sceneOf(
+      "[body]\nshape = 'cylinder'\nradius = 1\nheight = 3\nmass = 3\n[motion]\nomega_body = [0.1, 3, 0.2]\n"
+      "[motion.flight]\npoint = [0, 1, 0]\nvelocity = [4, -5, 6]\n");
   for (const scene::StateQuantity& quantity : scene::stateQuantities()) {
     const ChosenColumns chosen(scene, {std::string(quantity.name)}, "--quantities");
     const bool time = quantity.name == "t";

@@ -70,7 +70,7 @@ TEST(FilmLoop, RejectsMotionsThatDoNotRepeat) {
   const std::string free = kBodies[0].text;
   EXPECT_THAT(messagesOf(free + "[motion.drag]\nrate = 0.1\n" + kLoop, {}),
               HasSubstr("time.loop: something acts on the body, so its motion never repeats exactly"));
-  const std::string exaggerated = free + kLoop + "[show]\nexaggerate_angles = 2\n";
+  const std::string exaggerated = kBodies[2].text + kLoop + "[show]\nexaggerate_angles = 2\n";
   EXPECT_EQ(messagesOf(exaggerated, {}), "");
   EXPECT_THAT(messagesOf(exaggerated + "[[readout]]\nquantity = 'omega'\n", {}),
               HasSubstr("plots and read-outs show the true motion, which does not"));

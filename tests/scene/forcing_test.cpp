@@ -267,7 +267,7 @@ TEST(Flight, AProblemOfTheBodyIsNotReportedAgainAtAQuantity) {
   EXPECT_EQ(
       problems("[body]\nshape='box'\nsize=[1, 2, 3]\nmass=-1\n[motion]\nomega_body=[1, 2, 3]\n[motion.flight]\n"
                "velocity=[1, 0, 2]\n[[plot]]\nquantities=['P_x']\n"),
-      "body.mass: must be positive, got -1\n");
+      "body.mass: must be positive, from 1e-60 to 1e+60 kg, got -1 kg\n");
 }
 
 // A picture whose camera goes with the body may repeat.

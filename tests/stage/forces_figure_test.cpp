@@ -72,7 +72,7 @@ TEST(ForcesFigure, HasArmsIfTheSceneAsksForThem) {
     return found;
   };
   EXPECT_EQ(names(""), std::vector<std::string>());
-  EXPECT_EQ(names("[show]\nforces.arms = true\n"), std::vector<std::string>{"$\\mathbf{r}_1$"});
+  EXPECT_EQ(names("[show]\nforces.arms = true\n"), std::vector<std::string>{"$\\mathbf{r}_{1}$"});
 }
 
 // The body rests until a force acts. A thousandth of the final L is shorter than its label.

@@ -22,7 +22,8 @@ constexpr double kParallel = 1e-6;    // rad; at smaller angles, rounding errors
 PlaneOfLFigure::PlaneOfLFigure(const Setting& setting)
     : opacity_(setting.scene.show.figures.planeOfL.opacity), along_(0), across_(0) {
   const Vector3d k_P = mainAxis_P(setting.motion);
-  const double i = triadLength(setting), k = std::max(i, setting.axisLengths.dot(k_P.cwiseAbs()));
+  const double i = setting.scene.show.figures.triad.visible ? triadLength(setting) : 0;
+  const double k = std::max(i, setting.axisLengths.dot(k_P.cwiseAbs()));
   for (const PathPoint& p : setting.motion.outline()) {
     const PictureState state = setting.motion.atPlayed(p.played_s);
     if (state.L_V.isZero(0)) continue;

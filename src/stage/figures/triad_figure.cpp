@@ -20,8 +20,7 @@ constexpr double kLeastSide = 0.06;   // a shorter component has no room for its
 }  // namespace
 
 double triadLength(const Setting& setting) {
-  const auto& triad = setting.scene.show.figures.triad;
-  return triad.visible ? kTriadReach * setting.scales.reach * triad.scale : 0;
+  return kTriadReach * setting.scales.reach * setting.scene.show.figures.triad.scale;
 }
 
 TriadFigure::TriadFigure(const Setting& setting)

@@ -6,7 +6,7 @@
 
 namespace poinsot::stage {
 
-/// Returns the length of the axes i, j, k in the picture; 0 if the scene does not show them.
+/// Returns the length of the axes i, j, k in the picture, if they are drawn.
 double triadLength(const Setting& setting);
 
 /// Actor for the lecture's axes i, j, k of a free symmetric top (eq 19), with i in the plane of L and k. Also
